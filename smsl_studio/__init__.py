@@ -1,0 +1,1 @@
+"""SMSL Studio: draw, inspect and run blueprints of medical and robotic procedures."""

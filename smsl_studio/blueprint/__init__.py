@@ -1,0 +1,1 @@
+"""The heart and only shared vocabulary: what is meant, as frozen values and pure functions."""

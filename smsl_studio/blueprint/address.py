@@ -1,0 +1,49 @@
+"""Addresses: the one way to point at anything (selection, finding, highlight, log, undo)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+def _escape(name: str) -> str:
+    return name.replace("~", "~0").replace("/", "~1")
+
+
+def _unescape(part: str) -> str:
+    return part.replace("~1", "/").replace("~0", "~")
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Address:
+    """``SB``, ``SB/State`` or ``SB/State/Operation``.
+
+    A ``/`` inside a name is written ``~1`` and a ``~`` as ``~0`` (as RFC 6901 does), so that
+    ``str`` and ``split`` are inverse for any names. Whether something stands there is the
+    blueprint's business: see ``Blueprint.resolve``.
+    """
+
+    branch: str
+    state: str = ""
+    operation: str = ""
+
+    def __str__(self) -> str:
+        return "/".join(_escape(part) for part in self.path)
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """The names that are given, outermost first."""
+        if self.operation:
+            return (self.branch, self.state, self.operation)
+        return (self.branch, self.state) if self.state else (self.branch,)
+
+    @property
+    def parent(self) -> Address | None:
+        """The address one level up, or None for a State Branch."""
+        if self.operation:
+            return Address(self.branch, self.state)
+        return Address(self.branch) if self.state else None
+
+    @staticmethod
+    def split(text: str) -> tuple[str, ...]:
+        """The names in a written address."""
+        return tuple(_unescape(part) for part in text.split("/"))

@@ -1,0 +1,66 @@
+"""Facts: the digits a state's name carries, of any width and alphabet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+def fact_string(name: str, num_facts: int | None) -> str:
+    """The part of a state's name that carries the facts.
+
+    What is left after ``State_`` or ``State``; else what follows the last ``_``; else the last
+    NUM_FACTS characters.
+    """
+    for prefix in ("State_", "State"):
+        if name.startswith(prefix):
+            return name[len(prefix) :]
+    if "_" in name:
+        return name.rpartition("_")[2]
+    return name[-num_facts:] if num_facts else name
+
+
+@dataclass(frozen=True, slots=True)
+class FactShape:
+    """How the states of one SB carry their facts.
+
+    ``width`` is the number of characters of one fact; ``opaque`` says that the names cannot be
+    cut into facts, so that each state has one fact: its own name. ``misfits`` are the states
+    whose fact string does not fit (rule R05).
+    """
+
+    num_facts: int
+    width: int
+    opaque: bool = False
+    misfits: tuple[str, ...] = ()
+    written: int | None = None
+
+    def values(self, state: str) -> tuple[str, ...]:
+        """The fact values in a state's name, digit 0 first."""
+        if self.opaque:
+            return (state,)
+        text = fact_string(state, self.written)
+        return tuple(text[i : i + self.width] for i in range(0, len(text), self.width))
+
+
+def shape_of(states: Iterable[str], num_facts: int | None) -> FactShape:
+    """The shape that fits the names; opaque where none does."""
+    names = list(states)
+    lengths = {name: len(fact_string(name, num_facts)) for name in names}
+    counts: dict[int, int] = {}
+    for length in lengths.values():
+        counts[length] = counts.get(length, 0) + 1
+    common = max(counts, key=lambda n: (counts[n], n), default=0)
+    if num_facts is None:
+        misfits = tuple(n for n in names if lengths[n] != common)
+        if misfits or common == 0:
+            return FactShape(1, 0, opaque=True, misfits=misfits or tuple(names))
+        return FactShape(common, 1)
+    if num_facts < 1:
+        return FactShape(1, 0, opaque=True, misfits=tuple(names), written=num_facts)
+    if common == 0 or common % num_facts:
+        return FactShape(1, 0, True, tuple(names), num_facts)
+    misfits = tuple(n for n in names if lengths[n] != common)
+    if misfits:
+        return FactShape(1, 0, True, misfits, num_facts)
+    return FactShape(num_facts, common // num_facts, written=num_facts)

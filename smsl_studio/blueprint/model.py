@@ -1,0 +1,342 @@
+"""What is meant: a Blueprint of State Branches, frozen, equal when they mean the same.
+
+The tables (state -> operation -> target) stay the plain dictionaries the reader made, so that a
+file of 177,144 operations loads without an object per edge; ``State`` and ``Operation`` are made
+when they are asked for. Nobody may change a table: edits build new ones (see ``editing``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.facts import FactShape, shape_of
+from smsl_studio.errors import AddressError, Place, did_you_mean
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
+    from smsl_studio.smsl.document import Document
+
+Json = Any
+Table = dict[str, Mapping[str, str]]
+EMPTY: Mapping[str, Any] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """The header as written: None where a key is left to its default.
+
+    ``sub_sbs`` are pairs (sub-SB, digit) in written order, so that two subs on one digit and one
+    sub written twice can be seen; ``num_states`` is only checked; ``unknown`` keys are kept.
+    """
+
+    initial: str | None = None
+    activating: str | None = None
+    num_facts: int | None = None
+    sub_sbs: tuple[tuple[str, int], ...] = ()
+    num_states: int | None = None
+    unknown: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+    fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+    present: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """A permitted edge: from ``source`` by ``name`` to ``target``, all in ``branch``."""
+
+    branch: str
+    source: str
+    name: str
+    target: str
+
+    @property
+    def address(self) -> Address:
+        return Address(self.branch, self.source, self.name)
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A node: its name, its fact values (digit 0 first) and the operations it permits."""
+
+    branch: str
+    name: str
+    facts: tuple[str, ...]
+    operations: Mapping[str, Operation]
+
+    @property
+    def address(self) -> Address:
+        return Address(self.branch, self.name)
+
+
+@dataclass(frozen=True, eq=False)
+class StateBranch:
+    """One FSM: header, ordered states, and the ``_`` fields as they were read.
+
+    ``state_fields`` holds the ``_`` fields that stand inside states.
+    """
+
+    name: str
+    table: Table
+    header: Header = Header()
+    fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+    state_fields: Mapping[str, Mapping[str, Json]] = field(default_factory=lambda: EMPTY)
+
+    @property
+    def address(self) -> Address:
+        return Address(self.name)
+
+    @cached_property
+    def states(self) -> Mapping[str, State]:
+        """Every state by name, in written order."""
+        return MappingProxyType({name: self._state(name) for name in self.table})
+
+    @property
+    def initial(self) -> str:
+        """INITIAL, or the first state listed; the empty text where there are no states."""
+        return self.header.initial or next(iter(self.table), "")
+
+    @property
+    def activating(self) -> str:
+        """ACTIVATING, or the last state listed; the empty text where there are no states."""
+        return self.header.activating or next(reversed(self.table), "")
+
+    @cached_property
+    def shape(self) -> FactShape:
+        """How this SB's states carry their facts (``_states`` may give them for opaque names)."""
+        given = {n: note.facts for n, note in self.notes.states.items() if note.facts}
+        counts = {len(facts) for facts in given.values()}
+        if given and len(counts) == 1 and all(name in given for name in self.table):
+            return FactShape(counts.pop(), 0)
+        return shape_of(self.table, self.header.num_facts)
+
+    @property
+    def num_facts(self) -> int:
+        return self.shape.num_facts
+
+    def facts(self, state: str) -> tuple[str, ...]:
+        """The fact values of a state, digit 0 first."""
+        shape = self.shape
+        if shape.width == 0 and not shape.opaque:
+            return self.notes.states[state].facts
+        return shape.values(state)
+
+    @cached_property
+    def subs(self) -> Mapping[int, str]:
+        """The sub-SB under each digit that has one (the first written wins; R07 reports more)."""
+        found: dict[int, str] = {}
+        for sub, digit in self.header.sub_sbs:
+            found.setdefault(digit, sub)
+        return MappingProxyType(found)
+
+    @cached_property
+    def alphabet(self) -> tuple[tuple[str, ...], ...]:
+        """The values each digit takes in the states, sorted, digit 0 first."""
+        columns = zip(*(self.facts(name) for name in self.table), strict=True)
+        return tuple(tuple(sorted(set(column))) for column in columns)
+
+    def on_value(self, digit: int) -> str:
+        """The value of ``digit`` that counts as on.
+
+        What ``_facts`` says; else ``1`` where the values lie in {0, 1}; else the digit's value in
+        the ACTIVATING state (spec: sub digits, clause 1).
+        """
+        note = self.notes.facts.get(digit)
+        if note is not None and note.on is not None:
+            return note.on
+        values = self.alphabet[digit] if digit < len(self.alphabet) else ()
+        if set(values) <= {"0", "1"}:
+            return "1"
+        return self.facts(self.activating)[digit] if self.activating in self.table else "1"
+
+    def is_on(self, state: str, digit: int) -> bool:
+        """Whether ``digit`` is on in ``state``."""
+        return self.facts(state)[digit] == self.on_value(digit)
+
+    @cached_property
+    def notes(self) -> Notes:
+        """The typed annotations of this SB."""
+        if not any(k in self.fields for k in ("_facts", "_states", "_operations", "_layout")):
+            return _no_notes()
+        from smsl_studio.blueprint.annotations import read_notes
+
+        return read_notes(self.fields)
+
+    def fact_name(self, digit: int) -> str:
+        """The plain name of a fact, or ``Fact 1`` (counted from 1) where none is given."""
+        note = self.fact_note(digit)
+        return note.name if note and note.name else f"Fact {digit + 1}"
+
+    def fact_note(self, digit: int) -> FactNote | None:
+        return self.notes.facts.get(digit)
+
+    def state_note(self, state: str) -> StateNote | None:
+        return self.notes.states.get(state)
+
+    def operation_note(self, state: str, operation: str) -> OperationNote:
+        """The annotations of one edge; those of ``State/Operation`` override those of the name."""
+        return self.notes.operation(state, operation)
+
+    def cost(self, state: str, operation: str) -> float:
+        """The declared cost of an edge, 1 where none is declared."""
+        if "_operations" not in self.fields:
+            return 1.0
+        cost = self.operation_note(state, operation).cost
+        return 1.0 if cost is None else cost
+
+    def edges(self) -> Iterator[Operation]:
+        """Every operation, in written order."""
+        for source, operations in self.table.items():
+            for name, target in operations.items():
+                yield Operation(self.name, source, name, target)
+
+    def operation(self, state: str, operation: str) -> Operation:
+        return Operation(self.name, state, operation, self.table[state][operation])
+
+    @property
+    def edge_count(self) -> int:
+        return sum(map(len, self.table.values()))
+
+    def _state(self, name: str) -> State:
+        operations = {
+            op: Operation(self.name, name, op, target) for op, target in self.table[name].items()
+        }
+        return State(self.name, name, self.facts(name), MappingProxyType(operations))
+
+    @cached_property
+    def meaning(self) -> Json:
+        """This SB as plain values with every default made explicit; layout and comments left out."""
+        return {
+            "initial": self.initial,
+            "activating": self.activating,
+            "num_facts": self.num_facts,
+            "sub_sbs": {sub: digit for sub, digit in self.header.sub_sbs},
+            "num_states": self.header.num_states,
+            "states": {name: dict(operations) for name, operations in self.table.items()},
+            "notes": {k: self.fields[k] for k in MEANING_FIELDS if k in self.fields},
+        }
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, StateBranch):
+            return NotImplemented
+        return self.name == other.name and self.meaning == other.meaning
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+MEANING_FIELDS = ("_facts", "_states", "_operations")
+
+
+@dataclass(frozen=True, eq=False)
+class Blueprint:
+    """The whole hFSM of one procedure: an ordered set of State Branches, and its written form."""
+
+    branches: Mapping[str, StateBranch]
+    document: Document
+    fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+
+    def __getitem__(self, branch: str) -> StateBranch:
+        try:
+            return self.branches[branch]
+        except KeyError:
+            raise AddressError(
+                f"there is no State Branch {branch!r}", advice=did_you_mean(branch, self.branches)
+            ) from None
+
+    def __iter__(self) -> Iterator[StateBranch]:
+        return iter(self.branches.values())
+
+    def __len__(self) -> int:
+        return len(self.branches)
+
+    @property
+    def file(self) -> str:
+        """The name of the file, as messages show it."""
+        return self.document.file
+
+    @cached_property
+    def bases(self) -> Mapping[str, tuple[tuple[str, int], ...]]:
+        """For each sub-SB its bases: pairs (base SB, digit), in file order."""
+        found: dict[str, list[tuple[str, int]]] = {}
+        for branch in self:
+            for digit, sub in branch.subs.items():
+                found.setdefault(sub, []).append((branch.name, digit))
+        return MappingProxyType({sub: tuple(pairs) for sub, pairs in found.items()})
+
+    @cached_property
+    def roots(self) -> tuple[str, ...]:
+        """The SBs named in nobody's SUB_SBS, in file order."""
+        named = {sub for branch in self for sub, _ in branch.header.sub_sbs}
+        return tuple(name for name in self.branches if name not in named)
+
+    @cached_property
+    def hazards(self) -> tuple[Hazard, ...]:
+        if "_hazards" not in self.fields:
+            return ()
+        from smsl_studio.blueprint.annotations import read_hazards
+
+        return read_hazards(self.fields["_hazards"])[0]
+
+    @property
+    def state_count(self) -> int:
+        return sum(len(branch.table) for branch in self)
+
+    @property
+    def operation_count(self) -> int:
+        return sum(branch.edge_count for branch in self)
+
+    def resolve(self, text: str | Address) -> Address:
+        """The address of something that exists; AddressError with a near name otherwise.
+
+        The SB may be left out where the file has one root: ``State_aaa/Op_1c``.
+        """
+        parts = text.path if isinstance(text, Address) else Address.split(text)
+        if parts and parts[0] not in self.branches and len(self.roots) == 1:
+            root = self[self.roots[0]]
+            if parts[0] in root.table or len(parts) == 1:
+                parts = (root.name, *parts)
+        if not 1 <= len(parts) <= 3 or not all(parts):
+            raise AddressError(
+                f"{text!s} is no address", advice="Write SB, SB/State or SB/State/Operation."
+            )
+        branch = self[parts[0]]
+        if len(parts) > 1 and parts[1] not in branch.table:
+            raise AddressError(
+                f"there is no state {parts[1]!r} in {branch.name}",
+                advice=did_you_mean(parts[1], branch.table),
+            )
+        if len(parts) > 2 and parts[2] not in branch.table[parts[1]]:
+            raise AddressError(
+                f"there is no operation {parts[2]!r} in {branch.name}/{parts[1]}",
+                advice=did_you_mean(parts[2], branch.table[parts[1]]),
+            )
+        return Address(*parts)
+
+    def place(self, address: Address, *below: str) -> Place:
+        """Where an address (or a key below it, such as HEADER, INITIAL) stands in the text."""
+        return self.document.place((*address.path, *below))
+
+    @cached_property
+    def meaning(self) -> Json:
+        """Everything a digest signs, as plain values; the order of SBs counts."""
+        return {
+            "branches": [[branch.name, branch.meaning] for branch in self],
+            "hazards": self.fields.get("_hazards"),
+            "imports": self.fields.get("_imports"),
+        }
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Blueprint):
+            return NotImplemented
+        return bool(self.meaning == other.meaning)
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def _no_notes() -> Notes:
+    from smsl_studio.blueprint.annotations import Notes
+
+    return Notes()

@@ -1,0 +1,89 @@
+"""One tree of expected errors; everything else is a fault of ours and crashes honestly.
+
+::
+
+    StudioError              what is wrong, where, and what to do about it
+    ├── ReadError            a text or file cannot be opened as SMSL        (exit 2)
+    ├── SaveError            a file could not be written; the old one stands (exit 2)
+    ├── AddressError         nothing stands at that address                  (exit 2)
+    ├── UsageError           a command or call that makes no sense           (exit 2)
+    ├── EditRefused          an edit that would leave nonsense; nothing was changed
+    ├── PluginError          a plugin that cannot be loaded or bound
+    ├── WorldError           a world that is unknown or cannot be built
+    ├── HostError            the place where library code runs is gone or silent
+    └── RunRefused           a guard at the start said no; nothing moved     (exit 1)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from difflib import get_close_matches
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Place:
+    """A point in a file; lines and columns count from 1, columns in characters."""
+
+    file: str
+    line: int
+    column: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+class StudioError(Exception):
+    """An expected error: a clear sentence, its place where it has one, and an advice."""
+
+    def __init__(self, sentence: str, place: Place | None = None, advice: str = "") -> None:
+        super().__init__(sentence)
+        self.sentence = sentence
+        self.place = place
+        self.advice = advice
+
+    def __str__(self) -> str:
+        where = f"{self.place}: " if self.place else ""
+        return f"{where}{self.sentence}"
+
+
+class ReadError(StudioError):
+    """A text or file that cannot be opened as SMSL."""
+
+
+class SaveError(StudioError):
+    """A file that could not be written; what stood there before still stands."""
+
+
+class AddressError(StudioError):
+    """Nothing in the blueprint stands at that address."""
+
+
+class UsageError(StudioError):
+    """A command or call whose parts do not fit together."""
+
+
+class EditRefused(StudioError):
+    """An edit that would leave nonsense; nothing was changed."""
+
+
+class PluginError(StudioError):
+    """A plugin that cannot be loaded, or an operation that cannot be bound."""
+
+
+class WorldError(StudioError):
+    """A world that is unknown or cannot be built."""
+
+
+class HostError(StudioError):
+    """The place where library code runs is gone or does not answer."""
+
+
+class RunRefused(StudioError):
+    """A guard at the start of a run said no; nothing has moved."""
+
+
+def did_you_mean(name: str, known: Iterable[str]) -> str:
+    """An advice naming the closest known name, or the empty text."""
+    close = get_close_matches(name, list(known)[:5000], n=1, cutoff=0.6)
+    return f"Did you mean {close[0]}?" if close else ""

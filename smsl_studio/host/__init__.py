@@ -1,0 +1,1 @@
+"""Where operations run, tick by tick, so that the dispatcher outlives them."""

@@ -1,0 +1,117 @@
+"""Where library code runs: the one interface of the local and the process host.
+
+The dispatcher steps the host in lock: one ``tick`` is one step of the world, one resumption of the
+running operation and the samples of the sensors that were due. Equal calls give equal answers,
+whichever host carries them out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.monitor.sample import Sample
+from smsl_studio.world.protocol import Shape
+
+
+class Outcome(Enum):
+    """How the call that was begun stands after a tick. What it returns is no evidence (clause 7)."""
+
+    IDLE = "idle"
+    RUNNING = "running"
+    RETURNED = "returned"
+    FAILED = "failed"
+    """The function returned False."""
+    RAISED = "raised"
+
+
+@dataclass(frozen=True, slots=True)
+class Bound:
+    """The library function bound to one edge, as the dispatcher needs to know it.
+
+    ``exact`` says that it was bound to exactly this ``State/Operation`` (clause 5). ``timeout`` is
+    in simulated seconds. ``stop`` is what a stop or pause does to it: abort, hold or finish.
+    """
+
+    function: str
+    exact: bool
+    stop: str
+    timeout: float
+
+
+@dataclass(frozen=True, slots=True)
+class SensorInfo:
+    """One sensor of one fact: its name, its period and the age (s) after which it is stale."""
+
+    name: str
+    branch: str
+    digit: int
+    period: float
+    max_age: float
+
+
+@dataclass(frozen=True, slots=True)
+class Opened:
+    """What a host says once its world stands.
+
+    ``bound`` has every edge of the blueprint that has a library function in this world.
+    ``settle`` is the simulated time (s) for which a target's check must be let settle before it
+    decides (clause 7).
+    """
+
+    world: str
+    tick: float
+    hardware: bool
+    bound: Mapping[Address, Bound]
+    sensors: tuple[SensorInfo, ...]
+    shapes: tuple[Shape, ...]
+    settle: float
+
+
+@dataclass(frozen=True, slots=True)
+class Tick:
+    """What one tick brought: the time (simulated s) after it, the running call, the samples."""
+
+    time: float
+    outcome: Outcome
+    samples: tuple[Sample, ...]
+    message: str = ""
+
+
+class Host(Protocol):
+    """A place where a world and library code run. HostError when it is gone or silent."""
+
+    def open(self, start: Mapping[str, str]) -> Opened:
+        """Build the world and put it into ``start`` (SB -> state)."""
+        ...
+
+    def sense(self) -> tuple[Sample, ...]:
+        """Every sensor once, now, without moving the time."""
+        ...
+
+    def begin(self, edge: Address) -> None:
+        """Start the library function bound to an edge; it first moves at the next tick."""
+        ...
+
+    def tick(self) -> Tick:
+        """Let the world and the running call go on for one tick."""
+        ...
+
+    def cancel(self, mode: str) -> None:
+        """End the running call: ``abort`` and ``hold`` brake and drop it; it never resumes."""
+        ...
+
+    def poses(self) -> tuple[float, ...]:
+        """The newest poses for drawing (see ``World.poses``); never blocks on a running tick."""
+        ...
+
+    def status(self) -> Mapping[str, str]:
+        """The world's short words for people; never blocks on a running tick."""
+        ...
+
+    def close(self) -> None:
+        """End everything, also a child that hangs; calling it twice is harmless."""
+        ...

@@ -1,0 +1,1 @@
+"""What happened: one stream of frozen events that file, highlight, timeline and tests read."""

@@ -1,0 +1,207 @@
+"""Run events: the one story of a run, in simulated time.
+
+An event carries no wall time, host, path or process number (those stand in the log's header), so
+that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, ClassVar
+
+Json = Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Event:
+    """What every event has: its word and its simulated time."""
+
+    event: ClassVar[str] = ""
+    t: float
+
+    def as_json(self) -> dict[str, Json]:
+        """The event as plain values, its word first, times rounded to a microsecond."""
+        values: dict[str, Json] = {"event": self.event}
+        for item in fields(self):
+            value = getattr(self, item.name)
+            values[item.name] = round(value, 6) if isinstance(value, float) else _plain(value)
+        return values
+
+    def line(self) -> str:
+        """The event as one line of JSON."""
+        return json.dumps(self.as_json(), ensure_ascii=False, separators=(",", ":"))
+
+
+def _plain(value: Json) -> Json:
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in value.items()}
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunStarted(Event):
+    """The run begins: every SB's start state was confirmed by its state check."""
+
+    event: ClassVar[str] = "run_started"
+    world: str
+    seed: int
+    start: Mapping[str, str]
+    goals: tuple[str, ...]
+    behaviour: str = ""
+    """SHA-256 of the blueprint's behaviour: which drawing this run holds."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RoutePlanned(Event):
+    """The cheapest way to the goal from here: addresses in the order they will be carried out."""
+
+    event: ClassVar[str] = "route_planned"
+    goal: str
+    operations: tuple[str, ...]
+    cost: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperationStarted(Event):
+    """An edge is being carried out; ``function`` is empty where it runs none."""
+
+    event: ClassVar[str] = "operation_started"
+    address: str
+    target: str
+    function: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperationEnded(Event):
+    """The library function of an edge ended: returned, failed, raised, timed_out or cancelled."""
+
+    event: ClassVar[str] = "operation_ended"
+    address: str
+    outcome: str
+    message: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StateChecked(Event):
+    """A state check on sensed facts: true, false or unknown, with the facts that are not true."""
+
+    event: ClassVar[str] = "state_checked"
+    address: str
+    result: str
+    misses: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Committed(Event):
+    """Edges that became true together, and every SB whose active state changed with them."""
+
+    event: ClassVar[str] = "committed"
+    operations: tuple[str, ...]
+    configuration: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperationRefused(Event):
+    """A guard said no; nothing moved."""
+
+    event: ClassVar[str] = "operation_refused"
+    address: str
+    reasons: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperationRisky(Event):
+    """A failed operation is tagged risky; routing bypasses it until it is restored."""
+
+    event: ClassVar[str] = "operation_risky"
+    address: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FactChanged(Event):
+    """A sensed fact took another value; None is unknown, with the reason."""
+
+    event: ClassVar[str] = "fact_changed"
+    branch: str
+    digit: int
+    value: str | None
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mismatch(Event):
+    """Integrity is broken: sensed facts and flags differ, or an outcome is not the target."""
+
+    event: ClassVar[str] = "mismatch"
+    facts: tuple[str, ...]
+    candidates: tuple[Mapping[str, str], ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Relocalised(Event):
+    """The scene was read again and a configuration adopted."""
+
+    event: ClassVar[str] = "relocalised"
+    configuration: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Held(Event):
+    """The run holds and says why; nobody moves until someone decides."""
+
+    event: ClassVar[str] = "held"
+    reason: str
+    details: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Paused(Event):
+    event: ClassVar[str] = "paused"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Resumed(Event):
+    event: ClassVar[str] = "resumed"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GoalReached(Event):
+    """One goal holds."""
+
+    event: ClassVar[str] = "goal_reached"
+    goal: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunFinished(Event):
+    """The last event. ``reason``: goal_reached, no_route, held, refused, stopped or failed."""
+
+    event: ClassVar[str] = "run_finished"
+    reason: str
+    sentence: str
+    operations: int
+    configuration: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EdgeSwept(Event):
+    """One edge of a sweep: started in its source state, run, source and target checked."""
+
+    event: ClassVar[str] = "edge_swept"
+    address: str
+    passed: bool
+    source: str
+    target: str
+    sentence: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SweepFinished(Event):
+    event: ClassVar[str] = "sweep_finished"
+    edges: int
+    passed: int
+    failed: tuple[str, ...] = ()

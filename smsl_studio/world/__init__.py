@@ -1,0 +1,1 @@
+"""What moves and is sensed. PyBullet lives in ``bullet`` and nowhere else."""
