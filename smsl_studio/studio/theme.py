@@ -1,0 +1,140 @@
+"""The tokens of the window: colours, type, distances, in light and dark.
+
+Painters and the style sheet read these and nothing else. Both themes carry the same marks at the
+same contrast. Lengths are device-independent pixels.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cache
+
+from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
+
+SPACE = (4, 8, 12, 16, 24)
+RADIUS_CHIP, RADIUS_CONTROL, RADIUS_NODE, RADIUS_CARD = 4, 6, 8, 10
+CONTROL, CONTROL_ROW, CONTROL_DECISION = 32, 26, 40
+MENU_BAR, MODE_BAR, MODE_BAR_RUN, STATUS_LINE = 32, 48, 56, 26
+
+
+@dataclass(frozen=True)
+class Tokens:
+    """The colours of one theme; see docs/window.md for what each is for."""
+
+    name: str
+    win: QColor
+    surf: QColor
+    sunk: QColor
+    canvas: QColor
+    dot: QColor
+    line: QColor
+    line2: QColor
+    nl: QColor
+    tx: QColor
+    tx2: QColor
+    tx3: QColor
+    acc: QColor
+    accs: QColor
+    accl: QColor
+    onacc: QColor
+    ok: QColor
+    oks: QColor
+    bad: QColor
+    bads: QColor
+    unk: QColor
+    unks: QColor
+    risk: QColor
+    risks: QColor
+    edge: QColor
+    dim: QColor
+    slate: QColor
+    onslate: QColor
+    stop: QColor
+
+    @property
+    def dark(self) -> bool:
+        return self.name == "dark"
+
+    def css(self) -> dict[str, str]:
+        """Every colour by name as ``#rrggbb``, for the style sheet."""
+        return {f.name: getattr(self, f.name).name() for f in fields(self) if f.name != "name"}
+
+    def palette(self) -> QPalette:
+        """The Qt palette of this theme (Fusion obeys it; setColorScheme does not everywhere)."""
+        palette = QPalette()
+        role = QPalette.ColorRole
+        for target, colour in (
+            (role.Window, self.win),
+            (role.WindowText, self.tx),
+            (role.Base, self.surf),
+            (role.AlternateBase, self.sunk),
+            (role.Text, self.tx),
+            (role.PlaceholderText, self.tx3),
+            (role.Button, self.surf),
+            (role.ButtonText, self.tx),
+            (role.BrightText, self.onacc),
+            (role.Highlight, self.acc),
+            (role.HighlightedText, self.onacc),
+            (role.ToolTipBase, self.surf),
+            (role.ToolTipText, self.tx),
+            (role.Link, self.acc),
+            (role.Light, self.surf),
+            (role.Midlight, self.line),
+            (role.Mid, self.line2),
+            (role.Dark, self.nl),
+            (role.Shadow, self.line2),
+            (role.Accent, self.acc),
+        ):
+            palette.setColor(target, colour)
+        for target in (role.WindowText, role.Text, role.ButtonText):
+            palette.setColor(QPalette.ColorGroup.Disabled, target, self.tx3)
+        return palette
+
+
+_NAMES = [f.name for f in fields(Tokens)][1:]
+_LIGHT = (
+    "F3F4F6 FFFFFF EDEFF2 F8F9FB DCE0E6 DFE3E8 C2C8D1 8791A1 161B22 465060 5F6979 "
+    "2456C9 E7EEFC 9CB5EE FFFFFF 0B7357 E0F2EB B3291B FCE8E5 64548F EFEBF7 8A4F00 FBEED6 "
+    "788293 C9CED6 465060 FFFFFF C4221A"
+)
+_DARK = (
+    "12161C 191E26 0E1217 11151B 242B35 2A313C 434D5C 6D7889 E9EDF2 B5BECA 929CAB "
+    "86AAFF 1D2A49 4565B0 0B1430 4FCB9C 12322A FF8A76 401F1B B9A8EC 2B2541 F0B34C 392A10 "
+    "7E899A 3A434F B5BECA 12161C D5352A"
+)
+
+
+def _tokens(name: str, colours: str) -> Tokens:
+    values = {key: QColor(f"#{hex_}") for key, hex_ in zip(_NAMES, colours.split(), strict=True)}
+    return Tokens(name=name, **values)
+
+
+LIGHT = _tokens("light", _LIGHT)
+DARK = _tokens("dark", _DARK)
+
+
+@cache
+def _family(*wanted: str) -> str:
+    installed = set(QFontDatabase.families())
+    return next((name for name in wanted if name in installed), "")
+
+
+def text_font(size: int = 13, weight: int = 400) -> QFont:
+    """The reading font: Inter where it is installed, else Noto Sans, else the system's."""
+    return _font(_family("Inter", "Noto Sans"), size, weight, QFont.StyleHint.SansSerif)
+
+
+def mono_font(size: int = 12, weight: int = 400) -> QFont:
+    """The font of fact names, values and source: JetBrains Mono, else the system's fixed one."""
+    family = _family("JetBrains Mono", "Noto Sans Mono", "DejaVu Sans Mono")
+    return _font(family, size, weight, QFont.StyleHint.Monospace)
+
+
+def _font(family: str, size: int, weight: int, hint: QFont.StyleHint) -> QFont:
+    font = QFont(family) if family else QFont()
+    font.setStyleHint(hint)
+    font.setPixelSize(size)
+    font.setWeight(QFont.Weight(weight))
+    if hint is QFont.StyleHint.SansSerif:
+        font.setFeature(QFont.Tag("tnum"), 1)
+    return font
