@@ -1,0 +1,66 @@
+"""From the rules of a procedure to its blueprint: every state that can be reached, every edge.
+
+The rules are a function from the facts to the operations they permit. The Towers of Hanoi are the
+example the paper prints, and the size of the procedure that benches turn up.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable, Iterator
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import UsageError
+from smsl_studio.smsl.json_form import parse_json, write_json
+
+Facts = tuple[str, ...]
+Values = dict[str, dict[str, dict[str, str]]]
+Moves = Callable[[Facts], Iterable[tuple[str, Facts]]]
+
+PEGS = "abc"
+
+
+def branch_values(name: str, states: Iterable[Facts], moves: Moves) -> Values:
+    """One SB over ``states`` in their order, with the operations that ``moves`` permits in each.
+
+    The first state is INITIAL and the last ACTIVATING, as the language has it by default.
+    """
+    table: dict[str, dict[str, str]] = {"HEADER": {}}
+    for facts in states:
+        table[_state(facts)] = {operation: _state(target) for operation, target in moves(facts)}
+    return {name: table}
+
+
+def hanoi_moves(facts: Facts) -> Iterator[tuple[str, Facts]]:
+    """The moves the game permits: a disk nothing lies on, to a peg without a smaller disk.
+
+    Digit 0 is the peg of disk 1, the smallest. ``Op_2c`` moves disk 2 to peg c.
+    """
+    for disk, peg in enumerate(facts):
+        smaller = facts[:disk]
+        if peg in smaller:
+            continue
+        for other in PEGS:
+            if other != peg and other not in smaller:
+                yield f"Op_{disk + 1}{other}", (*smaller, other, *facts[disk + 1 :])
+
+
+def hanoi_values(disks: int, branch: str = "SB1") -> Values:
+    """The Towers of Hanoi as plain values: 3 ** ``disks`` states, all on a first, all on c last."""
+    if not 1 <= disks <= 12:
+        raise UsageError(
+            f"Hanoi with {disks} disks is not offered", advice="Take a number from 1 to 12."
+        )
+    towers = (facts[::-1] for facts in itertools.product(PEGS, repeat=disks))
+    return branch_values(branch, towers, hanoi_moves)
+
+
+def hanoi(disks: int) -> Blueprint:
+    """The Towers of Hanoi as a blueprint; UsageError for a number of disks that makes no sense."""
+    text = write_json(hanoi_values(disks))
+    return read_blueprint(parse_json(text, f"hanoi-{disks}.json"))
+
+
+def _state(facts: Facts) -> str:
+    return f"State_{''.join(facts)}"

@@ -1,0 +1,1 @@
+"""Canonical bytes and digests: bytes in, bytes out; knows nothing of blueprints."""

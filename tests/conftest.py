@@ -1,0 +1,55 @@
+"""What every test stands on: no display, a home of its own, the same examples each time."""
+
+from __future__ import annotations
+
+import itertools
+import logging
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+
+# Before anything imports Qt.
+os.environ["QT_QPA_PLATFORM"] = "offscreen"
+
+settings.register_profile(
+    "house",
+    derandomize=True,
+    deadline=None,
+    database=None,
+    suppress_health_check=[HealthCheck.too_slow],
+)
+settings.load_profile("house")
+
+
+@pytest.fixture(scope="session")
+def _homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    base = tmp_path_factory.mktemp("homes")
+    return (base / str(number) for number in itertools.count())
+
+
+@pytest.fixture(autouse=True)
+def home(_homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The user's folder of this test; nobody's real settings or plugins are read or written."""
+    folder = next(_homes)
+    monkeypatch.setenv("SMSL_STUDIO_HOME", str(folder))
+    monkeypatch.delenv("SMSL_PLUGIN_PATH", raising=False)
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def _no_stray_records(caplog: pytest.LogCaptureFixture) -> Iterator[None]:
+    """A record of level WARNING or above fails the test that let it out.
+
+    A test that expects one reads it from ``caplog`` and then calls ``caplog.clear()``.
+    """
+    yield
+    stray = [
+        record
+        for phase in ("setup", "call")
+        for record in caplog.get_records(phase)
+        if record.levelno >= logging.WARNING
+    ]
+    assert not stray, [f"{record.name}: {record.getMessage()}" for record in stray]

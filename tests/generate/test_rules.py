@@ -1,0 +1,59 @@
+"""Hanoi from the rules of the game, against the paper's blueprint and the game's own arithmetic."""
+
+from __future__ import annotations
+
+import pytest
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import UsageError
+from smsl_studio.generate.rules import hanoi
+from smsl_studio.shipped import samples_dir
+from smsl_studio.smsl.json_form import parse_json
+
+
+def sample(name: str) -> Blueprint:
+    return read_blueprint(parse_json((samples_dir() / name).read_text("utf-8"), name))
+
+
+@pytest.mark.parametrize(
+    ("disks", "name"), [(2, "hanoi-2.json"), (3, "hanoi-corrected.json"), (4, "hanoi-4.json")]
+)
+def test_the_rules_give_the_sample(disks: int, name: str) -> None:
+    assert hanoi(disks) == sample(name)
+
+
+@pytest.mark.parametrize("name", ["hanoi-2.json", "hanoi-4.json"])
+def test_the_generated_samples_are_written_as_the_rules_write_them(name: str) -> None:
+    disks = int(name[6])
+    assert (samples_dir() / name).read_text("utf-8") == hanoi(disks).document.text
+
+
+def test_the_paper_prints_two_edges_that_the_rules_do_not_give() -> None:
+    ruled = {(e.source, e.name, e.target) for e in hanoi(3)["SB1"].edges()}
+    printed = {(e.source, e.name, e.target) for e in sample("hanoi.json")["SB1"].edges()}
+    assert {edge[:2] for edge in printed - ruled} == {
+        ("State_cbb", "Op_1c"),
+        ("State_cbc", "Op_2b"),
+    }
+
+
+@pytest.mark.parametrize("disks", [1, 2, 3, 4, 5])
+def test_the_game_has_as_many_states_and_moves_as_it_must(disks: int) -> None:
+    branch = hanoi(disks)["SB1"]
+    assert len(branch.table) == 3**disks
+    assert branch.edge_count == 3 * (3**disks - 1)  # 3 in each state, 2 in the three corners
+    assert branch.initial == f"State_{'a' * disks}"
+    assert branch.activating == f"State_{'c' * disks}"
+    assert branch.num_facts == disks
+
+
+def test_every_move_can_be_taken_back() -> None:
+    branch = hanoi(4)["SB1"]
+    assert all(edge.source in branch.table[edge.target].values() for edge in branch.edges())
+
+
+@pytest.mark.parametrize("disks", [0, -1, 13])
+def test_a_number_of_disks_that_makes_no_sense_is_refused(disks: int) -> None:
+    with pytest.raises(UsageError):
+        hanoi(disks)
