@@ -1,0 +1,107 @@
+"""The graph of one State Branch as integer arrays, built once and kept with the branch."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.errors import AddressError, did_you_mean
+
+_KEY = "_graph"
+
+
+@dataclass(frozen=True, eq=False)
+class BranchGraph:
+    """States and operations by number, in written order.
+
+    Edge ``e`` leads from ``sources[e]`` by ``operations[e]`` to ``targets[e]``; the edges out of
+    state ``i`` are ``range(starts[i], starts[i + 1])``. Operations whose target is no state of the
+    SB (rule R02) have no edge here.
+    """
+
+    branch: str
+    names: tuple[str, ...]
+    index: dict[str, int]
+    starts: Sequence[int]
+    sources: Sequence[int]
+    targets: Sequence[int]
+    operations: Sequence[str]
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def number(self, state: str) -> int:
+        """The number of a state; AddressError where the SB has no such state."""
+        try:
+            return self.index[state]
+        except KeyError:
+            raise AddressError(
+                f"there is no state {state!r} in {self.branch}",
+                advice=did_you_mean(state, self.index),
+            ) from None
+
+    def edges_out(self, state: int) -> range:
+        return range(self.starts[state], self.starts[state + 1])
+
+    @cached_property
+    def successors(self) -> list[list[int]]:
+        """For each state the states its operations lead to, in written order."""
+        starts, targets = self.starts, list(self.targets)
+        return [targets[starts[i] : starts[i + 1]] for i in range(len(self.names))]
+
+    @cached_property
+    def predecessors(self) -> list[list[int]]:
+        """For each state the states whose operations lead to it."""
+        found: list[list[int]] = [[] for _ in self.names]
+        for source, target in zip(self.sources, self.targets, strict=True):
+            found[target].append(source)
+        return found
+
+    @cached_property
+    def edges_in(self) -> list[list[int]]:
+        """For each state the edges that lead to it."""
+        found: list[list[int]] = [[] for _ in self.names]
+        for edge, target in enumerate(self.targets):
+            found[target].append(edge)
+        return found
+
+    @cached_property
+    def neighbours(self) -> list[list[int]]:
+        """For each state the other states it shares an operation with, in either direction."""
+        found: list[dict[int, None]] = [{} for _ in self.names]
+        for source, target in zip(self.sources, self.targets, strict=True):
+            if source != target:
+                found[source][target] = None
+                found[target][source] = None
+        return [list(near) for near in found]
+
+
+def graph_of(branch: StateBranch) -> BranchGraph:
+    """The graph of a branch, built at the first call.
+
+    It is kept in the branch's own dictionary, as a ``cached_property`` would be: branches are
+    frozen, so it never grows old, and it goes when the branch goes.
+    """
+    kept = branch.__dict__.get(_KEY)
+    if isinstance(kept, BranchGraph):
+        return kept
+    graph = _build(branch)
+    branch.__dict__[_KEY] = graph
+    return graph
+
+
+def _build(branch: StateBranch) -> BranchGraph:
+    names = tuple(branch.table)
+    index = {name: number for number, name in enumerate(names)}
+    starts, sources, targets, operations = [0], [], [], []
+    for number, edges in enumerate(branch.table.values()):
+        for operation, target in edges.items():
+            found = index.get(target)
+            if found is not None:
+                sources.append(number)
+                targets.append(found)
+                operations.append(operation)
+        starts.append(len(targets))
+    return BranchGraph(branch.name, names, index, starts, sources, targets, operations)

@@ -1,0 +1,258 @@
+"""Columns for small procedures: forward is right, and a fact of its own is a row.
+
+Where most operations change one fact, a state's column is the number of facts in which it differs
+from INITIAL; else it is its place on the longest chain of forward operations. A fact that every
+state has in all values (a tool pose that can be planned at any time) makes the rows of a grid.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.build import BranchGraph, graph_of
+from smsl_studio.graph.shape import distances, flood
+
+Point = tuple[float, float]
+COLUMN, ROW = 218.0, 172.0
+"""Pixels between columns (more where labels need it) and between rows."""
+_TALL = 8
+"""A column of more nodes is broken into several."""
+
+
+def in_columns(branch: StateBranch) -> dict[str, Point]:
+    """The picture in columns, INITIAL at the left; parts that nothing joins stand below it."""
+    graph = graph_of(branch)
+    if not len(graph):
+        return {}
+    facts = [branch.facts(name) for name in graph.names]
+    by_facts = _change_one_fact(graph, facts)
+    digit = _row_digit(graph, facts) if by_facts else None
+    if digit is not None:
+        return _grid(branch, graph, facts, digit)
+    layer = _differences(branch, graph, facts) if by_facts else None
+    start = graph.index.get(branch.initial, 0)
+    return _named(graph, _parts(graph, start, layer))
+
+
+def _named(graph: BranchGraph, places: dict[int, Point]) -> dict[str, Point]:
+    left = min(x for x, _ in places.values())
+    return {
+        name: (float(round(places[i][0] - left)), float(round(places[i][1])))
+        for i, name in enumerate(graph.names)
+    }
+
+
+# What the facts say
+
+
+def _change_one_fact(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> bool:
+    """Whether at least half of the operations that change facts change exactly one of several."""
+    if len(facts[0]) < 2:
+        return False
+    changes = [
+        sum(a != b for a, b in zip(facts[source], facts[target], strict=True))
+        for source, target in zip(graph.sources, graph.targets, strict=True)
+    ]
+    moves = [count for count in changes if count]
+    return bool(moves) and sum(count == 1 for count in moves) * 2 >= len(moves)
+
+
+def _differences(
+    branch: StateBranch, graph: BranchGraph, facts: Sequence[tuple[str, ...]]
+) -> list[int]:
+    """In how many facts each state differs from INITIAL."""
+    first = facts[graph.index.get(branch.initial, 0)]
+    return [sum(a != b for a, b in zip(first, state, strict=True)) for state in facts]
+
+
+def _row_digit(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> int | None:
+    """The digit that is independent: every combination of the others stands with all its values.
+
+    Of several it is the one that fewest operations change together with others, then the last.
+    """
+    found: list[tuple[int, int]] = []
+    states = set(facts)
+    for digit in range(len(facts[0])):
+        values = {state[digit] for state in facts}
+        rests = {state[:digit] + state[digit + 1 :] for state in facts}
+        if 2 <= len(values) <= 4 and len(rests) > 1 and len(values) * len(rests) == len(states):
+            mixed = sum(
+                facts[s][digit] != facts[t][digit]
+                and sum(a != b for a, b in zip(facts[s], facts[t], strict=True)) > 1
+                for s, t in zip(graph.sources, graph.targets, strict=True)
+            )
+            found.append((mixed, -digit))
+    if len(states) < len(facts) or not found:
+        return None
+    return -min(found)[1]
+
+
+def _grid(
+    branch: StateBranch, graph: BranchGraph, facts: Sequence[tuple[str, ...]], digit: int
+) -> dict[str, Point]:
+    """One row of columns for each value of ``digit``, the value of INITIAL on top."""
+    start = graph.index.get(branch.initial, 0)
+    values = dict.fromkeys((facts[start][digit], *(state[digit] for state in facts)))
+    layer = _differences(branch, graph, [f[:digit] + f[digit + 1 :] for f in facts])
+    top = [i for i in range(len(graph)) if facts[i][digit] == facts[start][digit]]
+    columns = _sorted_columns(graph, top, layer, {})
+    height = max(map(len, columns))
+    twin = {
+        (facts[i][:digit] + facts[i][digit + 1 :], facts[i][digit]): i for i in range(len(graph))
+    }
+    used = sorted({layer[i] for i in top})
+    xs = _column_places(graph, columns, {i: used.index(layer[i]) for i in range(len(graph))})
+    places: dict[int, Point] = {}
+    for block, value in enumerate(values):
+        for x, column in zip(xs, columns, strict=True):
+            for slot, state in enumerate(column):
+                y = block * height * ROW + (slot - (len(column) - 1) / 2 + (height - 1) / 2) * ROW
+                rest = facts[state][:digit] + facts[state][digit + 1 :]
+                places[twin[rest, value]] = (x, y)
+    return _named(graph, places)
+
+
+# Columns by the shape of the graph
+
+
+def _parts(graph: BranchGraph, start: int, layer: list[int] | None) -> dict[int, Point]:
+    """The part of INITIAL, below it the others by size, at last the lone states in lines."""
+    left = set(range(len(graph)))
+    parts: list[list[int]] = []
+    while left:
+        found = flood(graph.neighbours, (start if start in left else min(left),))
+        left -= found
+        parts.append(sorted(found))
+    first, others = parts[0], sorted(parts[1:], key=lambda part: (-len(part), part))
+    places: dict[int, Point] = {}
+    for part in [first, *(other for other in others if len(other) > 1)]:
+        root = start if start in part else part[0]
+        own = _part(graph, part, root, layer)
+        lowest = max((y for _, y in places.values()), default=-ROW)
+        shift = lowest + ROW - min(y for _, y in own.values()) if places else 0.0
+        places |= {i: (x, y + shift) for i, (x, y) in own.items()}
+    lone = [other[0] for other in others if len(other) == 1]
+    lowest = max(y for _, y in places.values())
+    for position, state in enumerate(lone):
+        row, column = divmod(position, 6)
+        places[state] = (column * COLUMN, lowest + (row + 1) * ROW)
+    return places
+
+
+def _part(
+    graph: BranchGraph, part: list[int], root: int, layer: list[int] | None
+) -> dict[int, Point]:
+    """One connected part: columns, each centred about y = 0, a free lane for what passes by."""
+    layer = layer or _forward_layers(graph, part, root)
+    used = sorted({layer[i] for i in part})
+    rank = {i: used.index(layer[i]) for i in part}
+    columns = _sorted_columns(graph, part, layer, _lanes(graph, part, rank))
+    xs = _column_places(graph, columns, rank)
+    places: dict[int, Point] = {}
+    for x, column in zip(xs, columns, strict=True):
+        for state, at in _stack(column, x).items():
+            if state >= 0:
+                places[state] = at
+    return places
+
+
+def _stack(column: list[int], x: float) -> dict[int, Point]:
+    """A column centred about y = 0; a tall one is broken into several, closer together."""
+    step = ROW if len(column) <= 3 else 126.0 if len(column) <= 5 else 96.0
+    pieces = -(-len(column) // _TALL)
+    places: dict[int, Point] = {}
+    for piece in range(pieces):
+        own = column[piece::pieces]
+        for slot, state in enumerate(own):
+            places[state] = (x + piece * 160.0, (slot - (len(own) - 1) / 2) * step)
+    return places
+
+
+def _forward_layers(graph: BranchGraph, part: list[int], root: int) -> list[int]:
+    """The place of each state on the longest chain of forward operations.
+
+    Forward is away from the root; between states equally far, an operation that does not lead
+    back (and goes with the written order, so that no cycle arises).
+    """
+    away = distances(graph.successors, root)
+    beyond = max(away) + 1
+    steps = [step if step >= 0 else beyond for step in away]
+    pairs = set(zip(graph.sources, graph.targets, strict=True))
+    layer = [0] * len(graph)
+    for state in sorted(part, key=lambda i: (steps[i], i)):
+        layer[state] = max(
+            (
+                layer[before] + 1
+                for before in graph.predecessors[state]
+                if steps[before] < steps[state]
+                or (
+                    steps[before] == steps[state]
+                    and before < state
+                    and (state, before) not in pairs
+                )
+            ),
+            default=0,
+        )
+    return layer
+
+
+def _lanes(graph: BranchGraph, part: list[int], rank: dict[int, int]) -> dict[int, list[int]]:
+    """For each column that operations pass by, the states at the ends of these operations."""
+    found: dict[int, list[int]] = {}
+    for state in part:
+        for other in graph.neighbours[state]:
+            for column in range(rank[state] + 1, rank[other]):
+                found.setdefault(column, []).extend((state, other))
+    return found
+
+
+def _sorted_columns(
+    graph: BranchGraph, states: list[int], layer: list[int], lanes: dict[int, list[int]]
+) -> list[list[int]]:
+    """The columns from left to right, sorted so that few operations cross.
+
+    A lane stands in its column as a negative number, so that it is sorted like a node.
+    """
+    keys = sorted({layer[i] for i in states})
+    columns = [[i for i in states if layer[i] == key] for key in keys]
+    near: dict[int, list[int]] = {i: list(graph.neighbours[i]) for i in states}
+    for column, ends in lanes.items():
+        columns[column].append(-1 - column)
+        near[-1 - column] = ends
+    for sweep in range(6):
+        order = range(1, len(columns)) if sweep % 2 == 0 else range(len(columns) - 2, -1, -1)
+        height = {i: slot - (len(c) - 1) / 2 for c in columns for slot, i in enumerate(c)}
+        for column in order:
+            others = {i: [height[j] for j in near[i] if j in height] for i in columns[column]}
+            mean = {i: sum(hs) / len(hs) if hs else height[i] for i, hs in others.items()}
+            columns[column].sort(key=lambda i, mean=mean: (round(mean[i], 6), i < 0, i))  # type: ignore[misc]
+            for slot, i in enumerate(columns[column]):
+                height[i] = slot - (len(columns[column]) - 1) / 2
+    return columns
+
+
+def _column_places(
+    graph: BranchGraph, columns: list[list[int]], rank: dict[int, int]
+) -> list[float]:
+    """The x of each column: 218 apart, more where the labels between two columns need it."""
+    drop = _dropped(graph.operations)
+    longest = [0] * len(columns)
+    for source, target, name in zip(graph.sources, graph.targets, graph.operations, strict=True):
+        left, right = sorted((rank.get(source, -1), rank.get(target, -1)))
+        if left >= 0 and right - left == 1:
+            longest[left] = max(longest[left], len(name) - drop)
+    xs = [0.0]
+    for column, label in zip(columns[:-1], longest, strict=False):
+        width = 160.0 * (-(-len(column) // _TALL) - 1)
+        xs.append(xs[-1] + width + min(300.0, max(COLUMN, 140.0 + 6.2 * label)))
+    return xs
+
+
+def _dropped(operations: Sequence[str]) -> int:
+    """The length of the prefix that the canvas leaves out, such as ``Op_``."""
+    first, last = min(operations, default=""), max(operations, default="")
+    same = 0
+    while same < min(len(first), len(last)) and first[same] == last[same]:
+        same += 1
+    return first[:same].rfind("_") + 1

@@ -1,0 +1,94 @@
+"""How the State Branches of a blueprint stand below each other."""
+
+from __future__ import annotations
+
+from collections import deque
+
+from smsl_studio.blueprint.model import Blueprint
+
+
+def levels(blueprint: Blueprint) -> dict[str, int]:
+    """The level of each SB: 0 for a root, else one more than its deepest base.
+
+    SBs of a cycle (rule R08) and those only below one have no deepest base; they get the least
+    level that some base gives them, and 0 where the cycle hangs on nothing.
+    """
+    subs = _subs(blueprint)
+    waiting = dict.fromkeys(subs, 0)
+    for below in subs.values():
+        for sub in below:
+            waiting[sub] += 1
+    found = {name: 0 for name, count in waiting.items() if count == 0}
+    queue = deque(found)
+    ordered: set[str] = set()
+    while queue:
+        name = queue.popleft()
+        ordered.add(name)
+        for sub in subs[name]:
+            found[sub] = max(found.get(sub, 0), found[name] + 1)
+            waiting[sub] -= 1
+            if waiting[sub] == 0:
+                queue.append(sub)
+    hanging = sorted((found[name], name) for name in found if name not in ordered)
+    for name in (*(name for _, name in hanging), *subs):
+        if name not in ordered:
+            found.setdefault(name, 0)
+            _spread(name, subs, found, ordered)
+    return {name: found[name] for name in subs}
+
+
+def cycles(blueprint: Blueprint) -> tuple[tuple[str, ...], ...]:
+    """Cycles among SBs: each a path of SUB_SBS whose last SB names its first as a sub-SB.
+
+    One shortest cycle is given through each SB that lies on one and on none given before.
+    """
+    subs = _subs(blueprint)
+    found: list[tuple[str, ...]] = []
+    covered: set[str] = set()
+    for name in subs:
+        if name not in covered:
+            cycle = _shortest_cycle(name, subs)
+            if cycle:
+                covered.update(cycle)
+                found.append(cycle)
+    return tuple(found)
+
+
+def _subs(blueprint: Blueprint) -> dict[str, list[str]]:
+    return {
+        branch.name: list(
+            dict.fromkeys(sub for sub, _ in branch.header.sub_sbs if sub in blueprint.branches)
+        )
+        for branch in blueprint
+    }
+
+
+def _spread(
+    start: str, subs: dict[str, list[str]], found: dict[str, int], ordered: set[str]
+) -> None:
+    queue = deque((start,))
+    ordered.add(start)
+    while queue:
+        name = queue.popleft()
+        for sub in subs[name]:
+            if sub not in ordered:
+                ordered.add(sub)
+                found.setdefault(sub, found[name] + 1)
+                queue.append(sub)
+
+
+def _shortest_cycle(start: str, subs: dict[str, list[str]]) -> tuple[str, ...]:
+    before: dict[str, str] = {}
+    queue = deque((start,))
+    while queue:
+        name = queue.popleft()
+        for sub in subs[name]:
+            if sub == start:
+                path = [name]
+                while path[-1] != start:
+                    path.append(before[path[-1]])
+                return tuple(reversed(path))
+            if sub not in before:
+                before[sub] = name
+                queue.append(sub)
+    return ()

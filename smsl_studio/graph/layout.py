@@ -1,0 +1,129 @@
+"""Where the states of a State Branch are drawn.
+
+Three pictures, chosen by the shape of the graph and never by its names: a plane figure with three
+corners (Hanoi), columns (small procedures), and a spread by distances (everything else). All are
+pure functions of the branch: the same branch is always drawn the same way.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Mapping
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.build import graph_of
+from smsl_studio.graph.columns import in_columns
+from smsl_studio.graph.triangle import in_triangle
+
+Point = tuple[float, float]
+SMALL = 60
+"""Up to so many states columns are readable."""
+NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
+"""No two nodes are nearer than this in both directions (a full node is 108 by 54)."""
+
+
+def place_states(
+    branch: StateBranch, former: Mapping[str, Point] | None = None
+) -> dict[str, Point]:
+    """The centre of every state's node, in pixels at 100 % zoom, x right and y down.
+
+    ``_layout`` wins over ``former``, and both over what is computed: where some states have a
+    place already, only the others get one, near the states they share operations with.
+    """
+    fixed = {
+        name: at
+        for name, at in {**(former or {}), **branch.notes.layout}.items()
+        if name in branch.table
+    }
+    if not fixed:
+        return _fresh(branch)
+    if len(fixed) < len(branch.table):
+        fixed = _joined(branch, fixed)
+    return {name: fixed[name] for name in branch.table}
+
+
+def _fresh(branch: StateBranch) -> dict[str, Point]:
+    triangle = in_triangle(branch)
+    if triangle is not None:
+        return triangle
+    if len(branch.table) <= SMALL:
+        return in_columns(branch)
+    from smsl_studio.graph.spread import by_distance
+
+    return by_distance(branch)
+
+
+def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
+    """``fixed`` and, near their neighbours, the states it leaves out."""
+    graph = graph_of(branch)
+    places = dict(fixed)
+    taken = _Grid(places.values())
+    queue = deque(graph.index[name] for name in fixed)
+    queue.extend(i for i in range(len(graph)) if graph.names[i] not in fixed)
+    seen: set[str] = set(fixed)
+    while queue:
+        state = queue.popleft()
+        for number in (state, *graph.neighbours[state]):
+            name = graph.names[number]
+            if name in seen:
+                continue
+            seen.add(name)
+            near = [graph.names[i] for i in graph.neighbours[number]]
+            wanted = _beside([places[other] for other in near if other in places], places)
+            places[name] = taken.free(wanted)
+            queue.appendleft(number)
+    return places
+
+
+def _beside(near: list[Point], places: Mapping[str, Point]) -> Point:
+    """The middle of several neighbours, the right of one, the line below everything for none."""
+    if len(near) > 1:
+        return (sum(x for x, _ in near) / len(near), sum(y for _, y in near) / len(near))
+    if near:
+        return (near[0][0] + 218.0, near[0][1])
+    return (min(x for x, _ in places.values()), max(y for _, y in places.values()) + 172.0)
+
+
+class _Grid:
+    """Places that are taken, so that a free one near a wish is found quickly."""
+
+    def __init__(self, points: object) -> None:
+        self._cells: dict[tuple[int, int], list[Point]] = {}
+        for point in points:  # type: ignore[attr-defined]
+            self._take(point)
+
+    def free(self, wanted: Point) -> Point:
+        """The free place nearest to ``wanted`` on rings around it; it is taken from now on."""
+        ring = 0
+        while True:
+            for x, y in _ring(ring):
+                point = (wanted[0] + x * NODE_GAP_X / 2, wanted[1] + y * NODE_GAP_Y / 2)
+                if self._is_free(point):
+                    self._take(point)
+                    return point
+            ring += 1
+
+    def _take(self, point: Point) -> None:
+        self._cells.setdefault(_cell(point), []).append(point)
+
+    def _is_free(self, point: Point) -> bool:
+        column, row = _cell(point)
+        return not any(
+            abs(point[0] - x) < NODE_GAP_X and abs(point[1] - y) < NODE_GAP_Y
+            for i in (column - 1, column, column + 1)
+            for j in (row - 1, row, row + 1)
+            for x, y in self._cells.get((i, j), ())
+        )
+
+
+def _cell(point: Point) -> tuple[int, int]:
+    return int(point[0] // NODE_GAP_X), int(point[1] // NODE_GAP_Y)
+
+
+def _ring(radius: int) -> list[tuple[int, int]]:
+    """The half cells at this distance, to the right and below first."""
+    if radius == 0:
+        return [(0, 0)]
+    around = range(-radius, radius + 1)
+    cells = [(x, y) for x in around for y in around if max(abs(x), abs(y)) == radius]
+    return sorted(cells, key=lambda cell: (abs(cell[0]) + abs(cell[1]), -cell[0], -cell[1]))
