@@ -59,7 +59,7 @@ def draw_branch(
 
 
 def _shared_prefix(names: Iterable[str]) -> str:
-    """What all names begin with, up to their first underscore; it says nothing, so it is dropped."""
+    """What all names begin with, up to their first underscore; it is noise, so it is dropped."""
     heads = {name[: name.find("_") + 1] for name in names}
     return heads.pop() if len(heads) == 1 else ""
 

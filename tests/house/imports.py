@@ -1,0 +1,131 @@
+"""The import rule, as a reading of the source: what each file imports, and whether it may."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+PACKAGE = "smsl_studio"
+
+FLOORS = {
+    "errors": 0,
+    "shipped": 0,
+    "smsl": 1,
+    "seal": 1,
+    "blueprint": 2,
+    "graph": 3,
+    "world": 3,
+    "runlog": 3,
+    "library": 4,
+    "monitor": 4,
+    "picture": 4,
+    "host": 5,
+    "inspection": 5,
+    "dispatch": 6,
+    "generate": 6,
+    "front": 7,
+    # The package itself hands the front door on; the doors may come in through it.
+    "__init__": 8,
+    "cli": 9,
+    "studio": 9,
+    "__main__": 10,
+}
+
+BULLET = "world/bullet.py"
+HOMES: dict[str, tuple[str, ...]] = {
+    "PySide6": ("studio/",),
+    "shiboken6": ("studio/",),
+    "pyqtgraph": ("studio/",),
+    "moderngl": ("studio/",),
+    "pybullet": (BULLET,),
+    "pybullet_data": (BULLET,),
+    "pybullet_utils": (BULLET,),
+    "networkx": ("graph/",),
+    "scipy": ("graph/",),
+    "numpy": ("graph/", "world/", "studio/"),
+    "pydantic": ("",),
+    "typing_extensions": ("",),
+}
+
+
+@dataclass(frozen=True)
+class Import:
+    """One import: the file (below the package), the line, and the dotted name it asks for."""
+
+    file: str
+    line: int
+    name: str
+
+
+def imports_of(package: Path) -> Iterator[Import]:
+    """Every import below ``package``, those inside functions and of literal names included."""
+    for path in sorted(package.rglob("*.py")):
+        file = path.relative_to(package).as_posix()
+        for node in ast.walk(ast.parse(path.read_text("utf-8"), file)):
+            for name in _names(node):
+                yield Import(file, getattr(node, "lineno", 0), name)
+
+
+def faults(package: Path) -> list[str]:
+    """One sentence for each import that breaks the rule."""
+    found = (f"{i.file}:{i.line}: {_fault(i)}" for i in imports_of(package) if _fault(i))
+    return list(found)
+
+
+def room_of(file: str) -> str:
+    """The room a file belongs to: its folder, or its own name at the top."""
+    return file.partition("/")[0].removesuffix(".py")
+
+
+def _names(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.Import):
+        yield from (alias.name for alias in node.names)
+    elif isinstance(node, ast.ImportFrom):
+        if node.level:
+            yield "." * node.level + (node.module or "")
+        elif node.module == PACKAGE:
+            yield from (f"{PACKAGE}.{alias.name}" for alias in node.names)
+        else:
+            yield node.module or ""
+    elif isinstance(node, ast.Call) and node.args and _imports_by_name(node.func):
+        wanted = node.args[0]
+        if isinstance(wanted, ast.Constant) and isinstance(wanted.value, str):
+            yield wanted.value
+
+
+def _imports_by_name(function: ast.expr) -> bool:
+    name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
+    return name in {"import_module", "__import__"}
+
+
+def _fault(item: Import) -> str:
+    if item.name.startswith("."):
+        return "a relative import; write it absolutely"
+    top, _, rest = item.name.partition(".")
+    return _own(item, rest) if top == PACKAGE else _foreign(item, top)
+
+
+def _own(item: Import, rest: str) -> str:
+    here = room_of(item.file)
+    there = rest.partition(".")[0]
+    there = there if there in FLOORS else "__init__"
+    if here not in FLOORS:
+        return f"{here} is no room of the house"
+    if here == there or FLOORS[there] < FLOORS[here]:
+        return ""
+    words = "its neighbour" if FLOORS[there] == FLOORS[here] else "upstairs to"
+    return f"{here} looks {words} {there}"
+
+
+def _foreign(item: Import, top: str) -> str:
+    if top in sys.stdlib_module_names:
+        return ""
+    homes = HOMES.get(top)
+    if homes is None:
+        return f"{top} has no home in the house"
+    if any(item.file.startswith(home) for home in homes):
+        return ""
+    return f"{top} lives in {' and '.join(homes)} alone"

@@ -1,0 +1,116 @@
+"""The core is itself where Qt and PyBullet are absent, and loads nothing it does not need."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from smsl_studio.shipped import samples_dir
+
+HEAVY = ("PySide6", "shiboken6", "pybullet", "pyqtgraph", "moderngl")
+
+ABSENT = (*HEAVY, "pybullet_data")
+
+BLOCKER = f"""
+import sys
+
+class Absent:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition('.')[0] in {ABSENT!r}:
+            raise ModuleNotFoundError(f'No module named {{name!r}}', name=name)
+
+sys.meta_path.insert(0, Absent())
+"""
+
+EVERY_CORE_MODULE = """
+import importlib, pkgutil, smsl_studio
+DOOR = ("smsl_studio.studio", "smsl_studio.__main__", "smsl_studio._shipped")
+for module in pkgutil.walk_packages(smsl_studio.__path__, "smsl_studio.", lambda name: None):
+    if not module.name.startswith(DOOR) and module.name != "smsl_studio.world.bullet":
+        importlib.import_module(module.name)
+"""
+
+COMMANDS = """
+from smsl_studio.__main__ import main
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+def python(code: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", code, *arguments],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+        stdin=subprocess.DEVNULL,
+    )
+
+
+def sample(name: str) -> str:
+    return str(samples_dir() / name)
+
+
+def test_every_core_module_imports_without_them() -> None:
+    done = python(BLOCKER + EVERY_CORE_MODULE)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("check", sample("hanoi-corrected.json")), ""),
+        (
+            ("route", sample("hanoi.json"), "--from", "State_aaa", "--to", "State_ccc"),
+            "SB1/State_aaa/Op_1c",
+        ),
+        (("run", sample("hfsm.json"), "--world", "table"), "goal_reached"),
+    ],
+    ids=["check", "route", "run"],
+)
+def test_the_core_works_without_them(arguments: tuple[str, ...], says: str) -> None:
+    done = python(BLOCKER + COMMANDS, *arguments)
+    assert done.returncode == 0, done.stderr
+    assert says in done.stdout
+    assert "Traceback" not in done.stderr
+
+
+def test_a_world_whose_engine_is_absent_is_told_and_not_thrown() -> None:
+    done = python(BLOCKER + COMMANDS, "run", sample("hanoi-2.json"), "--world", "hanoi")
+    assert done.returncode in (1, 2)
+    assert "pybullet" in (done.stdout + done.stderr).lower()
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("code", "unwanted"),
+    [
+        ("import smsl_studio", (*HEAVY, "scipy", "networkx", "numpy", "pydantic")),
+        ("from smsl_studio import read", (*HEAVY, "scipy", "networkx")),
+        ("import smsl_studio.__main__", (*HEAVY, "scipy", "networkx", "argparse", "pydantic")),
+    ],
+)
+def test_an_import_loads_only_what_it_needs(code: str, unwanted: tuple[str, ...]) -> None:
+    told = f"{code}\nimport sys\nprint(sorted(set({unwanted!r}) & set(sys.modules)))"
+    done = python(told)
+    assert (done.stdout.strip(), done.stderr) == ("[]", "")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [("check", sample("hfsm.json")), ("run", sample("hfsm.json"), "--world", "table")],
+    ids=["check", "run"],
+)
+def test_a_command_loads_neither_qt_nor_physics(arguments: tuple[str, ...]) -> None:
+    told = f"""
+import sys
+from smsl_studio.__main__ import main
+status = main(sys.argv[1:])
+print(sorted(set({HEAVY!r}) & set(sys.modules)), file=sys.stderr)
+sys.exit(status)
+"""
+    done = python(told, *arguments)
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.splitlines()[-1] == "[]"

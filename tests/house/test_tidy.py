@@ -1,0 +1,69 @@
+"""What keeps the house tidy: sizes, names, the changelog, the lock."""
+
+from __future__ import annotations
+
+import ast
+import re
+import tomllib
+from importlib.metadata import version
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+LOCK = (ROOT / "requirements.lock").read_text("utf-8")
+CODE = [p for top in ("smsl_studio", "plugins", "benches") for p in (ROOT / top).rglob("*.py")]
+
+LONGEST = 400
+LONG = 300
+
+
+def lines(path: Path) -> int:
+    return len(path.read_text("utf-8").splitlines())
+
+
+def test_files_are_short() -> None:
+    sizes = {str(path.relative_to(ROOT)): lines(path) for path in CODE}
+    assert {name: size for name, size in sizes.items() if size > LONGEST} == {}
+    assert sum(size > LONG for size in sizes.values()) <= len(sizes) // 10
+
+
+def test_no_file_has_a_name_that_says_nothing() -> None:
+    nothing = {"util", "utils", "helper", "helpers", "common", "misc", "manager", "managers"}
+    assert [path for path in CODE if nothing & set(path.parts) or path.stem in nothing] == []
+
+
+def test_no_class_is_a_manager() -> None:
+    named = [
+        (path.name, node.name)
+        for path in CODE
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.ClassDef) and re.search(r"(Manager|Helper|Singleton)$", node.name)
+    ]
+    assert named == []
+
+
+def test_nothing_is_put_off() -> None:
+    mark = re.compile(r"\b(TO" + r"DO|FIX" + r"ME|XXX)\b")
+    assert [path for path in CODE if mark.search(path.read_text("utf-8"))] == []
+
+
+def test_the_version_stands_in_the_changelog() -> None:
+    assert f"## [{PROJECT['project']['version']}]" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+    assert version("smsl-studio") == PROJECT["project"]["version"]
+
+
+def test_the_lock_holds_every_dependency_by_hash_and_names_no_host() -> None:
+    extras = PROJECT["project"]["optional-dependencies"]
+    asked = [*PROJECT["project"]["dependencies"], *extras["dev"], *extras["bench"]]
+    names = {re.split(r"[^A-Za-z0-9_.-]", item, maxsplit=1)[0].lower() for item in asked}
+    locked = dict(re.findall(r"^([a-z0-9._-]+)==(\S+)", LOCK, re.MULTILINE))
+    assert names <= set(locked)
+    assert len(
+        re.findall(r"^[a-z0-9._-]+==[^\n]*\\\n    --hash=sha256:", LOCK, re.MULTILINE)
+    ) == len(locked)
+    assert "://" not in LOCK
+
+
+def test_pyside_stays_below_the_version_that_loses_references() -> None:
+    (pin,) = re.findall(r"^pyside6-essentials==(\d+)\.(\d+)", LOCK, re.MULTILINE)
+    assert tuple(map(int, pin)) < (6, 12)

@@ -1,0 +1,74 @@
+"""The wheel carries what ships beside the code, and works where there is no checkout."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from smsl_studio.shipped import plugins_dir, resources_dir, samples_dir
+
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("plugins", "resources", "samples")
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder that holds what the wheel holds, and nothing else."""
+    folder = tmp_path_factory.mktemp("wheel")
+    command = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    subprocess.run(command, cwd=ROOT, check=True, capture_output=True, timeout=120)
+    (wheel,) = folder.glob("*.whl")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(folder / "site")
+    return folder / "site"
+
+
+def test_a_checkout_uses_its_own_folders() -> None:
+    assert [plugins_dir(), resources_dir(), samples_dir()] == [ROOT / name for name in FOLDERS]
+
+
+def test_the_wheel_holds_every_shipped_file_and_no_other(installed: Path) -> None:
+    for name in FOLDERS:
+        packed = installed / "smsl_studio" / "_shipped" / name
+        here = {
+            path.relative_to(ROOT / name)
+            for path in (ROOT / name).rglob("*")
+            if path.is_file() and "__pycache__" not in path.parts
+        }
+        assert {path.relative_to(packed) for path in packed.rglob("*") if path.is_file()} == here
+    assert {path.name for path in installed.iterdir()} >= {"smsl_studio"}
+    assert not (installed / "tests").exists()
+
+
+def test_the_wheel_works_alone(installed: Path, tmp_path: Path) -> None:
+    sample = installed / "smsl_studio/_shipped/samples/hfsm.json"
+    environment = {**os.environ, "PYTHONPATH": str(installed), "PYTHONDONTWRITEBYTECODE": "1"}
+    for arguments in (
+        ["plugins"],
+        ["check", str(sample)],
+        ["run", str(sample), "--world", "table"],
+    ):
+        done = subprocess.run(
+            [sys.executable, "-m", "smsl_studio", *arguments],
+            cwd=tmp_path,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
+        )
+        assert done.returncode == 0, done.stderr
+    where = "from smsl_studio.shipped import plugins_dir; print(plugins_dir())"
+    told = subprocess.run(
+        [sys.executable, "-c", where],
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        check=True,
+    )
+    assert Path(told.stdout.decode().strip()) == installed / "smsl_studio/_shipped/plugins"
