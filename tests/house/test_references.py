@@ -32,8 +32,8 @@ class Painted(QWidget):
 def test_none_survives_a_thousand_repaints(qtbot: QtBot) -> None:
     widget = Painted()
     qtbot.addWidget(widget)
-    widget.show()
-    widget.repaint()
+    with qtbot.waitExposed(widget):
+        widget.show()
     before, painted = sys.getrefcount(None), widget.painted
     for _ in range(CALLS):
         widget.repaint()

@@ -45,30 +45,28 @@ def test_the_wheel_holds_every_shipped_file_and_no_other(installed: Path) -> Non
     assert not (installed / "tests").exists()
 
 
-def test_the_wheel_works_alone(installed: Path, tmp_path: Path) -> None:
-    sample = installed / "smsl_studio/_shipped/samples/hfsm.json"
-    environment = {**os.environ, "PYTHONPATH": str(installed), "PYTHONDONTWRITEBYTECODE": "1"}
-    for arguments in (
-        ["plugins"],
-        ["check", str(sample)],
-        ["run", str(sample), "--world", "table"],
-    ):
-        done = subprocess.run(
-            [sys.executable, "-m", "smsl_studio", *arguments],
-            cwd=tmp_path,
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=120,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
+@pytest.mark.parametrize("command", [["plugins"], ["check"], ["run", "--world", "table"]])
+def test_the_wheel_works_alone(installed: Path, tmp_path: Path, command: list[str]) -> None:
+    sample = str(installed / "smsl_studio/_shipped/samples/hfsm.json")
+    files = [] if command == ["plugins"] else [sample]
+    done = python(installed, tmp_path, "-m", "smsl_studio", command[0], *files, *command[1:])
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_wheel_finds_its_own_plugins(installed: Path, tmp_path: Path) -> None:
     where = "from smsl_studio.shipped import plugins_dir; print(plugins_dir())"
-    told = subprocess.run(
-        [sys.executable, "-c", where],
-        cwd=tmp_path,
-        env=environment,
+    done = python(installed, tmp_path, "-c", where)
+    assert Path(done.stdout.strip()) == installed / "smsl_studio/_shipped/plugins"
+
+
+def python(site: Path, cwd: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, *arguments],
+        cwd=cwd,
+        env={**os.environ, "PYTHONPATH": str(site), "PYTHONDONTWRITEBYTECODE": "1"},
+        stdin=subprocess.DEVNULL,
         capture_output=True,
-        check=True,
+        text=True,
+        timeout=120,
+        check=False,
     )
-    assert Path(told.stdout.decode().strip()) == installed / "smsl_studio/_shipped/plugins"
