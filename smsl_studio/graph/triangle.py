@@ -16,46 +16,54 @@ HALF_STEP, ROW = 67.0, 102.0
 """Pixels between places in a row (half of the distance of two nodes), and between rows."""
 _LATTICE = {(0, 2), (0, -2), (1, 1), (1, -1), (-1, 1), (-1, -1)}
 _TOLERATED = 0.1
-"""Share of operations that may leave the lattice: a faulty one must not spoil the picture."""
+"""Share of operations that may leave the lattice or have none that leads back."""
+_TRIALS = 6
 
 
 def in_triangle(branch: StateBranch) -> dict[str, tuple[float, float]] | None:
     """The triangle with INITIAL's corner on top; None where the graph is no such figure."""
     graph = graph_of(branch)
-    if len(graph) < 3 or not _leads_back(graph):
+    lone = _lone(graph)
+    if len(graph) < 3 or len(lone) > _TOLERATED * len(graph.targets):
         return None
-    near = _both_ways(graph)
+    # One operation that leads astray must not bend all distances: it has none that leads back.
+    for stray in (None, *lone[:_TRIALS]):
+        near = _without(graph.neighbours, stray)
+        lattice = _lattice(branch, graph, near)
+        if lattice is not None:
+            return {
+                name: (x * HALF_STEP, row * ROW)
+                for name, (row, x) in zip(graph.names, lattice, strict=True)
+            }
+    return None
+
+
+def _lattice(
+    branch: StateBranch, graph: BranchGraph, near: list[list[int]]
+) -> list[tuple[int, int]] | None:
+    """Row and half steps of each state; None where two share a place or operations do not fit."""
     corners = _corners(branch, graph, near)
     if corners is None:
         return None
     apex, left, right = (distances(near, corner) for corner in corners)
-    lattice = [(a, b - c) for a, b, c in zip(apex, left, right, strict=True)]
-    if min(apex) < 0 or len(set(lattice)) < len(lattice) or not _fits(graph, lattice):
-        return None
-    return {
-        name: (x * HALF_STEP, row * ROW)
-        for name, (row, x) in zip(graph.names, lattice, strict=True)
-    }
+    places = [(a, b - c) for a, b, c in zip(apex, left, right, strict=True)]
+    whole = min(apex) >= 0 and len(set(places)) == len(places)
+    return places if whole and _fits(graph, places) else None
 
 
-def _leads_back(graph: BranchGraph) -> bool:
-    """Whether nearly every operation has one that leads back."""
+def _lone(graph: BranchGraph) -> list[tuple[int, int]]:
+    """The pairs of states that operations join in one direction only."""
     pairs = {(s, t) for s, t in zip(graph.sources, graph.targets, strict=True) if s != t}
-    lone = sum((target, source) not in pairs for source, target in pairs)
-    return bool(pairs) and lone <= _TOLERATED * len(pairs)
+    return sorted((source, target) for source, target in pairs if (target, source) not in pairs)
 
 
-def _both_ways(graph: BranchGraph) -> list[list[int]]:
-    """Neighbours by pairs of operations; by any operation where the pairs do not connect all.
-
-    A single operation between two states may be a slip of the hand; it must not bend distances.
-    """
-    pairs = set(zip(graph.sources, graph.targets, strict=True))
-    near = [
-        [other for other in others if (state, other) in pairs and (other, state) in pairs]
-        for state, others in enumerate(graph.neighbours)
-    ]
-    return near if min(distances(near, 0)) >= 0 else graph.neighbours
+def _without(near: list[list[int]], pair: tuple[int, int] | None) -> list[list[int]]:
+    if pair is None:
+        return near
+    fewer = list(near)
+    for state, other in (pair, pair[::-1]):
+        fewer[state] = [i for i in near[state] if i != other]
+    return fewer
 
 
 def _corners(
@@ -67,11 +75,11 @@ def _corners(
     corner, else the corner that is listed later.
     """
     initial = graph.index.get(branch.initial, 0)
-    first = _farthest(distances(near, initial))
+    first = _farthest(near, distances(near, initial))
     from_first = distances(near, first)
-    second = _farthest(from_first)
+    second = _farthest(near, from_first)
     both = [min(a, b) for a, b in zip(from_first, distances(near, second), strict=True)]
-    third = _farthest(both)
+    third = _farthest(near, both)
     if len({first, second, third}) < 3:
         return None
     away = distances(near, initial)
@@ -81,8 +89,9 @@ def _corners(
     return apex, left, right
 
 
-def _farthest(steps: list[int]) -> int:
-    return max(range(len(steps)), key=lambda i: (steps[i], -i))
+def _farthest(near: list[list[int]], steps: list[int]) -> int:
+    """The state with most steps; of several the one with fewest neighbours, as corners have."""
+    return max(range(len(steps)), key=lambda i: (steps[i], -len(near[i]), -i))
 
 
 def _fits(graph: BranchGraph, lattice: list[tuple[int, int]]) -> bool:
