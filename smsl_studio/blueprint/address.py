@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 
-def _escape(name: str) -> str:
+def escape(name: str) -> str:
+    """A name as one part of an address."""
     return name.replace("~", "~0").replace("/", "~1")
 
 
@@ -27,7 +28,7 @@ class Address:
     operation: str = ""
 
     def __str__(self) -> str:
-        return "/".join(_escape(part) for part in self.path)
+        return "/".join(escape(part) for part in self.path)
 
     @property
     def path(self) -> tuple[str, ...]:
@@ -47,3 +48,21 @@ class Address:
     def split(text: str) -> tuple[str, ...]:
         """The names in a written address."""
         return tuple(_unescape(part) for part in text.split("/"))
+
+
+def fact_text(branch: str, digit: int) -> str:
+    """A fact as ``requires`` and ``_hazards`` write it: ``SB/digit``, counted from 0."""
+    return f"{escape(branch)}/{digit}"
+
+
+def split_fact(text: str) -> tuple[str, int] | None:
+    """The SB and the digit of a written fact, or None where the text is none."""
+    branch, slash, digit = text.rpartition("/")
+    if not (slash and branch and digit.isascii() and digit.isdecimal() and len(digit) < 7):
+        return None
+    return _unescape(branch), int(digit)
+
+
+def note_key(operation: str, state: str = "") -> str:
+    """A key of ``_operations``: the operation's name, or with a state ``State/Operation``."""
+    return f"{escape(state)}/{escape(operation)}" if state else escape(operation)

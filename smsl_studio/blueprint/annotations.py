@@ -11,6 +11,8 @@ from typing import Any, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from smsl_studio.blueprint.address import note_key
+
 Json = Any
 
 
@@ -89,8 +91,8 @@ class Notes(_Note):
 
     def operation(self, state: str, operation: str) -> OperationNote:
         """The note of one edge: the one of its name, overridden by the one of the edge."""
-        common = self.operations.get(operation)
-        own = self.operations.get(f"{state}/{operation}")
+        common = self.operations.get(note_key(operation))
+        own = self.operations.get(note_key(operation, state))
         if common is None or own is None:
             return own or common or PLAIN
         return common.model_copy(update={k: getattr(own, k) for k in own.model_fields_set})

@@ -28,7 +28,7 @@ class Reading:
 
 @dataclass(frozen=True)
 class Scene:
-    """The facts as they are sensed at one instant (the paper's *s*); nobody senses what is absent."""
+    """The facts as sensed at one instant (the paper's *s*); nobody senses what is not in it."""
 
     readings: Mapping[FactKey, Reading] = field(default_factory=lambda: MappingProxyType({}))
     time: float = 0.0

@@ -134,7 +134,7 @@ class StateBranch:
 
     @cached_property
     def alphabet(self) -> tuple[tuple[str, ...], ...]:
-        """The values each digit takes in the states, sorted, digit 0 first."""
+        """The values each digit takes in the states, sorted; empty where there are no states."""
         columns = zip(*(self.facts(name) for name in self.table), strict=True)
         return tuple(tuple(sorted(set(column))) for column in columns)
 
@@ -147,14 +147,16 @@ class StateBranch:
         note = self.notes.facts.get(digit)
         if note is not None and note.on is not None:
             return note.on
-        values = self.alphabet[digit] if digit < len(self.alphabet) else ()
+        values = self.alphabet[digit] if 0 <= digit < len(self.alphabet) else ()
         if set(values) <= {"0", "1"}:
             return "1"
-        return self.facts(self.activating)[digit] if self.activating in self.table else "1"
+        facts = self.facts(self.activating) if self.activating in self.table else ()
+        return facts[digit] if 0 <= digit < len(facts) else "1"
 
     def is_on(self, state: str, digit: int) -> bool:
-        """Whether ``digit`` is on in ``state``."""
-        return self.facts(state)[digit] == self.on_value(digit)
+        """Whether ``digit`` is on in ``state``; a digit the SB does not have is never on."""
+        facts = self.facts(state)
+        return 0 <= digit < len(facts) and facts[digit] == self.on_value(digit)
 
     @cached_property
     def notes(self) -> Notes:
@@ -208,15 +210,19 @@ class StateBranch:
 
     @cached_property
     def meaning(self) -> Json:
-        """This SB as plain values with every default made explicit; layout and comments left out."""
+        """This SB as plain values, defaults made explicit, layout and comments left out.
+
+        NUM_STATES only checks the number of states, so it means nothing. How the names are cut
+        into facts is part of the meaning, whether NUM_FACTS says so or it was inferred.
+        """
+        shape = self.shape
         return {
             "initial": self.initial,
             "activating": self.activating,
-            "num_facts": self.num_facts,
-            "sub_sbs": {sub: digit for sub, digit in self.header.sub_sbs},
-            "num_states": self.header.num_states,
+            "facts": [shape.num_facts, shape.width, shape.opaque],
+            "sub_sbs": sorted(self.header.sub_sbs),
             "states": {name: dict(operations) for name, operations in self.table.items()},
-            "notes": {k: self.fields[k] for k in MEANING_FIELDS if k in self.fields},
+            "notes": {k: self.fields[k] for k in MEANING_FIELDS if self.fields.get(k)},
         }
 
     def __eq__(self, other: object) -> bool:
@@ -324,8 +330,8 @@ class Blueprint:
         """Everything a digest signs, as plain values; the order of SBs counts."""
         return {
             "branches": [[branch.name, branch.meaning] for branch in self],
-            "hazards": self.fields.get("_hazards"),
-            "imports": self.fields.get("_imports"),
+            "hazards": self.fields.get("_hazards") or None,
+            "imports": self.fields.get("_imports") or None,
         }
 
     def __eq__(self, other: object) -> bool:

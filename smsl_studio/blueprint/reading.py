@@ -17,13 +17,19 @@ Json = Any
 HEADER = "HEADER"
 
 
-def read_blueprint(document: Document) -> Blueprint:
-    """The blueprint a document means; ReadError names the place of what cannot be one."""
+def read_blueprint(document: Document, former: Blueprint | None = None) -> Blueprint:
+    """The blueprint a document means; ReadError names the place of what cannot be one.
+
+    An SB whose values are the very objects that ``former`` was read from is taken over from it,
+    with everything that has been worked out about it, so that an edit costs what it touches.
+    """
     branches: dict[str, StateBranch] = {}
     fields: dict[str, Json] = {}
     for name, value in document.values.items():
         if name.startswith("_"):
             fields[name] = value
+        elif former and name in former.branches and former.document.values[name] is value:
+            branches[name] = former.branches[name]
         else:
             branches[name] = _branch(document, name, value)
     return Blueprint(branches, document, fields)
@@ -84,7 +90,7 @@ def _header(document: Document, branch: str, value: Mapping[str, Json]) -> Heade
         if found is None or (type(found) is kind and found != ""):
             return found
         raise ReadError(
-            f"{key} is {_kind(found)}, not {words}",
+            f"{key} is {_kind(found) if found != '' else 'empty'}, not {words}",
             document.place((branch, HEADER, key)),
             f"Write {key} as {words}, or leave it out.",
         )
@@ -107,16 +113,26 @@ def _sub_sbs(document: Document, branch: str, value: Json) -> tuple[tuple[str, i
     """SUB_SBS as a map, as ``[]``, or as a list of one-key maps."""
     if value is None:
         return ()
-    maps = [value] if isinstance(value, dict) else value
-    if isinstance(maps, list) and all(isinstance(item, dict) for item in maps):
-        pairs = [(sub, digit) for item in maps for sub, digit in item.items() if sub[:1] != "_"]
-        if all(type(digit) is int for _, digit in pairs):
-            return tuple(pairs)
-    raise ReadError(
-        "SUB_SBS is not a map from sub-SBs to digits",
-        document.place((branch, HEADER, "SUB_SBS")),
-        'Write SUB_SBS as {"SB2": 1}: the sub-SB and the digit it expands, counted from 0.',
-    )
+    path = (branch, HEADER, "SUB_SBS")
+    advice = 'Write SUB_SBS as {"SB2": 1}: the sub-SB and the digit it expands, counted from 0.'
+    if not isinstance(value, dict | list):
+        sentence = f"SUB_SBS is {_kind(value)}, not a map from sub-SBs to digits"
+        raise ReadError(sentence, document.place(path), advice)
+    pairs: list[tuple[str, int]] = []
+    for index, item in enumerate([value] if isinstance(value, dict) else value):
+        at = path if isinstance(value, dict) else (*path, str(index))
+        if not isinstance(item, dict):
+            sentence = f"{_kind(item)} in SUB_SBS is no map from a sub-SB to a digit"
+            raise ReadError(sentence, document.place(at), advice)
+        for sub, digit in item.items():
+            if sub[:1] == "_":
+                continue
+            if type(digit) is not int or not sub:
+                sentence = f"the digit of {sub!r} in SUB_SBS is {_kind(digit)}, not a whole number"
+                sentence = sentence if sub else "a sub-SB in SUB_SBS has no name"
+                raise ReadError(sentence, document.place((*at, sub)), advice)
+            pairs.append((sub, digit))
+    return tuple(pairs)
 
 
 def _must_be_map(document: Document, path: Path, value: Json, what: str) -> None:

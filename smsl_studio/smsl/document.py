@@ -48,10 +48,10 @@ class Document:
 
         Raises KeyError where no object stands at ``path``.
         """
-        start = self._object_start
+        start = self.root
         for key in path:
             start = self._last(start, key).value_start
-        return self._scan(start)
+        return self.scan(start)
 
     def member(self, path: Path) -> Member:
         """The member at ``path`` (the last one, where its key is doubled); KeyError if none."""
@@ -67,7 +67,7 @@ class Document:
                 return self.place_at(self.member(path).key_start)
             except KeyError:
                 path = path[:-1]
-        return self.place_at(self._object_start)
+        return self.place_at(self.root)
 
     def place_at(self, offset: int) -> Place:
         """Line and column of an offset; a BOM is no column."""
@@ -78,9 +78,28 @@ class Document:
             column = max(1, column - 1)
         return Place(self.file, line + 1, column)
 
+    def scan(self, start: int) -> tuple[Member, ...]:
+        """The members of the object that opens at offset ``start``, doubles included.
+
+        The elements of a list are members whose key is their index and takes no room. KeyError
+        where neither opens.
+        """
+        from smsl_studio.smsl.json_form import scan_container
+
+        if start not in self._members:
+            self._members[start] = tuple(scan_container(self.text, start))
+        return self._members[start]
+
+    def end_of(self, start: int) -> int:
+        """The offset behind the object or list that opens at ``start``."""
+        from smsl_studio.smsl.json_form import skip_space
+
+        members = self.scan(start)
+        return skip_space(self.text, members[-1].value_end if members else start + 1) + 1
+
     def duplicates(self) -> tuple[tuple[Path, tuple[Place, ...]], ...]:
         """Every key that is written more than once in one object, with all its places."""
-        return tuple(self._doubles((), self._object_start)) if self.doubled else ()
+        return tuple(self._doubles((), self.root)) if self.doubled else ()
 
     def encoded(self) -> bytes:
         """The bytes of the file."""
@@ -89,10 +108,13 @@ class Document:
     @cached_property
     def newline(self) -> str:
         """The line end this text uses."""
-        return "\r\n" if "\r\n" in self.text else "\n"
+        if "\r\n" in self.text:
+            return "\r\n"
+        return "\r" if "\r" in self.text and "\n" not in self.text else "\n"
 
     @cached_property
-    def _object_start(self) -> int:
+    def root(self) -> int:
+        """The offset at which the file's object opens."""
         from smsl_studio.smsl.json_form import skip_space
 
         return skip_space(self.text, 1 if self.text.startswith("\ufeff") else 0)
@@ -105,28 +127,21 @@ class Document:
             at = self.text.find("\n", at + 1)
         return starts
 
-    def _scan(self, start: int) -> tuple[Member, ...]:
-        from smsl_studio.smsl.json_form import scan_object
-
-        if start not in self._members:
-            self._members[start] = tuple(scan_object(self.text, start))
-        return self._members[start]
-
     def _last(self, start: int, key: str) -> Member:
-        for member in reversed(self._scan(start)):
+        for member in reversed(self.scan(start)):
             if member.key == key:
                 return member
         raise KeyError(key)
 
     def _doubles(self, path: Path, start: int) -> Iterator[tuple[Path, tuple[Place, ...]]]:
         places: dict[str, list[Place]] = {}
-        for member in self._scan(start):
+        for member in self.scan(start):
             places.setdefault(member.key, []).append(self.place_at(member.key_start))
         for key, found in places.items():
             if len(found) > 1:
                 yield (*path, key), tuple(found)
-        for member in self._scan(start):
-            if self.text[member.value_start] == "{":
+        for member in self.scan(start):
+            if self.text[member.value_start] in "{[":
                 yield from self._doubles((*path, member.key), member.value_start)
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NoReturn
 
 from smsl_studio.errors import ReadError
@@ -64,22 +64,47 @@ def parse_json(text: str, file: str) -> Document:
     return Document(text, file, "json", values, doubled)
 
 
+def write_json(values: Mapping[str, Any]) -> str:
+    """Values as a new text in the canonical layout: four spaces, one member a line."""
+    from smsl_studio.smsl.style import CANONICAL, render
+
+    return render(dict(values), CANONICAL, "", 0) + "\n"
+
+
 def skip_space(text: str, at: int) -> int:
     """The offset of the first character that is no white space."""
     match = _SPACE.match(text, at)
     return match.end() if match else at
 
 
-def scan_object(text: str, start: int) -> Iterator[Member]:
-    """The members of the object that opens at ``start``; the text is known to be valid JSON."""
-    if text[start : start + 1] != "{":
+def scan_container(text: str, start: int) -> Iterator[Member]:
+    """The members of the object or list that opens at ``start`` in a text known to be valid JSON.
+
+    The elements of a list have their index for a key, which takes no room in the text.
+    """
+    mark = text[start : start + 1]
+    if mark not in ("{", "["):
         raise KeyError(start)
     at = skip_space(text, start + 1)
+    if mark == "[":
+        yield from _elements(text, at)
+        return
     while text[at] != "}":
         key, key_end = json.decoder.scanstring(text, at + 1)  # type: ignore[attr-defined]
         value = skip_space(text, skip_space(text, key_end) + 1)
         end = _value_end(text, value)
         yield Member(key, at, key_end, value, end)
+        at = skip_space(text, end)
+        if text[at] == ",":
+            at = skip_space(text, at + 1)
+
+
+def _elements(text: str, at: int) -> Iterator[Member]:
+    index = 0
+    while text[at] != "]":
+        end = _value_end(text, at)
+        yield Member(str(index), at, at, at, end)
+        index += 1
         at = skip_space(text, end)
         if text[at] == ",":
             at = skip_space(text, at + 1)

@@ -1,0 +1,29 @@
+"""The edits: pure functions, Blueprint in, Blueprint out, the text spliced with it.
+
+Each refuses (EditRefused: a sentence and an advice) what would leave nonsense, and then nothing
+has changed. ``after.document`` always agrees with the meaning of ``after``.
+"""
+
+from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
+from smsl_studio.blueprint.editing.headers import attach_sub, detach_sub, set_header
+from smsl_studio.blueprint.editing.moving import reorder, retarget
+from smsl_studio.blueprint.editing.notes import keep_last, set_hazards, set_layout, set_note
+from smsl_studio.blueprint.editing.removing import delete
+from smsl_studio.blueprint.editing.renaming import rename
+
+__all__ = [
+    "add_branch",
+    "add_operation",
+    "add_state",
+    "attach_sub",
+    "delete",
+    "detach_sub",
+    "keep_last",
+    "rename",
+    "reorder",
+    "retarget",
+    "set_hazards",
+    "set_header",
+    "set_layout",
+    "set_note",
+]

@@ -1,0 +1,60 @@
+"""Edits that change where something leads or stands: retarget, reorder."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing.draft import Draft, existing
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.errors import EditRefused, did_you_mean
+
+
+def retarget(blueprint: Blueprint, address: Address, target: str) -> Blueprint:
+    """Let an operation lead to another state of its SB."""
+    existing(blueprint, address)
+    if not address.operation:
+        raise EditRefused(f"{address} is no operation", advice="Choose an operation.")
+    table = blueprint[address.branch].table
+    if target not in table:
+        raise EditRefused(
+            f"there is no state {target!r} in {address.branch}",
+            advice=did_you_mean(target, table),
+        )
+    draft = Draft(blueprint)
+    draft.at(address.branch, address.state)[address.operation] = target
+    return draft.done()
+
+
+def reorder(blueprint: Blueprint, address: Address, index: int) -> Blueprint:
+    """Move an element to place ``index`` (from 0) among its like: SBs, states or operations.
+
+    Order has meaning: the first state is the default INITIAL, the last the default ACTIVATING.
+    """
+    existing(blueprint, address)
+    draft = Draft(blueprint)
+    *above, name = address.path
+    inner = draft.at(*above)
+    movable = [key for key in inner if not _stays(key, len(above))]
+    if not 0 <= index < len(movable):
+        raise EditRefused(
+            f"place {index} is outside 0 to {len(movable) - 1}",
+            advice="Choose a place among the others.",
+        )
+    movable.remove(name)
+    movable.insert(index, name)
+    order = iter(movable)
+    items = [key if _stays(key, len(above)) else next(order) for key in inner]
+    _sort(inner, items)
+    return draft.done()
+
+
+def _stays(key: str, depth: int) -> bool:
+    return key.startswith("_") or (key == HEADER and depth == 1)
+
+
+def _sort(inner: dict[str, object], order: Iterable[str]) -> None:
+    values = dict(inner)
+    inner.clear()
+    inner.update((key, values[key]) for key in order)

@@ -1,0 +1,109 @@
+"""Renaming: a refactoring, everything that names the element follows."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
+from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_key
+from smsl_studio.blueprint.model import Blueprint
+
+Json = Any
+
+
+def rename(
+    blueprint: Blueprint, address: Address, new_name: str, rename_everywhere: bool = False
+) -> Blueprint:
+    """Give an SB, a state or an operation another name, in its place.
+
+    SB: SUB_SBS, ``requires`` and hazards follow. State: targets, INITIAL, ACTIVATING and the
+    annotations follow. Operation: just that edge and its own annotations; with
+    ``rename_everywhere`` every edge of that name in the SB, and the name's annotations.
+    """
+    existing(blueprint, address)
+    if new_name == address.path[-1]:
+        return blueprint
+    draft = Draft(blueprint)
+    if not address.state:
+        free_name(new_name, blueprint.branches, "a State Branch")
+        _rename_branch(draft, address.branch, new_name)
+    elif not address.operation:
+        free_name(new_name, blueprint[address.branch].table, "a state")
+        _rename_state(draft, address.branch, address.state, new_name)
+    else:
+        _rename_operation(draft, address, new_name, rename_everywhere)
+    return draft.done()
+
+
+def _rename_branch(draft: Draft, old: str, new: str) -> None:
+    for branch in draft.before:
+        if any(sub == old for sub, _ in branch.header.sub_sbs):
+            header = draft.header(branch.name)
+            header["SUB_SBS"] = _renamed_key(header["SUB_SBS"], old, new)
+        for table in draft.tables(branch.name, "_operations"):
+            for key, note in table.items():
+                if isinstance(note, dict) and isinstance(note.get("requires"), dict):
+                    requires = _renamed_facts(note["requires"], old, new)
+                    table[key] = {**note, "requires": requires}
+    whole = draft.at()
+    if isinstance(whole.get("_hazards"), list):
+        whole["_hazards"] = [_renamed_hazard(item, old, new) for item in whole["_hazards"]]
+    rename_key(whole, old, new)
+
+
+def _renamed_key(value: Json, old: str, new: str) -> Json:
+    if isinstance(value, list):
+        return [_renamed_key(item, old, new) for item in value]
+    return {new if key == old else key: inner for key, inner in value.items()}
+
+
+def _renamed_hazard(hazard: Json, old: str, new: str) -> Json:
+    if isinstance(hazard, dict) and isinstance(hazard.get("facts"), dict):
+        return {**hazard, "facts": _renamed_facts(hazard["facts"], old, new)}
+    return hazard
+
+
+def _renamed_facts(facts: dict[str, Json], old: str, new: str) -> dict[str, Json]:
+    return {_renamed_fact(key, old, new): value for key, value in facts.items()}
+
+
+def _renamed_fact(text: str, old: str, new: str) -> str:
+    fact = split_fact(text)
+    return fact_text(new, fact[1]) if fact and fact[0] == old else text
+
+
+def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
+    found = draft.before[branch]
+    for state, operations in found.table.items():
+        if old in operations.values():
+            inner = draft.at(branch, state)
+            for operation, target in operations.items():
+                if target == old:
+                    inner[operation] = new
+    rename_key(draft.at(branch), old, new)
+    for key in ("INITIAL", "ACTIVATING"):
+        if getattr(found.header, key.lower()) == old:
+            draft.header(branch)[key] = new
+    for table in draft.tables(branch, "_states", "_layout"):
+        rename_key(table, old, new)
+    for table in draft.tables(branch, "_operations"):
+        for operation in found.table[old]:
+            rename_key(table, note_key(operation, old), note_key(operation, new))
+
+
+def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool) -> None:
+    old, branch = address.operation, address.branch
+    table = draft.before[branch].table
+    bearers = [state for state, operations in table.items() if old in operations]
+    chosen = bearers if everywhere else [address.state]
+    for state in chosen:
+        free_name(new, table[state], f"in {state} an operation" if everywhere else "an operation")
+    unused = not any(new in operations for operations in table.values())
+    for state in chosen:
+        rename_key(draft.at(branch, state), old, new)
+        for notes in draft.tables(branch, "_operations"):
+            rename_key(notes, note_key(old, state), note_key(new, state))
+    if unused and chosen == bearers:
+        for notes in draft.tables(branch, "_operations"):
+            if note_key(new) not in notes:
+                rename_key(notes, note_key(old), note_key(new))

@@ -1,0 +1,62 @@
+"""Blueprint to values: what is meant, as a document can write it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint, Header, StateBranch
+from smsl_studio.blueprint.reading import HEADER, read_blueprint
+from smsl_studio.smsl.json_form import parse_json, write_json
+
+Json = Any
+
+
+def values_of(blueprint: Blueprint) -> dict[str, Json]:
+    """Everything a blueprint holds, ``_`` fields and unknown header keys included.
+
+    The values read to an equal blueprint. Where ``_`` fields stand among the others is known only
+    to the text: ``reconcile`` keeps their slots.
+    """
+    values: dict[str, Json] = {key: _plain(value) for key, value in blueprint.fields.items()}
+    for branch in blueprint:
+        values[branch.name] = _branch(branch)
+    return values
+
+
+def new_blueprint(file: str = "untitled.json") -> Blueprint:
+    """An empty blueprint that will be saved under ``file``."""
+    return read_blueprint(parse_json(write_json({}), file))
+
+
+def _branch(branch: StateBranch) -> dict[str, Json]:
+    values: dict[str, Json] = {}
+    if branch.header.present:
+        values[HEADER] = _header(branch.header)
+    for name, operations in branch.table.items():
+        values[name] = {**branch.state_fields.get(name, {}), **operations}
+    for key, value in branch.fields.items():
+        values[key] = _plain(value)
+    return values
+
+
+def _header(header: Header) -> dict[str, Json]:
+    known = {
+        "INITIAL": header.initial,
+        "ACTIVATING": header.activating,
+        "NUM_FACTS": header.num_facts,
+        "SUB_SBS": _subs(header.sub_sbs) or None,
+        "NUM_STATES": header.num_states,
+    }
+    values = {key: value for key, value in known.items() if value is not None}
+    return {**values, **_plain(header.unknown), **_plain(header.fields)}
+
+
+def _subs(pairs: tuple[tuple[str, int], ...]) -> Json:
+    """A map, or a list of one-key maps where one sub-SB is named twice."""
+    if len({sub for sub, _ in pairs}) == len(pairs):
+        return dict(pairs)
+    return [{sub: digit} for sub, digit in pairs]
+
+
+def _plain(value: Json) -> Json:
+    return dict(value) if hasattr(value, "keys") else value
