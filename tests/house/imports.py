@@ -10,7 +10,7 @@ from pathlib import Path
 
 PACKAGE = "smsl_studio"
 
-FLOORS = {
+FLOORS: dict[str, float] = {
     "errors": 0,
     "shipped": 0,
     "smsl": 1,
@@ -28,10 +28,10 @@ FLOORS = {
     "generate": 6,
     "front": 7,
     # The package itself hands the front door on; the doors may come in through it.
-    "__init__": 8,
-    "cli": 9,
-    "studio": 9,
-    "__main__": 10,
+    "__init__": 7.5,
+    "cli": 8,
+    "studio": 8,
+    "__main__": 9,
 }
 
 BULLET = "world/bullet.py"

@@ -66,3 +66,19 @@ def test_the_lock_holds_every_dependency_by_hash_and_names_no_host() -> None:
 def test_pyside_stays_below_the_version_that_loses_references() -> None:
     (pin,) = re.findall(r"^pyside6-essentials==(\d+)\.(\d+)", LOCK, re.MULTILINE)
     assert tuple(map(int, pin)) < (6, 12)
+
+
+def test_the_architecture_page_shows_the_real_rooms() -> None:
+    page = (ROOT / "docs/architecture.md").read_text("utf-8")
+    shown = set(re.findall(r"^\| `(\w+)` \|", page, re.MULTILINE))
+    package = ROOT / "smsl_studio"
+    rooms = {path.parent.name for path in package.glob("*/__init__.py")}
+    rooms |= {path.stem for path in package.glob("[a-z]*.py")}
+    assert rooms == shown
+
+
+def test_what_the_pages_point_at_is_there() -> None:
+    for page in [*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md"), *ROOT.glob("*/README.md")]:
+        for target in re.findall(r"\]\(([^)#]+)", page.read_text("utf-8")):
+            if "://" not in target:
+                assert (page.parent / target).exists(), f"{page.relative_to(ROOT)}: {target}"
