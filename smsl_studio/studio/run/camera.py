@@ -1,0 +1,91 @@
+"""An orbit camera: where the world is looked at from. Angles in radians, metres, z up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import cos, pi, sin, tan
+
+import numpy as np
+from numpy.typing import NDArray
+
+Matrix = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Looks at ``target`` from ``distance`` away; ``azimuth`` 0 looks along -x."""
+
+    target: tuple[float, float, float] = (0.45, 0.0, 0.12)
+    distance: float = 1.15
+    azimuth: float = 0.62
+    elevation: float = 0.42
+    field_of_view: float = 0.7
+
+    @property
+    def eye(self) -> NDArray[np.float64]:
+        """The position of the eye in the world frame."""
+        across = self.distance * cos(self.elevation)
+        offset = (
+            across * cos(self.azimuth),
+            across * sin(self.azimuth),
+            self.distance * sin(self.elevation),
+        )
+        return np.asarray(np.array(self.target) + np.array(offset), dtype=np.float64)
+
+    def orbited(self, right: float, up: float) -> Camera:
+        """Turned around the target; the eye stays above the table and off the pole."""
+        elevation = min(max(self.elevation + up, 0.03), pi / 2 - 0.02)
+        return replace(self, azimuth=self.azimuth - right, elevation=elevation)
+
+    def zoomed(self, factor: float) -> Camera:
+        return replace(self, distance=min(max(self.distance * factor, 0.15), 8.0))
+
+    def panned(self, right: float, up: float) -> Camera:
+        """The target moved in the plane of the picture, in metres."""
+        side = np.array((-sin(self.azimuth), cos(self.azimuth), 0.0))
+        high = np.array(
+            (
+                -sin(self.elevation) * cos(self.azimuth),
+                -sin(self.elevation) * sin(self.azimuth),
+                cos(self.elevation),
+            )
+        )
+        x, y, z = np.array(self.target) + side * right + high * up
+        return replace(self, target=(float(x), float(y), float(z)))
+
+    def view_projection(self, aspect: float) -> Matrix:
+        """World to clip space, row-major; ``aspect`` is width over height."""
+        forward = np.array(self.target) - self.eye
+        forward /= np.linalg.norm(forward)
+        side = np.cross(forward, (0.0, 0.0, 1.0))
+        side /= np.linalg.norm(side)
+        up = np.cross(side, forward)
+        view = np.eye(4)
+        view[0, :3], view[1, :3], view[2, :3] = side, up, -forward
+        view[:3, 3] = -view[:3, :3] @ self.eye
+        near, far = 0.02, 30.0
+        scale = 1.0 / tan(self.field_of_view / 2)
+        projection = np.zeros((4, 4))
+        projection[0, 0], projection[1, 1] = scale / max(aspect, 0.01), scale
+        projection[2, 2] = (far + near) / (near - far)
+        projection[2, 3] = 2 * far * near / (near - far)
+        projection[3, 2] = -1.0
+        return np.asarray(projection @ view, dtype=np.float32)
+
+    def project(
+        self, point: tuple[float, float, float], width: float, height: float
+    ) -> tuple[float, float] | None:
+        """Where a world point appears in a picture of that size; None behind the eye."""
+        clip = self.view_projection(width / max(height, 1.0)) @ np.array((*point, 1.0))
+        if clip[3] <= 0:
+            return None
+        x, y = clip[0] / clip[3], clip[1] / clip[3]
+        return float((x + 1) / 2 * width), float((1 - y) / 2 * height)
+
+
+VIEWS = {
+    "Front right": Camera(),
+    "Front": Camera(azimuth=0.0, elevation=0.3),
+    "Side": Camera(azimuth=pi / 2, elevation=0.3),
+    "Top": Camera(azimuth=0.0, elevation=pi / 2 - 0.02, distance=1.3),
+}

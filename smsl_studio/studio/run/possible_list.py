@@ -1,0 +1,149 @@
+"""Possible now: every operation out of the active states; beside what is not, the reason why."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.controls import label
+from smsl_studio.studio.icons import pixmap
+from smsl_studio.studio.theme import Tokens
+
+
+@dataclass(frozen=True)
+class PossibleRow:
+    """One operation: what it is called, where it leads, and how it stands.
+
+    ``kind`` is running, route, possible, refused or pruned; ``words`` say it in full.
+    """
+
+    address: Address
+    name: str
+    target: str
+    kind: str
+    words: str
+    cost: str
+    group: str
+
+
+class PossibleList(QScrollArea):
+    """A list of widgets, so that each line has focus; permitted operations are buttons."""
+
+    chosen = Signal(object)
+    """The address of a permitted operation that a person chose."""
+    restore_wanted = Signal(object)
+    """The address of a pruned or risky operation that a person wants back."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setAccessibleName("Possible now")
+        self._rows: tuple[PossibleRow, ...] = ()
+        self._by_hand = False
+        self._empty = "Starts with the run"
+        self._rebuild()
+
+    def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
+        """Replace the list; nothing is touched where nothing changed, so that focus stays."""
+        if (rows, by_hand, empty) == (self._rows, self._by_hand, self._empty):
+            return
+        self._rows, self._by_hand, self._empty = rows, by_hand, empty
+        self._rebuild()
+
+    def row_widgets(self) -> list[QWidget]:
+        """The lines in order, for keyboards and tests."""
+        inner = self.widget()
+        return list(inner.findChildren(QFrame, "possibleRow")) if inner else []
+
+    def _rebuild(self) -> None:
+        bar = self.verticalScrollBar().value()
+        inner = QWidget()
+        inner.setProperty("role", "panel")
+        column = QVBoxLayout(inner)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        group = ""
+        for row in self._rows:
+            if row.group != group:
+                group = row.group
+                column.addWidget(self._group(group))
+            column.addWidget(self._line(row))
+        if not self._rows:
+            empty = label(self._empty, "hint")
+            empty.setContentsMargins(12, 8, 12, 8)
+            column.addWidget(empty)
+        column.addStretch(1)
+        self.setWidget(inner)
+        self.verticalScrollBar().setValue(bar)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._rebuild()
+
+    def _group(self, words: str) -> QWidget:
+        line = label(words, "group")
+        line.setFixedHeight(28)
+        line.setIndent(12)
+        return line
+
+    def _line(self, row: PossibleRow) -> QWidget:
+        line = QFrame()
+        line.setObjectName("possibleRow")
+        line.setProperty("kind", row.kind)
+        line.setFixedHeight(36)
+        across = QHBoxLayout(line)
+        across.setContentsMargins(12, 0, 12, 0)
+        across.setSpacing(8)
+        across.addWidget(self._mark(row.kind))
+        if row.kind in ("route", "possible") and self._by_hand:
+            across.addWidget(self._button(row.name, f"Carry out {row.address}", self.chosen, row))
+        else:
+            across.addWidget(label(row.name, "hint" if row.kind == "refused" else "strong"))
+        across.addWidget(label(row.target, "mono"))
+        words = label(row.words, "small")
+        words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        across.addWidget(words, 1)
+        if row.kind == "pruned":
+            hint = f"Let the route use {row.address} again"
+            across.addWidget(self._button("Restore", hint, self.restore_wanted, row))
+        else:
+            across.addWidget(label(row.cost, "mono"))
+        line.setToolTip(f"{row.address} to {row.target}: {row.words}")
+        line.setAccessibleName(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
+        return line
+
+    def _mark(self, kind: str) -> QWidget:
+        name, colour = {
+            "running": ("play", self._tokens.acc),
+            "route": ("chevron-right", self._tokens.acc),
+            "possible": ("chevron-right", self._tokens.tx2),
+            "pruned": ("barred", self._tokens.tx2),
+        }.get(kind, ("minus", self._tokens.tx3))
+        mark = QLabel()
+        ratio = self.devicePixelRatioF()
+        mark.setPixmap(pixmap(name, colour, self._tokens.surf, 14, ratio))
+        mark.setFixedWidth(16)
+        return mark
+
+    @staticmethod
+    def _button(words: str, hint: str, signal: SignalInstance, row: PossibleRow) -> QPushButton:
+        button = QPushButton(words)
+        button.setProperty("role", "row")
+        button.setToolTip(hint)
+        button.clicked.connect(lambda _=False: signal.emit(row.address))
+        return button

@@ -1,0 +1,185 @@
+"""One run at a time, as the window holds it: a frozen blueprint, its runner, its story.
+
+Widgets read it and listen to ``changed``; they command it by the verbs of supervision. The run
+holds the blueprint it was started with, whatever is drawn meanwhile.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from smsl_studio import front
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.errors import StudioError
+from smsl_studio.runlog.events import Event
+from smsl_studio.studio.run.runner import Command, Runner
+from smsl_studio.studio.run.story import Story
+from smsl_studio.world.protocol import Shape
+
+
+@dataclass(frozen=True)
+class RunChoice:
+    """What a person chose to run. ``start`` and ``goal`` are addresses; empty: the defaults."""
+
+    world: str
+    start: str = ""
+    goal: str = ""
+    seed: int = 0
+    by_hand: bool = False
+
+
+class RunSession(QObject):
+    """The run of this window. There is at most one; a new one ends the old."""
+
+    changed = Signal()
+    """The status or the story went on."""
+    events_told = Signal(object)
+    """A tuple of run events, in order."""
+    opened = Signal()
+    """The world stands: shapes can be drawn."""
+    exists_changed = Signal(bool)
+    """Whether there is a run that can be stopped."""
+    refused = Signal(object)
+    """A StudioError: the run could not be opened; nothing moved."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.blueprint: Blueprint | None = None
+        self.status: DispatchStatus | None = None
+        self.story = Story()
+        self.shapes: tuple[Shape, ...] = ()
+        self.choice: RunChoice | None = None
+        self._runner: Runner | None = None
+        self._dispatcher: Dispatcher | None = None
+        self._exists = False
+
+    @property
+    def exists(self) -> bool:
+        """Whether a run is there that has not ended."""
+        return self._exists
+
+    @property
+    def phase(self) -> str:
+        """One word for how the run stands: the dispatcher's phase, or why it ended."""
+        if self._runner is None:
+            return ""
+        if self.story.finished is not None:
+            return self.story.finished.reason
+        return "opening" if self.status is None else self.status.phase
+
+    @property
+    def sentence(self) -> str:
+        """Why the run holds or ended; the empty text while it goes on."""
+        if self.story.finished is not None:
+            return self.story.finished.sentence
+        return self.status.sentence if self.status is not None else ""
+
+    def begin(self, blueprint: Blueprint, choice: RunChoice, speed: float) -> None:
+        """Start a run of ``blueprint`` as it is now; a run that is there is closed first."""
+        self.close()
+        self.blueprint, self.choice = blueprint, choice
+        self.status, self.story, self.shapes = None, Story(), ()
+        runner = Runner(lambda: _opened(blueprint, choice), speed, self)
+        runner.opened.connect(self._open)
+        runner.told.connect(self._tell)
+        runner.refused.connect(self._refuse)
+        self._runner = runner
+        self._set_exists(True)
+        runner.start()
+        self.changed.emit()
+
+    def play(self) -> None:
+        self._command(lambda d: d.resume())
+
+    def pause(self) -> None:
+        self._command(lambda d: d.pause())
+
+    def step(self) -> None:
+        self._command(lambda d: d.step())
+
+    def stop(self) -> None:
+        self._command(lambda d: d.stop())
+
+    def ask(self, address: Address) -> None:
+        """Carry out an operation that a person chose."""
+        self._command(lambda d: d.ask(address))
+
+    def prune(self, address: Address, reason: str) -> None:
+        self._command(lambda d: d.prune(address, reason))
+
+    def restore(self, address: Address) -> None:
+        self._command(lambda d: d.restore(address))
+
+    def set_automatic(self, automatic: bool) -> None:
+        self._command(lambda d: d.set_automatic(automatic))
+
+    def set_speed(self, speed: float) -> None:
+        if self._runner is not None:
+            self._runner.set_speed(speed)
+
+    def poses(self) -> tuple[float, ...]:
+        """The newest poses, straight from the world's shared memory."""
+        return self._dispatcher.host.poses() if self._dispatcher is not None else ()
+
+    def words(self) -> Mapping[str, str]:
+        """The world's short words for people."""
+        return self._dispatcher.host.status() if self._dispatcher is not None else {}
+
+    def close(self) -> None:
+        """End the run and its world, if there is one."""
+        runner, self._runner = self._runner, None
+        self._dispatcher = None
+        if runner is not None:
+            runner.blockSignals(True)
+            runner.close()
+            runner.deleteLater()
+        self._set_exists(False)
+
+    def _command(self, command: Command) -> None:
+        if self._runner is not None and self._exists:
+            self._runner.command(command)
+
+    def _open(self, dispatcher: Dispatcher) -> None:
+        if self.sender() is self._runner:
+            self._dispatcher = dispatcher
+            self.shapes = dispatcher.opened.shapes if dispatcher.opened else ()
+            self.opened.emit()
+
+    def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
+        if self.sender() is not self._runner:
+            return
+        self.status = status
+        if events:
+            self.story.tell(events)
+            self.events_told.emit(events)
+        self.story.time = max(self.story.time, status.time)
+        if self.story.finished is not None:
+            self._set_exists(False)
+        self.changed.emit()
+
+    def _refuse(self, error: StudioError) -> None:
+        self.close()
+        self.refused.emit(error)
+        self.changed.emit()
+
+    def _set_exists(self, exists: bool) -> None:
+        if exists != self._exists:
+            self._exists = exists
+            self.exists_changed.emit(exists)
+
+
+def _opened(blueprint: Blueprint, choice: RunChoice) -> Dispatcher:
+    return front.open_run(
+        blueprint,
+        choice.world,
+        start=[choice.start] if choice.start else [],
+        goal=[choice.goal] if choice.goal else [],
+        seed=choice.seed,
+        automatic=not choice.by_hand,
+    )

@@ -1,0 +1,105 @@
+"""The story of a run as the widgets need it: spans and trails, told event by event.
+
+It is derived from the one stream of run events and from nothing else, so that a replayed log shows
+what the live run showed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.runlog import events as run
+
+
+@dataclass
+class Span:
+    """Something that held from ``start`` to ``end`` (simulated s); ``end`` None: it still does."""
+
+    start: float
+    words: str
+    end: float | None = None
+    good: bool = True
+
+
+@dataclass
+class Story:
+    """What has happened so far. Lanes are lists of spans in order of time."""
+
+    time: float = 0.0
+    world: str = ""
+    finished: run.RunFinished | None = None
+    states: dict[str, list[Span]] = field(default_factory=dict)
+    operations: list[Span] = field(default_factory=list)
+    facts: dict[tuple[str, int], list[Span]] = field(default_factory=dict)
+    trail: dict[str, list[Address]] = field(default_factory=dict)
+    risky: dict[str, str] = field(default_factory=dict)
+    marks: list[tuple[float, str]] = field(default_factory=list)
+    lines: list[run.Event] = field(default_factory=list)
+
+    def tell(self, events: Iterable[run.Event]) -> None:
+        """Go on with the story."""
+        for event in events:
+            self.time = max(self.time, event.t)
+            self.lines.append(event)
+            self._tell_one(event)
+
+    def visited(self, branch: str) -> frozenset[str]:
+        """The states of an SB that were active and are no more."""
+        return frozenset(span.words for span in self.states.get(branch, ())[:-1])
+
+    def _tell_one(self, event: run.Event) -> None:
+        match event:
+            case run.RunStarted():
+                self.world = event.world
+                for branch, state in event.start.items():
+                    self.states[branch] = [Span(event.t, state)]
+            case run.FactChanged():
+                value = "?" if event.value is None else event.value
+                lane = self.facts.setdefault((event.branch, event.digit), [])
+                _next(lane, event.t, value, event.value is not None)
+            case run.OperationStarted():
+                _next(self.operations, event.t, event.address)
+            case run.OperationEnded():
+                self._end_operation(event.t, event.outcome == "returned")
+            case run.Committed():
+                self._commit(event)
+            case run.Relocalised():
+                self._enter(event.t, dict(event.configuration))
+            case run.OperationRisky():
+                self.risky[event.address] = event.reason
+                self.marks.append((event.t, f"{event.address} is risky: {event.reason}"))
+            case run.Held() | run.Mismatch():
+                words = event.reason if isinstance(event, run.Held) else ", ".join(event.facts)
+                self.marks.append((event.t, words))
+                self._end_operation(event.t, good=False)
+            case run.RunFinished():
+                self.finished = event
+                self._end_operation(event.t, good=event.reason == "goal_reached")
+            case _:
+                pass
+
+    def _end_operation(self, time: float, good: bool) -> None:
+        if self.operations and self.operations[-1].end is None:
+            self.operations[-1].end = time
+            self.operations[-1].good = good
+
+    def _commit(self, event: run.Committed) -> None:
+        self._end_operation(event.t, good=True)
+        for text in event.operations:
+            address = Address(*Address.split(text))
+            self.trail.setdefault(address.branch, []).append(address)
+        self._enter(event.t, dict(event.configuration))
+
+    def _enter(self, time: float, configuration: dict[str, str]) -> None:
+        for branch, state in configuration.items():
+            lane = self.states.setdefault(branch, [])
+            if not lane or lane[-1].words != state:
+                _next(lane, time, state)
+
+
+def _next(lane: list[Span], time: float, words: str, good: bool = True) -> None:
+    if lane and lane[-1].end is None:
+        lane[-1].end = time
+    lane.append(Span(time, words, good=good))

@@ -1,0 +1,205 @@
+"""The world as a picture drawn from poses, with an orbit camera under the mouse.
+
+Drag turns, Shift-drag or the middle button pans, the wheel zooms, a double click comes back. Where
+no OpenGL is to be had the pane says so; the run goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from time import perf_counter
+
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFontMetricsF,
+    QImage,
+    QLinearGradient,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.run.camera import VIEWS, Camera
+from smsl_studio.studio.run.renderer import Renderer, open_renderer
+from smsl_studio.studio.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
+from smsl_studio.world.protocol import Shape
+
+
+class WorldView(QWidget):
+    """Shows shapes at poses. ``show_poses`` is cheap where nothing moved."""
+
+    drawn = Signal()
+    """A new picture is on the screen."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._camera = VIEWS["Front right"]
+        self._home = self._camera
+        self._renderer: Renderer | str | None = None
+        self._shapes: tuple[Shape, ...] = ()
+        self._poses: tuple[float, ...] = ()
+        self._status: tuple[str, ...] = ()
+        self._sentence = "Starts with the run"
+        self._image: QImage | None = None
+        self._drag: QPointF | None = None
+        self._frames: list[float] = []
+        self.setMinimumSize(240, 160)
+        self.setAccessibleName("World")
+        self.setToolTip("Drag turns, Shift-drag pans, the wheel zooms, a double click comes back")
+
+    @property
+    def has_picture(self) -> bool:
+        """Whether there is something to see: shapes, and a place to draw them."""
+        return bool(self._shapes) and isinstance(self._renderer, Renderer)
+
+    def load(self, shapes: Sequence[Shape], world: str) -> None:
+        """Show another world; without shapes it has nothing to draw and says so."""
+        self._shapes, self._poses, self._image = tuple(shapes), (), None
+        if not shapes:
+            self._sentence = (
+                f"The {world} world has nothing to draw. The facts beside tell its state"
+            )
+        else:
+            self._renderer = self._renderer or open_renderer()
+            if isinstance(self._renderer, Renderer):
+                self._renderer.load(self._shapes)
+            else:
+                self._sentence = "No graphics here. The run goes on"
+                self.setToolTip(f"OpenGL is not to be had: {self._renderer}")
+        self.update()
+
+    def clear(self) -> None:
+        """No run: say so."""
+        self.load((), "")
+        self._sentence = "Starts with the run"
+        self._status = ()
+
+    def show_poses(self, poses: tuple[float, ...], status: Mapping[str, str]) -> None:
+        """Draw the newest poses, if they moved."""
+        words = tuple(f"{key} {value}".strip() for key, value in status.items())
+        if poses == self._poses and words == self._status:
+            return
+        if poses != self._poses:
+            self._image = None
+        self._poses, self._status = poses, words
+        self.update()
+
+    def set_view(self, name: str) -> None:
+        """Look from one of the named places (``VIEWS``)."""
+        self._home = VIEWS[name]
+        self._look(self._home)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens, self._image = tokens, None
+        self.update()
+
+    def close_graphics(self) -> None:
+        """Free what OpenGL holds."""
+        if isinstance(self._renderer, Renderer):
+            self._renderer.close()
+        self._renderer = None
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_sky(painter)
+        if not self.has_picture or not self._poses:
+            self._paint_sentence(painter)
+            return
+        if self._image is None:
+            self._image = self._rendered()
+            self._frames = [*self._frames[-29:], perf_counter()]
+            self.drawn.emit()
+        painter.drawImage(self.rect(), self._image)
+        self._paint_labels(painter)
+        self._paint_chips(painter)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._drag = event.position()
+        self.setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._drag is None:
+            return
+        moved, self._drag = event.position() - self._drag, event.position()
+        pan = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        if pan or event.buttons() & Qt.MouseButton.MiddleButton:
+            scale = self._camera.distance / max(self.height(), 1)
+            self._look(self._camera.panned(-moved.x() * scale, moved.y() * scale))
+        else:
+            self._look(self._camera.orbited(moved.x() * 0.008, moved.y() * 0.008))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._drag = None
+        self.unsetCursor()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._look(self._home)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._look(self._camera.zoomed(0.999 ** event.angleDelta().y()))
+        event.accept()
+
+    def _look(self, camera: Camera) -> None:
+        self._camera, self._image = camera, None
+        self.update()
+
+    def _rendered(self) -> QImage:
+        assert isinstance(self._renderer, Renderer)
+        ratio = self.devicePixelRatioF()
+        size = (round(self.width() * ratio), round(self.height() * ratio))
+        image = self._renderer.draw(self._poses, self._camera, size, self._tokens.dark)
+        image.setDevicePixelRatio(ratio)
+        return image
+
+    def _paint_sky(self, painter: QPainter) -> None:
+        sky = QLinearGradient(0, 0, 0, self.height())
+        top = self._tokens.win if self._tokens.dark else QColor("#e9edf3")
+        sky.setColorAt(0, top)
+        sky.setColorAt(1, self._tokens.canvas)
+        painter.fillRect(self.rect(), sky)
+
+    def _paint_sentence(self, painter: QPainter) -> None:
+        painter.setFont(text_font(13))
+        painter.setPen(self._tokens.tx3)
+        room = self.rect().adjusted(24, 24, -24, -24)
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        painter.drawText(room, flags, self._sentence)
+
+    def _paint_labels(self, painter: QPainter) -> None:
+        painter.setFont(mono_font(12, 600))
+        for index, shape in enumerate(self._shapes):
+            if not shape.label or len(self._poses) < 7 * index + 3:
+                continue
+            x, y, _ = self._poses[7 * index : 7 * index + 3]
+            at = self._camera.project((x, y, 0.0), self.width(), self.height())
+            if at is not None:
+                box = QRectF(at[0] - 9, at[1] + 8, 18, 18)
+                self._paint_box(painter, box, shape.label, self._tokens.tx)
+
+    def _paint_chips(self, painter: QPainter) -> None:
+        painter.setFont(text_font(12))
+        left, bottom = 12.0, self.height() - 12.0
+        for words in self._status:
+            width = QFontMetricsF(painter.font()).horizontalAdvance(words) + 20
+            self._paint_box(painter, QRectF(left, bottom - 24, width, 24), words, self._tokens.tx2)
+            left += width + 8
+        if len(self._frames) > 2 and perf_counter() - self._frames[-1] < 1:
+            rate = (len(self._frames) - 1) / max(self._frames[-1] - self._frames[0], 1e-3)
+            painter.setPen(self._tokens.tx3)
+            room = QRectF(self.width() - 132, bottom - 24, 120, 24)
+            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(room, right, f"{rate:.0f} frames/s")
+
+    def _paint_box(self, painter: QPainter, box: QRectF, words: str, colour: QColor) -> None:
+        radius = RADIUS_CHIP if box.width() <= 20 else RADIUS_CONTROL
+        painter.setPen(QPen(self._tokens.line2, 1))
+        painter.setBrush(self._tokens.surf)
+        painter.drawRoundedRect(box, radius, radius)
+        painter.setPen(colour)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
