@@ -10,22 +10,35 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping
+from math import isfinite
 from typing import Any, NoReturn
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document, Member
 
-MAX_BYTES = 256 * 1024 * 1024
+MAX_CHARACTERS = 256 * 1024 * 1024
 MAX_DEPTH = 64
+MAX_DIGITS = 4000
 
 _SPACE = re.compile(r"[ \t\n\r]*")
-_STRING = re.compile(r'"(?:[^"\\\x00-\x1f]|\\.)*"')
+_STRING = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
 _SCALAR = re.compile(r"[^ \t\n\r,\]}]+")
-_BRACKET = re.compile(r'"(?:[^"\\]|\\.)*"|[\[{]|[\]}]')
+_BRACKET = re.compile(_STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
+_NUMBER = r"-?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?"
+_TOKEN = re.compile(rf"{_STRING.pattern}|NaN|-?Infinity|{_NUMBER}", re.DOTALL)
+_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
+_ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|.)", re.DOTALL)
 
 
 def parse_json(text: str, file: str) -> Document:
-    """Read a JSON text; ReadError with file:line:column where it is no JSON object."""
+    """Read a JSON text; ReadError with file:line:column where it is no JSON object.
+
+    A BOM is accepted and kept. A key written twice opens: the last one wins, in the place of the
+    first, and ``Document.duplicates`` finds them all.
+    """
+    blank = Document(text, file, "json", {})
+    _check_size(blank)
+    _check_characters(blank)
     doubled = False
 
     def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -35,26 +48,15 @@ def parse_json(text: str, file: str) -> Document:
             doubled = True
         return found
 
-    def no_constant(name: str) -> NoReturn:
-        raise ValueError(name)
-
-    body = text[1:] if text.startswith("\ufeff") else text
-    shift = len(text) - len(body)
-    blank = Document(text, file, "json", {})
-    _check_depth(blank)
+    shift = 1 if text.startswith("\ufeff") else 0
     try:
-        values = json.loads(body, object_pairs_hook=keep, parse_constant=no_constant)
+        values = json.loads(
+            text[shift:], object_pairs_hook=keep, parse_constant=_no_number, parse_float=_number
+        )
     except json.JSONDecodeError as error:
-        raise ReadError(
-            f"no valid JSON: {_plain(error.msg)}",
-            blank.place_at(min(error.pos + shift, len(text))),
-            "Check the commas, quotes and braces around this place.",
-        ) from None
-    except ValueError as error:
-        at = text.find(str(error)) if str(error) in {"NaN", "Infinity", "-Infinity"} else -1
-        raise ReadError(
-            f"no valid JSON: {error}", blank.place_at(max(at, 0)), "Use a plain number."
-        ) from None
+        raise _invalid(blank, min(error.pos + shift, len(text)), error.msg) from None
+    except ValueError:
+        raise _bad_number(blank) from None
     if not isinstance(values, dict):
         raise ReadError(
             "the file holds no State Branches",
@@ -122,12 +124,55 @@ def _value_end(text: str, at: int) -> int:
 _SKIP = json.JSONDecoder()
 
 
-def _check_depth(document: Document) -> None:
-    """Refuse texts that nest so deep that a recursive parser would exhaust the stack."""
+def _no_number(name: str) -> NoReturn:
+    raise ValueError(name)
+
+
+def _number(text: str) -> float:
+    """A float; ValueError where it is too large for one (Python would read infinity)."""
+    value = float(text)
+    if not isfinite(value):
+        raise ValueError(text)
+    return value
+
+
+def _invalid(document: Document, at: int, message: str) -> ReadError:
+    if not document.text.strip("\ufeff \t\r\n"):
+        sentence = "the file is empty"
+        advice = "An empty blueprint is written {}."
+    else:
+        sentence = f"no valid JSON: {message[:1].lower()}{message[1:]}".removesuffix(" at")
+        advice = "Check the commas, quotes and braces around this place."
+    return ReadError(sentence, document.place_at(at), advice)
+
+
+def _bad_number(document: Document) -> ReadError:
+    """What is wrong with the first number that JSON or this program has no room for."""
+    for match in _TOKEN.finditer(document.text):
+        found = match[0]
+        if found.startswith('"'):
+            continue
+        if found in ("NaN", "Infinity", "-Infinity"):
+            sentence, advice = f"{found} is no number in JSON", "Write a plain number."
+        elif _is_too_large(found):
+            sentence, advice = "the number is too large", "Write a shorter number."
+        else:
+            continue
+        return ReadError(f"no valid JSON: {sentence}", document.place_at(match.start()), advice)
+    return ReadError("no valid JSON: a number cannot be read", document.place_at(0))
+
+
+def _is_too_large(number: str) -> bool:
+    whole = number.lstrip("-").isdecimal()
+    return len(number) > MAX_DIGITS if whole else not isfinite(float(number))
+
+
+def _check_size(document: Document) -> None:
+    """Refuse texts so large or nested so deep that reading them would exhaust the machine."""
     text = document.text
-    if len(text) > MAX_BYTES:
+    if len(text) > MAX_CHARACTERS:
         raise ReadError(
-            f"the file is larger than {MAX_BYTES >> 20} MiB",
+            f"the file is larger than {MAX_CHARACTERS >> 20} million characters",
             document.place_at(0),
             "Split it into several files.",
         )
@@ -148,5 +193,35 @@ def _check_depth(document: Document) -> None:
             depth -= 1
 
 
-def _plain(message: str) -> str:
-    return message[:1].lower() + message[1:]
+def _check_characters(document: Document) -> None:
+    """Refuse half a surrogate pair: no file could hold what it would be written back as."""
+    text = document.text
+    advice = "Write the character itself, or both halves of the pair."
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        place = document.place_at(error.start)
+        raise ReadError("half a surrogate pair is no character", place, advice) from None
+    if not _SURROGATE.search(text):
+        return
+    for match in _STRING.finditer(text):
+        at = _half_pair(text, match.start(), match.end())
+        if at is not None:
+            sentence = f"{text[at : at + 6]} is half a surrogate pair, which is no character"
+            raise ReadError(sentence, document.place_at(at), advice)
+
+
+def _half_pair(text: str, start: int, end: int) -> int | None:
+    """The offset of the first escaped surrogate between start and end that stands alone."""
+    high: int | None = None
+    for escape in _ESCAPE.finditer(text, start, end):
+        code = int(escape[1], 16) if escape[1] else 0
+        if high is not None:
+            if not (0xDC00 <= code < 0xE000 and escape.start() == high + 6):
+                return high
+            high = None
+        elif 0xD800 <= code < 0xDC00:
+            high = escape.start()
+        elif 0xDC00 <= code < 0xE000:
+            return escape.start()
+    return high
