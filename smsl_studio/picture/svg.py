@@ -6,16 +6,19 @@ second outline, opposite operations bend apart, a self loop stands at a corner. 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import hypot
 from xml.sax.saxutils import escape, quoteattr
 
-from smsl_studio.blueprint.model import Operation, StateBranch
+from smsl_studio.blueprint.model import StateBranch
 
 Point = tuple[float, float]
 
-WIDTH, HEIGHT, MARGIN, BEND = 108.0, 54.0, 48.0, 16.0
+WIDTH, HEIGHT, MARGIN = 108.0, 54.0, 56.0
+BEND, APART = 16.0, 36.0
+"""How far the middle of a bend is set aside, and the next parallel one; the curve goes half way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,9 +53,13 @@ def draw_branch(
         f'<rect x="{left:g}" y="{top:g}" width="{width:g}" height="{height:g}" '
         f'fill="{inks.canvas}"/>',
     ]
+    ranks: Counter[tuple[str, str]] = Counter()
     for edge in branch.edges():
         if edge.source in placed and edge.target in placed:
-            lines.extend(_edge(edge, placed, edge.name.removeprefix(shared), inks))
+            ends = (placed[edge.source], placed[edge.target])
+            rank = ranks[edge.source, edge.target]
+            ranks[edge.source, edge.target] += 1
+            lines.extend(_edge(ends, rank, edge.name.removeprefix(shared), inks))
     for name, at in placed.items():
         lines.extend(_node(branch, name, at, inks))
     return "\n".join([*lines, "</svg>", ""])
@@ -95,20 +102,36 @@ def _box(x: float, y: float, inset: float, fill: str, inks: Inks) -> str:
     )
 
 
-def _edge(edge: Operation, placed: Mapping[str, Point], label: str, inks: Inks) -> Iterator[str]:
-    start, end = placed[edge.source], placed[edge.target]
+def _edge(ends: tuple[Point, Point], rank: int, label: str, inks: Inks) -> Iterator[str]:
+    """One operation; ``rank`` counts those that lead the same way before it, and sets it aside."""
+    start, end = ends
     if start == end:
-        x, y = start[0] + WIDTH / 2 - 12, start[1] - HEIGHT / 2
-        yield _path(f"M{x:g} {y:g}c0 -30 34 -30 34 0s-10 14 -20 14", inks)
-        yield _label((x + 17, y - 26), label, 11, 500, inks)
+        yield from _loop(start, rank, label, inks)
         return
     # The bend is to the right of the way, so that an opposite operation bends to the other side.
     length = hypot(end[0] - start[0], end[1] - start[1])
-    aside = (-(end[1] - start[1]) / length * BEND, (end[0] - start[0]) / length * BEND)
-    middle = ((start[0] + end[0]) / 2 + aside[0], (start[1] + end[1]) / 2 + aside[1])
+    bend = (BEND + rank * APART) / length
+    middle = (
+        (start[0] + end[0]) / 2 - (end[1] - start[1]) * bend,
+        (start[1] + end[1]) / 2 + (end[0] - start[0]) * bend,
+    )
     out, into = _border(start, middle), _border(end, middle)
     yield _path(f"M{out[0]:g} {out[1]:g}Q{middle[0]:g} {middle[1]:g} {into[0]:g} {into[1]:g}", inks)
-    yield _label((middle[0], middle[1] + 4), label, 11, 500, inks)
+    # Beside its curve and nearer to its source, away from the label of the opposite operation.
+    beside = (middle[0] - (end[0] - start[0]) / 8, middle[1] - (end[1] - start[1]) / 8)
+    yield from _edge_label(beside, label, inks)
+
+
+def _loop(centre: Point, rank: int, label: str, inks: Inks) -> Iterator[str]:
+    """A self loop around the upper right corner; the next one lies around it."""
+    x, y, size = centre[0] + WIDTH / 2, centre[1] - HEIGHT / 2, 16 + 8 * rank
+    up, down = y - 1.5 * size, y + size
+    yield _path(
+        f"M{x - size:g} {y:g}C{x - size:g} {up:g} {x + 1.5 * size:g} {up:g} "
+        f"{x + 1.5 * size:g} {y:g}S{x + size:g} {down:g} {x:g} {down:g}",
+        inks,
+    )
+    yield from _edge_label((x + 8, y - 18 - 16 * rank), label, inks)
 
 
 def _border(centre: Point, towards: Point) -> Point:
@@ -127,9 +150,18 @@ def _path(d: str, inks: Inks) -> str:
     )
 
 
+def _edge_label(at: Point, text: str, inks: Inks) -> Iterator[str]:
+    """A label on the canvas colour, so that its own line does not run through it."""
+    width = 7.0 * len(text) + 4
+    yield (
+        f'<rect x="{at[0] - width / 2:g}" y="{at[1] - 8:g}" width="{width:g}" height="16" '
+        f'fill="{inks.canvas}"/>'
+    )
+    yield _label((at[0], at[1] + 4), text, 11, 500, inks)
+
+
 def _label(at: Point, text: str, size: int, weight: int, inks: Inks) -> str:
     return (
         f'<text x="{at[0]:g}" y="{at[1]:g}" font-size="{size}" font-weight="{weight}" '
-        f'text-anchor="middle" fill="{inks.text}" stroke="{inks.canvas}" stroke-width="3" '
-        f'paint-order="stroke">{escape(text)}</text>'
+        f'text-anchor="middle" fill="{inks.text}">{escape(text)}</text>'
     )

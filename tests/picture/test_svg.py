@@ -58,6 +58,13 @@ def test_opposite_operations_bend_apart_and_edges_end_at_the_box() -> None:
     assert abs(y) < HEIGHT / 2
 
 
+def test_parallel_operations_and_loops_each_have_their_own_line() -> None:
+    branch = read('{"B": {"S0": {"a": "S1", "b": "S1", "c": "S0", "d": "S0"}, "S1": {}}}')["B"]
+    root = ET.fromstring(draw_branch(branch, {"S0": (0.0, 0.0), "S1": (300.0, 80.0)}))
+    lines = [p.get("d") for p in root.iter(f"{SVG}path") if p.get("marker-end")]
+    assert len(lines) == len(set(lines)) == 5  # four operations and the mark of the initial state
+
+
 def test_the_picture_holds_every_node() -> None:
     branch = hanoi(2)["SB1"]
     root = ET.fromstring(draw_branch(branch, on_a_row(branch)))
