@@ -1,0 +1,64 @@
+"""Run the benches: ``./dev bench`` for all, ``./dev bench load start`` for some.
+
+``--write`` puts the table into docs/benches.md together with the command that made it.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import platform
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from benches.row import Row
+
+BENCHES = ("load", "inspect", "dispatch", "start", "canvas", "physics")
+PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
+
+
+def rows(names: list[str]) -> Iterator[tuple[str, Row]]:
+    """The rows of the named benches, each as soon as it is measured."""
+    for name in names:
+        module = importlib.import_module(f"benches.{name}")
+        for row in module.rows():
+            yield name, row
+
+
+def line(name: str, row: Row) -> str:
+    """One row of the Markdown table."""
+    others = ", ".join(f"{other} {figure:,.4g}" for other, figure in row.others)
+    cells = (name, row.work, f"{row.ours:,.4g} {row.unit}", others, row.ratios(), row.bound)
+    return "| " + " | ".join(cells) + " |"
+
+
+HEAD = """| bench | work | ours | side by side | ours as a multiple | promise |
+|---|---|---|---|---|---|"""
+
+
+def main(arguments: list[str]) -> int:
+    """Measure, print, and write the page where asked; 2 for a bench that does not exist."""
+    wanted = [name for name in arguments if not name.startswith("-")] or list(BENCHES)
+    unknown = [name for name in wanted if name not in BENCHES]
+    if unknown:
+        print(f"no bench {unknown[0]!r}; there are {', '.join(BENCHES)}", file=sys.stderr)
+        return 2
+    print(HEAD, flush=True)
+    lines = []
+    for name, row in rows(wanted):
+        lines.append(line(name, row))
+        print(lines[-1], flush=True)
+    if "--write" in arguments:
+        machine = f"Python {platform.python_version()}, {os.cpu_count()} cores, {sys.platform}"
+        command = " ".join(["./dev bench", *wanted, "--write"])
+        text = (
+            f"# Benches\n\nMade by `{command}` on {machine}. Ratios travel between machines, "
+            f"times do not.\n\n{HEAD}\n" + "\n".join(lines) + "\n"
+        )
+        PAGE.write_text(text, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))

@@ -1,0 +1,54 @@
+"""One line of the table, and how a figure is taken."""
+
+from __future__ import annotations
+
+import gc
+import statistics
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Row:
+    """``ours`` in ``unit``; ``others`` are pairs (name, figure in the same unit).
+
+    A figure of an other is a limit (nothing can be quicker) or a peer (another way to do it).
+    ``bound`` is what we promise, in words; empty where nothing is promised.
+    """
+
+    work: str
+    ours: float
+    unit: str = "ms"
+    others: tuple[tuple[str, float], ...] = ()
+    bound: str = ""
+
+    def ratios(self) -> str:
+        """Ours as a multiple of every other: below 1 we are quicker."""
+        pairs = ((name, self.ours / figure) for name, figure in self.others if figure)
+        return ", ".join(f"{ratio:.2g}x {name}" for name, ratio in pairs)
+
+
+def median_ms(work: Callable[[], object], runs: int = 7, warmup: int = 1) -> float:
+    """The median of several runs in milliseconds of CPU time, garbage collected before each."""
+    for _ in range(warmup):
+        work()
+    times = []
+    for _ in range(runs):
+        gc.collect()
+        start = time.process_time()
+        work()
+        times.append((time.process_time() - start) * 1000)
+    return statistics.median(times)
+
+
+def wall_ms(work: Callable[[], object], runs: int = 7, warmup: int = 1) -> float:
+    """The same in wall time, for whole processes."""
+    for _ in range(warmup):
+        work()
+    times = []
+    for _ in range(runs):
+        start = time.perf_counter()
+        work()
+        times.append((time.perf_counter() - start) * 1000)
+    return statistics.median(times)

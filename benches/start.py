@@ -1,0 +1,56 @@
+"""Cold starts, as whole processes in wall time: the empty interpreter is the limit."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+
+from benches.row import Row, wall_ms
+
+SAMPLE = "samples/hanoi-corrected.json"
+WINDOW = f"""
+from smsl_studio.studio.app import built
+application, window = built([{SAMPLE!r}])
+window.show()
+application.processEvents()
+"""
+
+
+def rows() -> Iterator[Row]:
+    """``check`` on the 3-disk file, and the window on it, drawn once."""
+    empty = wall_ms(lambda: _process("-c", "pass"))
+    pydantic = wall_ms(lambda: _process("-c", "import pydantic"))
+    widgets = wall_ms(lambda: _process("-c", BARE))
+    check = wall_ms(lambda: _process("-m", "smsl_studio", "check", SAMPLE))
+    yield Row(
+        "check, 27 states", check, "ms", (("python -c pass", empty), ("import pydantic", pydantic))
+    )
+    window = wall_ms(lambda: _process("-c", WINDOW), runs=5)
+    yield Row(
+        "window on 27 states, drawn",
+        window,
+        "ms",
+        (("bare QMainWindow", widgets), ("python -c pass", empty)),
+    )
+
+
+BARE = """
+from PySide6.QtWidgets import QApplication, QMainWindow
+application = QApplication([])
+window = QMainWindow()
+window.show()
+application.processEvents()
+"""
+
+
+def _process(*arguments: str) -> None:
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    subprocess.run(
+        [sys.executable, *arguments],
+        env=environment,
+        check=True,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
