@@ -117,9 +117,8 @@ def _edge(ends: tuple[Point, Point], rank: int, label: str, inks: Inks) -> Itera
     )
     out, into = _border(start, middle), _border(end, middle)
     yield _path(f"M{out[0]:g} {out[1]:g}Q{middle[0]:g} {middle[1]:g} {into[0]:g} {into[1]:g}", inks)
-    # Beside its curve and nearer to its source, away from the label of the opposite operation.
-    beside = (middle[0] - (end[0] - start[0]) / 8, middle[1] - (end[1] - start[1]) / 8)
-    yield from _edge_label(beside, label, inks)
+    # Nearer to the height of its source, where the label of the opposite operation is not.
+    yield from _edge_label((middle[0], middle[1] - (end[1] - start[1]) / 8), label, inks)
 
 
 def _loop(centre: Point, rank: int, label: str, inks: Inks) -> Iterator[str]:
