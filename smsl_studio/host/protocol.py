@@ -18,7 +18,7 @@ from smsl_studio.world.protocol import Shape
 
 
 class Outcome(Enum):
-    """How the call that was begun stands after a tick. What it returns is no evidence (clause 7)."""
+    """How the call that was begun stands after a tick; what it returns is no evidence."""
 
     IDLE = "idle"
     RUNNING = "running"
@@ -51,6 +51,7 @@ class SensorInfo:
     digit: int
     period: float
     max_age: float
+    aggregation: str = "single"
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +60,8 @@ class Opened:
 
     ``bound`` has every edge of the blueprint that has a library function in this world.
     ``settle`` is the simulated time (s) for which a target's check must be let settle before it
-    decides (clause 7).
+    decides (clause 7). ``faults`` are the sentences about bindings that do not fit; their edges
+    are not bound.
     """
 
     world: str
@@ -69,6 +71,7 @@ class Opened:
     sensors: tuple[SensorInfo, ...]
     shapes: tuple[Shape, ...]
     settle: float
+    faults: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,47 @@
+"""A running call: one generator of the Operation Library, resumed once a tick."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from typing import Any
+
+from smsl_studio.host.protocol import Outcome
+from smsl_studio.library.bound import BoundOperation
+from smsl_studio.library.importing import where
+
+
+class Call:
+    """The library function of one edge, from its beginning to its end or its cancelling."""
+
+    def __init__(self, bound: BoundOperation, subject: Any) -> None:
+        self._bound = bound
+        self._subject = subject
+        self._generator: Generator[Any, Any, Any] | None = None
+
+    def resume(self) -> tuple[Outcome, str]:
+        """Let the function run to its next ``yield``: how it stands now, and its message."""
+        try:
+            if self._generator is None:
+                self._generator = self._bound.function(self._subject, **self._bound.arguments)
+            next(self._generator)
+        except StopIteration as end:
+            if end.value is False:
+                return Outcome.FAILED, f"{self._bound.name} says that it failed"
+            return Outcome.RETURNED, ""
+        except (Exception, SystemExit) as error:
+            return Outcome.RAISED, words_of(error, self._bound.location)
+        return Outcome.RUNNING, ""
+
+    def drop(self) -> None:
+        """End the function where it stands; what it raises on the way out changes nothing."""
+        if self._generator is not None:
+            try:
+                self._generator.close()
+            except (Exception, SystemExit):
+                return
+
+
+def words_of(error: BaseException, location: str) -> str:
+    """What was raised and where, in words that are the same on every machine."""
+    said = f"{type(error).__name__}: {error}".removesuffix(": ")
+    return said + (where(error, location) if location else "")

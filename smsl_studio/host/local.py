@@ -1,0 +1,234 @@
+"""The local host: world and library code run in this very process, tick by tick.
+
+Tests and headless runs use it, and it is what runs inside the process host's child, so that both
+give the same trace.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import HostError, StudioError, WorldError
+from smsl_studio.host.call import Call, words_of
+from smsl_studio.host.engines import make_engine
+from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
+from smsl_studio.host.sensing import Sensing
+from smsl_studio.library.binding import bind
+from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.bound import Bindings
+from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.operation_library import TABLE, WorldEntry
+from smsl_studio.library.table import facts_of
+from smsl_studio.monitor.sample import Sample
+from smsl_studio.world.protocol import World
+
+
+class LocalHost:
+    """A world and the code bound to a blueprint in it.
+
+    ``plugin_paths`` are plugin folders looked at before all others; ``loaded`` are plugins that
+    were found already. What library code prints goes to standard error.
+    """
+
+    def __init__(
+        self,
+        blueprint: Blueprint,
+        world: str,
+        seed: int = 0,
+        plugin_paths: Sequence[Path] = (),
+        loaded: Loaded | None = None,
+    ) -> None:
+        self._blueprint = blueprint
+        self._name = world
+        self._seed = seed
+        self._paths = tuple(plugin_paths)
+        self._loaded = loaded
+        self._bindings: Bindings | None = None
+        self._engine: World | None = None
+        self._subject: Any = None
+        self._location = ""
+        self._settle = 0.0
+        self._call: Call | None = None
+        self._sensing = Sensing((), 1.0, 0)
+        self._ticks = 0
+        self._boot = 0
+
+    def open(self, start: Mapping[str, str]) -> Opened:
+        """Build the world and put it into ``start`` (SB -> state).
+
+        Opened again, it starts from time zero in the new place. WorldError where the world is
+        unknown, cannot be built or cannot stand there; PluginError where a binding file is broken.
+        """
+        with _prints_aside():
+            engine, bindings = self._engine or self._build(), self._bind()
+            self._drop()
+            self._ticks, self._boot = 0, self._boot + 1
+            self._arrange(engine, start)
+        self._sensing = Sensing(bindings.sensors, engine.tick, self._boot)
+        return Opened(
+            world=self._name,
+            tick=engine.tick,
+            hardware=self._entry.hardware if self._entry else engine.hardware,
+            bound=_bounds(bindings),
+            sensors=tuple(_info(sensor) for sensor in bindings.sensors),
+            shapes=engine.shapes(),
+            settle=self._settle,
+            faults=tuple(map(str, bindings.faults)),
+        )
+
+    def sense(self) -> tuple[Sample, ...]:
+        """Every sensor once, now, without moving the time."""
+        engine = self._standing()
+        with _prints_aside():
+            return self._sensing.all(self._subject, self._ticks * engine.tick)
+
+    def begin(self, edge: Address) -> None:
+        """Start the library function bound to an edge; it first moves at the next tick."""
+        self._standing()
+        if self._call is not None:
+            raise HostError(f"{edge} cannot begin: another operation runs")
+        bound = self._bindings.operations.get(edge) if self._bindings else None
+        if bound is None:
+            raise HostError(f"{edge} has no library function in the world {self._name!r}")
+        self._call = Call(bound, self._subject)
+
+    def tick(self) -> Tick:
+        """Let the world and the running call go on for one tick; HostError if the world breaks."""
+        engine = self._standing()
+        outcome, message = Outcome.IDLE, ""
+        with _prints_aside():
+            if self._call is not None:
+                outcome, message = self._call.resume()
+                if outcome is not Outcome.RUNNING:
+                    self._call = None
+            try:
+                engine.step()
+            except Exception as error:
+                words = words_of(error, self._location)
+                raise HostError(f"the world {self._name!r} broke: {words}") from error
+            self._ticks += 1
+            time = self._ticks * engine.tick
+            samples = self._sensing.due(self._subject, self._ticks, time)
+        return Tick(time, outcome, samples, message)
+
+    def cancel(self, mode: str) -> None:
+        """End the running call: ``abort`` and ``hold`` brake and drop it, ``finish`` does not."""
+        engine = self._standing()
+        if mode == "finish":
+            return
+        with _prints_aside():
+            self._drop()
+            engine.brake()
+
+    def poses(self) -> tuple[float, ...]:
+        """The newest poses for drawing; empty while no world stands."""
+        return self._engine.poses() if self._engine else ()
+
+    def status(self) -> Mapping[str, str]:
+        """The world's short words for people."""
+        return self._engine.status() if self._engine else {}
+
+    def close(self) -> None:
+        """Free the world; calling it twice is harmless."""
+        self._drop()
+        if self._engine is not None:
+            self._engine.close()
+        self._engine = self._subject = None
+
+    def _standing(self) -> World:
+        if self._engine is None:
+            raise HostError("the host is not open")
+        return self._engine
+
+    def _drop(self) -> None:
+        if self._call is not None:
+            self._call.drop()
+        self._call = None
+
+    @property
+    def _entry(self) -> WorldEntry | None:
+        return None if self._name == TABLE else self._plugins().world(self._name)[1]
+
+    def _plugins(self) -> Loaded:
+        if self._loaded is None:
+            self._loaded = Loaded() if self._name == TABLE else discover(self._paths)
+        return self._loaded
+
+    def _bind(self) -> Bindings:
+        if self._bindings is None:
+            table = self._name == TABLE
+            file = None if table else bindings_beside(self._blueprint.file)
+            self._bindings = bind(self._blueprint, self._plugins(), self._name, file)
+        return self._bindings
+
+    def _build(self) -> World:
+        if self._name == TABLE:
+            self._engine = self._subject = make_engine(TABLE, TABLE)
+            return self._engine
+        plugin, entry = self._plugins().world(self._name)
+        self._location, self._settle = plugin.location, entry.settle
+        engine = make_engine(entry.engine, self._name)
+        try:
+            built = entry.build(engine, self._blueprint, self._seed)
+        except StudioError:
+            engine.close()
+            raise
+        except Exception as error:
+            engine.close()
+            words = words_of(error, plugin.location)
+            raise WorldError(f"the world {self._name!r} cannot be built: {words}") from error
+        self._engine, self._subject = engine, engine if built is None else built
+        return engine
+
+    def _arrange(self, engine: World, start: Mapping[str, str]) -> None:
+        facts: dict[FactKey, str] = {}
+        for name, state in start.items():
+            facts |= facts_of(self._blueprint[name], state)
+        if self._name == TABLE:
+            self._engine = self._subject = make_engine(TABLE, TABLE)
+            self._subject.set_facts(facts)
+            return
+        plugin, _ = self._plugins().world(self._name)
+        arranger = plugin.library.arrangers.get(self._name)
+        if arranger is None:
+            return
+        try:
+            arranger(self._subject, facts)
+        except StudioError:
+            raise
+        except Exception as error:
+            words = words_of(error, plugin.location)
+            raise WorldError(
+                f"the world {self._name!r} cannot stand at the start: {words}"
+            ) from error
+
+
+def _prints_aside() -> contextlib.AbstractContextManager[object]:
+    return contextlib.redirect_stdout(sys.stderr)
+
+
+def _bounds(bindings: Bindings) -> dict[Address, Bound]:
+    same: dict[Bound, Bound] = {}
+    found: dict[Address, Bound] = {}
+    for edge, function in bindings.operations.items():
+        bound = Bound(function.name, function.exact, function.stop, function.timeout)
+        found[edge] = same.setdefault(bound, bound)
+    return found
+
+
+def _info(sensor: Any) -> SensorInfo:
+    return SensorInfo(
+        sensor.name,
+        sensor.branch,
+        sensor.digit,
+        sensor.period,
+        sensor.max_age,
+        sensor.aggregation,
+    )

@@ -1,0 +1,243 @@
+"""Names to code: which function carries out each edge, which sensors read each fact.
+
+For an edge, the first of these decides: the bindings file by ``State/Operation``, the blueprint's
+``_operations`` by ``State/Operation``, the bindings file by operation name, ``_operations`` by
+name, a plugin's plain name, a plugin's pattern (the one with more fixed characters first, then the
+one registered first). A binding that does not fit is a fault, and leaves its edge unbound; it is
+never replaced by a weaker one. For a fact: the bindings file, ``_facts`` (``sensors``), then the
+sensors that say themselves which facts they read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.annotations import Binding
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.errors import Place, PluginError, did_you_mean
+from smsl_studio.library.bindings_file import BindingsFile, BoundFunction, WorldTable
+from smsl_studio.library.bound import (
+    BindingFault,
+    Bindings,
+    BoundOperation,
+    BoundSensor,
+    leaf_facts,
+)
+from smsl_studio.library.loading import Loaded, Plugin
+from smsl_studio.library.operation_library import TABLE, OperationEntry, SensorEntry
+from smsl_studio.library.table import table_bindings
+
+
+def bind(
+    blueprint: Blueprint, loaded: Loaded, world: str, bindings: BindingsFile | None = None
+) -> Bindings:
+    """What carries out a blueprint in a world; WorldError where there is no such world."""
+    if world == TABLE:
+        return table_bindings(blueprint)
+    binder = _Binder(blueprint, loaded.serving(world), world, bindings or BindingsFile())
+    operations = dict(binder.operations())
+    sensors = tuple(binder.sensors())
+    return Bindings(operations, sensors, (*binder.faults, *binder.unknown_keys()))
+
+
+class _Binder:
+    """One pass over a blueprint, with the functions that may be used and the faults found."""
+
+    def __init__(
+        self, blueprint: Blueprint, plugins: tuple[Plugin, ...], world: str, file: BindingsFile
+    ) -> None:
+        self.blueprint = blueprint
+        self.plugins = plugins
+        self.world = world
+        self.file = file
+        self.table: WorldTable = file.of(world)
+        self.faults: list[BindingFault] = []
+        self.by_name = {
+            entry.name: (plugin, entry) for plugin in plugins for entry in plugin.library.operations
+        }
+        self._by_text: dict[str, tuple[Plugin, OperationEntry, dict[str, str]] | None] = {}
+
+    def operations(self) -> Iterator[tuple[Address, BoundOperation]]:
+        for branch in self.blueprint:
+            for edge in branch.edges():
+                try:
+                    bound = self._operation(branch, edge.address)
+                except PluginError as error:
+                    self._fault(str(edge.address), error)
+                else:
+                    if bound is not None:
+                        yield edge.address, bound
+
+    def _operation(self, branch: StateBranch, edge: Address) -> BoundOperation | None:
+        state, name = edge.state, edge.operation
+        notes = branch.notes.operations
+        own, common = notes.get(f"{state}/{name}"), notes.get(name)
+        candidates: tuple[tuple[Binding | BoundFunction | None, bool, str], ...] = (
+            (self.table.operations.get(str(edge)), True, str(edge)),
+            (self.table.operations.get(f"{state}/{name}"), True, f"{state}/{name}"),
+            (own.binding if own else None, True, ""),
+            (self.table.operations.get(name), False, name),
+            (common.binding if common else None, False, ""),
+        )
+        for found, exact, key in candidates:
+            if found is not None:
+                return self._explicit(branch, edge, found, exact, key)
+        return self._by_pattern(branch, edge)
+
+    def _explicit(
+        self,
+        branch: StateBranch,
+        edge: Address,
+        found: Binding | BoundFunction,
+        exact: bool,
+        key: str,
+    ) -> BoundOperation:
+        place = self.file.place(key) if key else self._note_place(branch, edge)
+        if found.function not in self.by_name:
+            raise PluginError(
+                f"the world {self.world!r} has no function {found.function!r}",
+                place,
+                did_you_mean(found.function, self.by_name),
+            )
+        plugin, entry = self.by_name[found.function]
+        try:
+            arguments = entry.signature.checked(found.arguments)
+        except PluginError as error:
+            sentence = f"{found.function}: {error.sentence}"
+            raise PluginError(sentence, place, error.advice) from None
+        return self._bound(branch, edge, (plugin, entry), arguments, exact)
+
+    def _by_pattern(self, branch: StateBranch, edge: Address) -> BoundOperation | None:
+        name = edge.operation
+        if name not in self._by_text:
+            self._by_text[name] = self._match(name)
+        found = self._by_text[name]
+        if found is None:
+            return None
+        plugin, entry, texts = found
+        arguments = entry.signature.converted(texts)
+        return self._bound(branch, edge, (plugin, entry), arguments)
+
+    def _match(self, name: str) -> tuple[Plugin, OperationEntry, dict[str, str]] | None:
+        best = None
+        for plugin in self.plugins:
+            for entry in plugin.library.operations:
+                texts = entry.pattern.match(name) if entry.pattern else None
+                if entry.pattern is None or texts is None:
+                    continue
+                rank = (not entry.pattern.parameters, entry.pattern.literal)
+                if best is None or rank > best[0]:
+                    best = rank, (plugin, entry, texts)
+        return best[1] if best else None
+
+    def _bound(
+        self,
+        branch: StateBranch,
+        edge: Address,
+        code: tuple[Plugin, OperationEntry],
+        arguments: Mapping[str, Any],
+        exact: bool = False,
+    ) -> BoundOperation:
+        plugin, entry = code
+        note = branch.operation_note(edge.state, edge.operation)
+        stop, timeout = note.stop or entry.stop, note.timeout or entry.timeout
+        return BoundOperation(
+            entry.name, entry.function, arguments, exact, stop, timeout, plugin.location
+        )
+
+    def sensors(self) -> Iterator[BoundSensor]:
+        for branch, digit in leaf_facts(self.blueprint):
+            key = f"{branch.name}/{digit}"
+            note = branch.fact_note(digit)
+            given = self.table.facts.get(key)
+            names = (given,) if isinstance(given, str) else given or (note.sensors if note else ())
+            place = self.file.place(key) if given else None
+            if not names:
+                yield from self._offered(branch, digit)
+                continue
+            for name in names:
+                bound = self._named_sensor(branch, digit, name, place)
+                if bound is not None:
+                    yield bound
+
+    def _offered(self, branch: StateBranch, digit: int) -> Iterator[BoundSensor]:
+        """The sensors that say themselves that they read this fact."""
+        for plugin in self.plugins:
+            for entry in plugin.library.sensors:
+                texts = self._reads(entry, branch.name, digit)
+                if texts is not None:
+                    name = entry.pattern.fill(texts)
+                    yield self._sensor(branch, digit, (plugin, entry), name, texts)
+
+    def _reads(self, entry: SensorEntry, branch: str, digit: int) -> dict[str, str] | None:
+        if not entry.fact.text:
+            return None
+        if "/" in entry.fact.text:
+            return entry.fact.match(f"{branch}/{digit + 1}")
+        return entry.fact.match(str(digit + 1)) if self.blueprint.roots == (branch,) else None
+
+    def _named_sensor(
+        self, branch: StateBranch, digit: int, name: str, place: Place | None
+    ) -> BoundSensor | None:
+        for plugin in self.plugins:
+            for entry in plugin.library.sensors:
+                texts = entry.pattern.match(name)
+                if texts is not None:
+                    return self._sensor(branch, digit, (plugin, entry), name, texts)
+        known = [entry.pattern.text for p in self.plugins for entry in p.library.sensors]
+        error = PluginError(
+            f"the world {self.world!r} has no sensor {name!r}", place, did_you_mean(name, known)
+        )
+        self._fault(f"fact {branch.name}/{digit}", error)
+        return None
+
+    def _sensor(
+        self,
+        branch: StateBranch,
+        digit: int,
+        code: tuple[Plugin, SensorEntry],
+        name: str,
+        texts: dict[str, str],
+    ) -> BoundSensor:
+        plugin, entry = code
+        note = branch.fact_note(digit)
+        return BoundSensor(
+            name,
+            branch.name,
+            digit,
+            entry.period,
+            (note.max_age if note else None) or entry.max_age,
+            note.aggregation if note else "single",
+            entry.function,
+            entry.signature.converted(texts),
+            plugin.location,
+        )
+
+    def unknown_keys(self) -> Iterator[BindingFault]:
+        """Keys of the bindings file that name nothing in the blueprint."""
+        facts = [f"{branch.name}/{digit}" for branch, digit in leaf_facts(self.blueprint)]
+        known: set[str] = set()
+        for branch in self.blueprint:
+            for edge in branch.edges():
+                known |= {edge.name, f"{edge.source}/{edge.name}", str(edge.address)}
+        for keys, names, what in (
+            (self.table.operations, known, "operation"),
+            (self.table.facts, set(facts), "sensed fact"),
+        ):
+            for key in keys:
+                if key not in names:
+                    advice = did_you_mean(key, sorted(names))
+                    sentence = f"the blueprint has no {what} of this name. {advice}".strip()
+                    yield BindingFault(repr(key), sentence, self.file.place(key))
+
+    def _note_place(self, branch: StateBranch, edge: Address) -> Place:
+        own = f"{edge.state}/{edge.operation}"
+        raw = branch.fields.get("_operations", {})
+        key = own if own in raw else edge.operation
+        return self.blueprint.document.place((branch.name, "_operations", key))
+
+    def _fault(self, subject: str, error: PluginError) -> None:
+        sentence = f"{error.sentence}. {error.advice}".strip().removesuffix(".")
+        self.faults.append(BindingFault(subject, sentence, error.place))

@@ -1,0 +1,63 @@
+"""Importing a plugin folder as a package of its own, and naming the line a mistake stands on."""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+import traceback
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+from smsl_studio.errors import Place, PluginError
+
+
+def import_plugin(name: str, folder: Path) -> ModuleType:
+    """Run ``plugin.py`` of a folder as a private package, so that ``from . import x`` works.
+
+    ``sys.path`` is left alone. Modules of an earlier load are forgotten first, so that an edited
+    plugin is read anew. Whatever the plugin raises goes through.
+    """
+    file = folder / "plugin.py"
+    if not file.is_file():
+        raise PluginError("it has no plugin.py", Place(str(folder / "plugin.toml"), 1, 1))
+    digest = hashlib.sha256(str(folder).encode()).hexdigest()[:8]
+    private = f"_smsl_plugin_{name}_{digest}"
+    _forget(private)
+    spec = spec_from_file_location(private, file, submodule_search_locations=[str(folder)])
+    assert spec is not None
+    assert spec.loader is not None
+    module = module_from_spec(spec)
+    sys.modules[private] = module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        _forget(private)
+        raise
+    return module
+
+
+def place_of(error: BaseException, location: str) -> Place | None:
+    """The innermost line of the plugin in ``location`` that a mistake came from."""
+    if isinstance(error, SyntaxError) and error.filename and error.lineno:
+        return Place(error.filename, error.lineno, max(error.offset or 1, 1))
+    place = None
+    for frame, line in traceback.walk_tb(error.__traceback__):
+        file = frame.f_code.co_filename
+        if Path(file).is_relative_to(location):
+            place = Place(file, line, 1)
+    return place
+
+
+def where(error: BaseException, location: str) -> str:
+    """`` (hanoi/plugin.py:12)``: the same on every machine, empty where no line is the plugin's."""
+    place = place_of(error, location)
+    if place is None or not Path(place.file).is_relative_to(location):
+        return ""
+    inner = Path(place.file).relative_to(Path(location).parent)
+    return f" ({inner.as_posix()}:{place.line})"
+
+
+def _forget(private: str) -> None:
+    for name in [n for n in sys.modules if n == private or n.startswith(f"{private}.")]:
+        del sys.modules[name]

@@ -1,0 +1,186 @@
+"""The Operation Library: what a plugin's ``register(library)`` receives and fills.
+
+::
+
+    def register(library):
+        @library.world("hanoi")
+        def build(world, blueprint, seed): ...
+
+        @library.arrange("hanoi")
+        def put(world, facts): ...
+
+        @library.sensor("disk_{n}_peg", fact="{n}")
+        def disk_peg(world, n: int): ...
+
+        @library.operation("Op_{disk}{peg}", stop="hold", timeout=20.0)
+        def move_disk(world, disk: int, peg: str):
+            yield                                  # one tick
+
+Every plugin fills a library of its own; ``binding`` reads them. Times are simulated seconds.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from smsl_studio.errors import PluginError
+from smsl_studio.library.pattern import Pattern, read_pattern
+from smsl_studio.library.signature import Signature, signature_of
+
+FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
+
+ENGINES = ("bullet", "table")
+STOP_MODES = ("abort", "hold", "finish")
+TABLE = "table"
+
+
+@dataclass(frozen=True, slots=True)
+class WorldEntry:
+    """A world a plugin offers: ``build(engine, blueprint, seed)`` furnishes a fresh engine.
+
+    What ``build`` returns (or the engine itself, where it returns None) is what operations,
+    sensors and ``arrange`` are handed. ``settle`` is how long (s) a target's check may take to
+    become true after an operation has ended.
+    """
+
+    name: str
+    engine: str
+    hardware: bool
+    settle: float
+    build: Callable[..., Any]
+
+
+@dataclass(frozen=True, slots=True)
+class OperationEntry:
+    """A generator function, and the operation names it carries out (None: only when bound)."""
+
+    function: Callable[..., Any]
+    name: str
+    pattern: Pattern | None
+    signature: Signature
+    stop: str
+    timeout: float
+
+
+@dataclass(frozen=True, slots=True)
+class SensorEntry:
+    """A sensing function: how its sensors are called, which facts they read, how often (s)."""
+
+    function: Callable[..., Any]
+    pattern: Pattern
+    fact: Pattern
+    signature: Signature
+    period: float
+    max_age: float
+
+
+class OperationLibrary:
+    """What one plugin registers; ``name`` is the plugin's, functions are ``name.function``."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.worlds: dict[str, WorldEntry] = {}
+        self.arrangers: dict[str, Callable[..., Any]] = {}
+        self.operations: list[OperationEntry] = []
+        self.sensors: list[SensorEntry] = []
+
+    def world(
+        self, name: str, engine: str = "bullet", hardware: bool = False, settle: float = 0.5
+    ) -> Callable[[FunctionT], FunctionT]:
+        """Offer a world, furnished by the decorated ``build(world, blueprint, seed)``."""
+        _one_of(engine, ENGINES, "engine")
+        if name == TABLE or name in self.worlds or not name:
+            raise PluginError(f"the name {name!r} cannot be given to a world: it is taken")
+
+        def keep(function: FunctionT) -> FunctionT:
+            self.worlds[name] = WorldEntry(name, engine, hardware, settle, function)
+            return function
+
+        return keep
+
+    def arrange(self, world: str) -> Callable[[FunctionT], FunctionT]:
+        """The decorated ``put(world, facts)`` puts that world where these facts hold.
+
+        ``facts`` maps (SB, digit) to a value, digits counted from 0; facts that a sub-SB expands
+        are not among them.
+        """
+
+        def keep(function: FunctionT) -> FunctionT:
+            self.arrangers[world] = function
+            return function
+
+        return keep
+
+    def sensor(
+        self, name: str, fact: str = "", period: float = 0.02, max_age: float = 0.3
+    ) -> Callable[[FunctionT], FunctionT]:
+        """The decorated ``f(world, ...) -> str | None`` senses facts; None: no valid reading.
+
+        ``fact`` says which: ``"{n}"`` or ``"SB/{n}"``, counted from 1, of the file's only root
+        where no SB is named. Without it the sensor serves only facts bound to it.
+        """
+        _positive(period, "period")
+        _positive(max_age, "max_age")
+
+        def keep(function: FunctionT) -> FunctionT:
+            signature = signature_of(function)
+            pattern = read_pattern(name, signature.types)
+            where = read_pattern(fact, signature.types)
+            _must_name_all(pattern, signature)
+            if fact and set(where.parameters) != set(pattern.parameters):
+                raise PluginError(f"{name!r} and {fact!r} do not name the same parameters")
+            self.sensors.append(SensorEntry(function, pattern, where, signature, period, max_age))
+            return function
+
+        return keep
+
+    def operation(
+        self, name: str = "", stop: str = "hold", timeout: float = 20.0
+    ) -> Callable[[FunctionT], FunctionT]:
+        """The decorated generator function carries out the operations that ``name`` matches.
+
+        Each ``yield`` lets the world go on for one tick; returning False says that it failed.
+        Without a name it is only used where a blueprint or a binding file names it.
+        """
+        _one_of(stop, STOP_MODES, "stop")
+        _positive(timeout, "timeout")
+
+        def keep(function: FunctionT) -> FunctionT:
+            if not inspect.isgeneratorfunction(function):
+                raise PluginError(
+                    f"{function.__name__} is no generator function",
+                    advice="Write a yield wherever the world shall go on for one tick.",
+                )
+            signature = signature_of(function)
+            pattern = read_pattern(name, signature.types) if name else None
+            if pattern is not None:
+                _must_name_all(pattern, signature)
+            called = f"{self.name}.{function.__name__}"
+            self.operations.append(
+                OperationEntry(function, called, pattern, signature, stop, timeout)
+            )
+            return function
+
+        return keep
+
+
+def _must_name_all(pattern: Pattern, signature: Signature) -> None:
+    named = set(pattern.parameters)
+    for name in sorted(named - set(signature.types)):
+        if not signature.any_name:
+            raise PluginError(f"{pattern.text!r} has {{{name}}}, the function has no {name!r}")
+    for name in sorted(signature.required - named):
+        raise PluginError(f"the function needs {name!r}, {pattern.text!r} does not give it")
+
+
+def _positive(value: float, what: str) -> None:
+    if not value > 0:
+        raise PluginError(f"{what} is {value}, not a time above 0 s")
+
+
+def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
+    if value not in known:
+        raise PluginError(f"{what} is {value!r}, not one of {', '.join(known)}")

@@ -1,0 +1,93 @@
+"""What a library function wants to be called with, and whether given arguments fit."""
+
+from __future__ import annotations
+
+import inspect
+import typing
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from smsl_studio.errors import PluginError, did_you_mean
+
+_WORDS = {int: "a whole number", float: "a number", str: "a text", bool: "true or false"}
+
+
+@dataclass(frozen=True, slots=True)
+class Signature:
+    """The parameters after the world: their types, which are required, whether any name goes."""
+
+    types: Mapping[str, object]
+    required: frozenset[str]
+    any_name: bool
+
+    def converted(self, texts: Mapping[str, str]) -> dict[str, Any]:
+        """Arguments from the texts of a name, each made what the function says it is."""
+        return {name: self._from_text(name, text) for name, text in texts.items()}
+
+    def checked(self, arguments: Mapping[str, Any]) -> dict[str, Any]:
+        """The arguments as the function takes them; PluginError where one does not fit."""
+        for name in arguments:
+            if name not in self.types and not self.any_name:
+                raise PluginError(
+                    f"there is no parameter {name!r}", advice=did_you_mean(name, self.types)
+                )
+        missing = sorted(self.required - set(arguments))
+        if missing:
+            raise PluginError(f"the argument {', '.join(map(repr, missing))} is missing")
+        return {name: self._checked(name, value) for name, value in arguments.items()}
+
+    def _from_text(self, name: str, text: str) -> Any:
+        kind = self.types.get(name, str)
+        if kind is bool:
+            return text == "true"
+        return kind(text) if kind in (int, float) else text
+
+    def _checked(self, name: str, value: Any) -> Any:
+        kind = self.types.get(name)
+        if kind is float and type(value) is int:
+            return float(value)
+        if kind in _WORDS and type(value) is not kind:
+            raise PluginError(f"{name} is {value!r}, not {_WORDS[kind]}")
+        return value
+
+
+def signature_of(function: Callable[..., Any]) -> Signature:
+    """The signature of ``f(world, ...)``; PluginError where it takes no world first."""
+    parameters = list(inspect.signature(function).parameters.values())
+    first = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    if not parameters or parameters[0].kind not in first:
+        raise PluginError(
+            f"{_name(function)} does not take the world as its first parameter",
+            advice=f"Write def {_name(function)}(world, ...).",
+        )
+    hints = _hints(function)
+    types: dict[str, object] = {}
+    required: set[str] = set()
+    any_name = False
+    for item in parameters[1:]:
+        if item.kind is inspect.Parameter.VAR_KEYWORD:
+            any_name = True
+        elif item.kind is inspect.Parameter.POSITIONAL_ONLY:
+            raise PluginError(
+                f"{_name(function)} takes {item.name!r} by position only",
+                advice="Arguments are handed over by name.",
+            )
+        elif item.kind is not inspect.Parameter.VAR_POSITIONAL:
+            types[item.name] = hints.get(item.name, str)
+            if item.default is inspect.Parameter.empty:
+                required.add(item.name)
+    return Signature(types, frozenset(required), any_name)
+
+
+def _hints(function: Callable[..., Any]) -> dict[str, object]:
+    try:
+        return dict(typing.get_type_hints(function))
+    except Exception:  # a hint that names what does not exist: fall back on the plain words
+        plain = {kind.__name__: kind for kind in _WORDS}
+        raw = getattr(function, "__annotations__", {})
+        return {name: plain.get(hint, object) for name, hint in raw.items()}
+
+
+def _name(function: Callable[..., Any]) -> str:
+    return getattr(function, "__name__", "the function")

@@ -1,0 +1,111 @@
+"""The table world's library, which is built in: any blueprint is carried out without physics.
+
+The function of an edge writes down its target's facts in one tick, except digits that a sub-SB
+expands; with ``subs: load`` it also writes those of the subs' states, recursively. Every fact is
+sensed at every tick (clause 14).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.library.bound import Bindings, BoundOperation, BoundSensor, leaf_facts
+from smsl_studio.world.table import TableWorld
+
+FUNCTION = "table.set_facts"
+TIMEOUT = 20.0
+
+
+def set_facts(world: TableWorld, facts: Mapping[FactKey, str]) -> Iterator[None]:
+    """Write the facts down; it is done within its first tick."""
+    world.set_facts(facts)
+    yield from ()
+
+
+def fact(world: TableWorld, branch: str, digit: int) -> str | None:
+    """What stands on the table."""
+    return world.fact(branch, digit)
+
+
+def table_bindings(blueprint: Blueprint) -> Bindings:
+    """Every edge and every leaf fact, bound to the table."""
+    sensors = tuple(_sensor(branch, digit) for branch, digit in leaf_facts(blueprint))
+    return Bindings(_TableOperations(blueprint), sensors)
+
+
+def facts_of(branch: StateBranch, state: str) -> dict[FactKey, str]:
+    """The facts of a state that are read by sensors, without those a sub-SB expands."""
+    values = enumerate(branch.facts(state))
+    return {(branch.name, digit): v for digit, v in values if digit not in branch.subs}
+
+
+def facts_of_edge(blueprint: Blueprint, edge: Address) -> dict[FactKey, str]:
+    """The facts that carrying out an edge brings about by its own function."""
+    branch = blueprint[edge.branch]
+    target = branch.table[edge.state][edge.operation]
+    if target not in branch.table:
+        return {}
+    facts = facts_of(branch, target)
+    if branch.operation_note(edge.state, edge.operation).subs == "load":
+        for digit, sub in branch.subs.items():
+            if digit < branch.num_facts and sub in blueprint.branches:
+                on = branch.is_on(target, digit)
+                if on != branch.is_on(edge.state, digit):
+                    facts |= _facts_below(blueprint, sub, on, {branch.name})
+    return facts
+
+
+def _facts_below(blueprint: Blueprint, name: str, on: bool, above: set[str]) -> dict[FactKey, str]:
+    """The facts of a sub-SB put into its ACTIVATING (INITIAL) state, and of all below it."""
+    branch = blueprint[name]
+    state = branch.activating if on else branch.initial
+    if name in above or state not in branch.table:
+        return {}
+    facts = facts_of(branch, state)
+    for digit, sub in branch.subs.items():
+        if digit < branch.num_facts and sub in blueprint.branches:
+            facts |= _facts_below(blueprint, sub, branch.is_on(state, digit), above | {name})
+    return facts
+
+
+class _TableOperations(Mapping[Address, BoundOperation]):
+    """Every edge of a blueprint, bound when it is asked for: files have up to 177,144 of them."""
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self._blueprint = blueprint
+
+    def __getitem__(self, edge: Address) -> BoundOperation:
+        branch = self._blueprint.branches[edge.branch]
+        _ = branch.table[edge.state][edge.operation]
+        note = branch.operation_note(edge.state, edge.operation)
+        return BoundOperation(
+            FUNCTION,
+            set_facts,
+            {"facts": facts_of_edge(self._blueprint, edge)},
+            False,
+            note.stop or "hold",
+            note.timeout or TIMEOUT,
+        )
+
+    def __iter__(self) -> Iterator[Address]:
+        return (edge.address for branch in self._blueprint for edge in branch.edges())
+
+    def __len__(self) -> int:
+        return self._blueprint.operation_count
+
+
+def _sensor(branch: StateBranch, digit: int) -> BoundSensor:
+    note = branch.fact_note(digit)
+    return BoundSensor(
+        f"table_{branch.name}_{digit}",
+        branch.name,
+        digit,
+        TableWorld.tick,
+        (note.max_age if note else None) or 0.3,
+        "single",
+        fact,
+        {"branch": branch.name, "digit": digit},
+    )

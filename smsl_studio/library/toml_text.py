@@ -1,0 +1,63 @@
+"""TOML files with places: what the standard library's parser does not tell."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.errors import Place, PluginError
+
+_AT = re.compile(r" ?\(at (?:line (\d+), column (\d+)|end of document)\)$")
+
+
+@dataclass(frozen=True, slots=True)
+class TomlText:
+    """The lines of a TOML file, to find where a key stands."""
+
+    file: str
+    lines: tuple[str, ...]
+
+    def line_of(self, key: str) -> int:
+        """The line (from 1) on which ``key`` is set or heads a table, 1 where it is not found."""
+        return self._find(key) or 1
+
+    def has(self, key: str) -> bool:
+        """Whether ``key`` is set or heads a table anywhere."""
+        return self._find(key) is not None
+
+    def _find(self, key: str) -> int | None:
+        quoted = re.escape(key)
+        pattern = re.compile(rf"""(?:^|[.\[{{,\s])(?:"{quoted}"|'{quoted}'|{quoted})\s*[=.\]]""")
+        for number, line in enumerate(self.lines, 1):
+            if pattern.search(line):
+                return number
+        return None
+
+    def place(self, key: str) -> Place:
+        line = self.line_of(key)
+        text = self.lines[line - 1] if line <= len(self.lines) else ""
+        return Place(self.file, line, max(text.find(key), 0) + 1)
+
+
+def read_toml(path: Path) -> tuple[TomlText, dict[str, Any]]:
+    """The text and values of a TOML file; PluginError with the place of a mistake."""
+    file = str(path)
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError as error:
+        raise PluginError(f"no UTF-8: {error.reason}", Place(file, 1, 1)) from None
+    except OSError as error:
+        raise PluginError(f"cannot be read: {error.strerror}", Place(file, 1, 1)) from None
+    lines = tuple(text.splitlines())
+    try:
+        return TomlText(file, lines), tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        words = str(error)
+        at = _AT.search(words)
+        line, column = (int(at[1]), int(at[2])) if at and at[1] else (max(len(lines), 1), 1)
+        raise PluginError(
+            f"no valid TOML: {_AT.sub('', words)}", Place(file, line, column)
+        ) from None

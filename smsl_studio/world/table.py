@@ -1,0 +1,76 @@
+"""The table world: named things with values, and nothing that moves.
+
+Any blueprint runs in it, because an operation is carried out by writing down what its target says.
+It is instant, exact and cheap, which is what most tests and most first looks want.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.world.protocol import Shape
+
+
+class TableWorld:
+    """Facts on a table: ``set_facts`` writes them, ``fact`` reads them; a tick is 0.05 s."""
+
+    tick = 0.05
+    hardware = False
+
+    def __init__(self, name: str = "table") -> None:
+        self.name = name
+        self._facts: dict[FactKey, str] = {}
+        self._ticks = 0
+
+    @property
+    def time(self) -> float:
+        """Simulated seconds since the world was built."""
+        return self._ticks * self.tick
+
+    def set_facts(self, facts: Mapping[FactKey, str]) -> None:
+        """Write facts down; those not named stay as they are."""
+        self._facts.update(facts)
+
+    def fact(self, branch: str, digit: int) -> str | None:
+        """What stands on the table for a fact, None where nothing does."""
+        return self._facts.get((branch, digit))
+
+    def step(self) -> None:
+        """Let one tick pass; nothing moves by itself."""
+        self._ticks += 1
+
+    def brake(self) -> None:
+        """Nothing moves, so nothing has to be held."""
+
+    def shapes(self) -> tuple[Shape, ...]:
+        """Nothing: facts have no form."""
+        return ()
+
+    def poses(self) -> tuple[float, ...]:
+        """Nothing: facts have no place."""
+        return ()
+
+    def status(self) -> Mapping[str, str]:
+        """Nothing: the facts table of the run says it all."""
+        return {}
+
+    def snapshot(self) -> bytes:
+        """The time and every fact."""
+        facts = [[branch, digit, value] for (branch, digit), value in self._facts.items()]
+        return json.dumps([self._ticks, facts]).encode()
+
+    def apply(self, snapshot: bytes) -> None:
+        """Come back to the instant of a snapshot."""
+        self._ticks, facts = json.loads(snapshot)
+        self._facts = {(branch, digit): value for branch, digit, value in facts}
+
+    def fork(self) -> TableWorld:
+        """An independent copy that starts at this instant."""
+        copy = TableWorld(self.name)
+        copy.apply(self.snapshot())
+        return copy
+
+    def close(self) -> None:
+        """Nothing is held."""
