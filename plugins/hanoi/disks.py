@@ -1,0 +1,110 @@
+"""The things on the table: sizes, colours and meshes of rings and pegs (metres, kilograms)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from smsl_studio.errors import WorldError
+from smsl_studio.world.bodies import Body, Capsule, Hulls
+from smsl_studio.world.meshes import hulls_obj, soup, turned
+from smsl_studio.world.protocol import Vector
+
+PEGS: dict[str, tuple[float, float]] = {"a": (0.50, -0.14), "b": (0.50, 0.0), "c": (0.50, 0.14)}
+PEG_RADIUS = 0.008
+PEG_TOP = 0.045
+HOLE = 0.0135
+"""Half the distance between opposite walls of a ring's hole."""
+
+MARGIN = 0.001
+"""Bullet thickens every convex piece by this much, so pieces are made this much smaller."""
+
+WEDGES = 8
+COLOURS: tuple[Vector, ...] = (
+    (0.88, 0.48, 0.10),
+    (0.06, 0.52, 0.53),
+    (0.20, 0.29, 0.76),
+    (0.56, 0.26, 0.62),
+)
+RADII = {2: (0.022, 0.029), 3: (0.022, 0.029, 0.036), 4: (0.021, 0.026, 0.031, 0.036)}
+THICKNESS = {2: 0.018, 3: 0.018, 4: 0.0135}
+
+
+@dataclass(frozen=True, slots=True)
+class Disk:
+    """One ring; number 1 is the smallest."""
+
+    number: int
+    radius: float
+    thickness: float
+
+    @property
+    def name(self) -> str:
+        return f"disk_{self.number}"
+
+    def body(self, position: Vector) -> Body:
+        """The ring as a body of the world."""
+        volume = math.pi * (self.radius**2 - HOLE**2) * self.thickness
+        outline = self._outline()
+        return Body(
+            self.name,
+            Hulls(self._wedges()),
+            position,
+            friction=0.7,
+            mass=1200.0 * volume,
+            mesh=soup(turned(outline)),
+            colour=COLOURS[self.number - 1],
+        )
+
+    def _outline(self) -> list[tuple[float, float]]:
+        """Up the outer wall, over the top, down the hole and back along the bottom."""
+        r, h, edge = self.radius, self.thickness / 2, 0.0012
+        top = [(r, edge - h), (r, h - edge), (r - edge, h), (HOLE + edge, h), (HOLE, h - edge)]
+        bottom = [(HOLE, edge - h), (HOLE + edge, -h), (r - edge, -h), (r, edge - h)]
+        return top + bottom
+
+    def _wedges(self) -> str:
+        """OBJ text of the wedges that the engine takes for the ring, smaller by its margin."""
+        inner = (HOLE + MARGIN) / math.cos(math.pi / WEDGES)
+        outer, half = self.radius - MARGIN, self.thickness / 2 - MARGIN
+        hulls = []
+        for wedge in range(WEDGES):
+            angles = (wedge + np.array([0, 1 / 3, 2 / 3, 1])) * (2 * math.pi / WEDGES)
+            ring = [(inner, angles[0]), (inner, angles[3]), *((outer, a) for a in angles[::-1])]
+            flat = [(r * math.cos(a), r * math.sin(a)) for r, a in ring]
+            hulls.append([(x, y, z) for z in (-half, half) for x, y in flat])
+        count = len(hulls[0]) // 2
+        sides = [(i, (i + 1) % count, (i + 1) % count + count, i + count) for i in range(count)]
+        faces = [tuple(range(count))[::-1], tuple(range(count, 2 * count)), *sides]
+        return hulls_obj(hulls, faces)
+
+
+def disks_for(count: int) -> tuple[Disk, ...]:
+    """The rings of a game, smallest first; WorldError for a number that was never built."""
+    if count not in RADII:
+        raise WorldError(
+            f"the hanoi world has 2, 3 or 4 disks, and this blueprint has {count} facts",
+            advice="Use a blueprint with one fact a disk, or the world table.",
+        )
+    return tuple(Disk(i + 1, r, THICKNESS[count]) for i, r in enumerate(RADII[count]))
+
+
+def peg_body(name: str) -> Body:
+    """A peg: a rod with a round top, its foot below the table."""
+    x, y = PEGS[name]
+    length = 0.06
+    centre = PEG_TOP - PEG_RADIUS - length / 2
+    arc = np.linspace(0.0, math.pi / 2, 7)
+    dome = [(PEG_RADIUS * math.cos(a), length / 2 + PEG_RADIUS * math.sin(a)) for a in arc.tolist()]
+    outline = [(PEG_RADIUS, -centre), *dome[:-1], (0.0, length / 2 + PEG_RADIUS)]
+    return Body(
+        f"peg_{name}",
+        Capsule(PEG_RADIUS, length),
+        (x, y, centre),
+        friction=0.2,
+        mesh=soup(turned(outline, 24)),
+        colour=(0.32, 0.34, 0.38),
+        label=name,
+    )

@@ -1,0 +1,144 @@
+"""How the Panda carries a ring from peg to peg. Each ``yield`` lets one tick of 1/240 s pass."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from smsl_studio.world.paths import rounded, timetable, waypoints
+
+from .disks import PEG_TOP, PEGS, Disk
+from .table import HELD
+
+if TYPE_CHECKING:
+    from smsl_studio.world.bullet import BulletWorld
+
+    from .table import Table
+
+Array = NDArray[np.float64]
+Motion = Generator[None, None, None]
+
+DOWN: Array = np.diag([1.0, -1.0, -1.0])
+"""The tool looking down, its fingers closing along y."""
+
+TRAVEL, CAREFUL = 0.6, 0.35
+"""The greatest speeds (m/s): on the way, and where rings are lifted or lowered."""
+
+CLEAR = PEG_TOP + 0.02
+"""The height (m) of a carried ring's lower side on its way over the pegs."""
+
+TIPS = 0.010
+"""The tool above the lower side of a ring it holds (m): the fingers' tips stay 3 mm above it."""
+
+SQUEEZE = 0.006
+"""How far inside the ring's radius (m) the fingers are sent when they close."""
+
+CLOSING, OPENING = 36, 24
+
+
+def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
+    """Pick a ring up and put it on a peg; False where the grasp fails.
+
+    A ring that is there already is left alone; one with rings on top cannot be gripped alone, so
+    that the hand does not even try.
+    """
+    if table.reading(disk) == peg:
+        return True
+    if table.reading(disk) != HELD:
+        if _covered(table, disk):
+            return False
+        yield from _pick(table, disk)
+    if not (yield from _lift(table, disk)):
+        yield from _open(table.world)
+        return False
+    return (yield from _put(table, disk, peg))
+
+
+def _covered(table: Table, disk: Disk) -> bool:
+    stacks = (table.on_peg(peg) for peg in PEGS)
+    return any(disk in stack and stack[-1] is not disk for stack in stacks)
+
+
+def _pick(table: Table, disk: Disk) -> Motion:
+    """Come down around the ring and close the fingers on it."""
+    world = table.world
+    centre = _centre(world, disk)
+    above = _above(centre)
+    grasp = np.add(centre, (0.0, 0.0, TIPS - disk.thickness / 2))
+    world.robot.open()
+    yield from _travel(world, [_above(_tool(world)), above, grasp], TRAVEL)
+    world.robot.grip(disk.radius - SQUEEZE)
+    yield from _wait(CLOSING)
+
+
+def _lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
+    world = table.world
+    if world.fingers_on(disk.name) < 2:
+        return False
+    yield from _travel(world, [_above(_tool(world))], CAREFUL)
+    return world.fingers_on(disk.name) == 2
+
+
+def _put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
+    """Bring the ring's own middle over the peg, lower it onto the stack and let go."""
+    world = table.world
+    shift = _tool(world) - _centre(world, disk)
+    over = np.array([*PEGS[peg], CLEAR + disk.thickness / 2]) + shift
+    yield from _travel(world, [over], TRAVEL)
+    if world.fingers_on(disk.name) < 2:
+        yield from _open(world)
+        return False
+    shift = _tool(world) - _centre(world, disk)
+    height = sum(other.thickness for other in table.on_peg(peg)) + 0.001
+    down = np.array([*PEGS[peg], height + disk.thickness / 2]) + shift
+    yield from _travel(world, [down], CAREFUL)
+    world.robot.open()
+    yield from _wait(OPENING)
+    yield from _travel(world, [_above(_tool(world))], CAREFUL)
+    return True
+
+
+def _travel(world: BulletWorld, corners: Sequence[Array], speed: float) -> Motion:
+    """Lead the tool from where it is sent now through the corners, smoothly."""
+    start = world.robot.goal
+    points, ways = waypoints(rounded([world.arm.tool(start)[0], *corners], 0.03))
+    if ways[-1] < 1e-6:
+        return
+    joints = [start]
+    for point in points[1:]:
+        joints.append(world.arm.solve(point, DOWN, near=joints[-1]))
+    before = start
+    for segment, share in timetable(ways, speed, world.tick):
+        here = joints[segment] + (joints[segment + 1] - joints[segment]) * share
+        world.robot.drive(here, (here - before) / world.tick)
+        before = here
+        yield
+    world.robot.drive(joints[-1])
+    yield
+
+
+def _open(world: BulletWorld) -> Motion:
+    world.robot.open()
+    yield from _wait(OPENING)
+
+
+def _wait(ticks: int) -> Motion:
+    for _ in range(ticks):
+        yield
+
+
+def _tool(world: BulletWorld) -> Array:
+    """Where the tool really is (m)."""
+    return world.arm.tool(world.robot.joints())[0]
+
+
+def _centre(world: BulletWorld, disk: Disk) -> Array:
+    return np.array(world.pose(disk.name)[0])
+
+
+def _above(point: Array) -> Array:
+    """The point over another at which a ring in the hand passes over the pegs."""
+    return np.array([point[0], point[1], CLEAR + TIPS])

@@ -1,0 +1,48 @@
+"""The Tower of Hanoi in physics: one world, one operation pattern, one sensor pattern.
+
+Facts are the pegs of the disks, disk 1 (the smallest) first: ``cba`` has disk 1 on c. A disk that
+is in the hand reads ``h``; one off the pegs or on a smaller one reads ``x``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from smsl_studio.errors import WorldError
+
+from .moves import carry
+from .table import Table
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint
+    from smsl_studio.world.bullet import BulletWorld
+
+
+def register(library: Any) -> None:
+    """Offer the world ``hanoi`` with everything that moves and senses in it."""
+
+    @library.world("hanoi")
+    def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Table:
+        if len(blueprint) != 1:
+            raise WorldError(
+                f"the hanoi world needs a blueprint of one State Branch, this has {len(blueprint)}",
+                advice="Use the world table, which runs any blueprint.",
+            )
+        (branch,) = blueprint
+        table = Table(world, branch.num_facts, seed)
+        table.furnish()
+        return table
+
+    @library.arrange("hanoi")
+    def arrange(table: Table, facts: Mapping[tuple[str, int], str]) -> None:
+        pegs = {table.disk(digit + 1): value for (_, digit), value in facts.items()}
+        table.arrange(pegs)
+
+    @library.sensor("disk_{n}_peg", fact="{n}", period=0.02, max_age=0.3)
+    def disk_peg(table: Table, n: int) -> str | None:
+        return table.reading(table.disk(n))
+
+    @library.operation("Op_{disk}{peg}", stop="hold", timeout=20.0)
+    def move_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:
+        return (yield from carry(table, table.disk(disk), peg))

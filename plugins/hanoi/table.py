@@ -1,0 +1,129 @@
+"""The table: where the rings are put, and what the sensors read of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from smsl_studio.errors import WorldError
+from smsl_studio.world.bodies import Body, Floor, Robot
+from smsl_studio.world.protocol import Vector
+
+from .disks import PEGS, Disk, disks_for, peg_body
+
+if TYPE_CHECKING:
+    from smsl_studio.world.bullet import BulletWorld
+
+JITTER = 0.003
+"""Each ring starts up to this far (m) from the middle of its peg, along x and along y."""
+
+HELD, NOWHERE = "h", "x"
+REACH = 0.0085
+"""How far (m) a ring's middle may be from its peg's and the ring still be on it."""
+
+LEVEL = 0.004
+"""How far (m) a ring may be from the height at which it would rest."""
+
+TILT = 0.99
+"""The least upward part of a resting ring's axis: 8 degrees."""
+
+PANDA = Robot(
+    "panda",
+    "franka_panda/panda.urdf",
+    tool="panda_grasptarget",
+    rest=(0.0, 0.05, 0.0, -2.25, 0.0, 2.3, 0.785),
+    fingers=("panda_finger_joint1", "panda_finger_joint2"),
+    opening=0.04,
+    friction=1.2,
+)
+
+
+class Table:
+    """A Panda, three pegs and the rings of one game in a physical world."""
+
+    def __init__(self, world: BulletWorld, count: int, seed: int) -> None:
+        self.world = world
+        self.disks = disks_for(count)
+        self.seed = seed
+        self._readings: dict[int, str] = {}
+        self._read_at = -1
+
+    def furnish(self) -> None:
+        """Put everything into the empty world, all rings on peg a."""
+        self.world.add(Body("table", Floor(), (0.0, 0.0, 0.0), friction=0.5))
+        for name in PEGS:
+            self.world.add(peg_body(name))
+        for disk, place in self._places(dict.fromkeys(self.disks, "a")):
+            self.world.add(disk.body(place))
+        self.world.add(PANDA)
+        self.world.settle()
+
+    def arrange(self, pegs: Mapping[Disk, str]) -> None:
+        """Begin again with each ring on its peg, at rest, the smaller above the larger.
+
+        The same pegs and seed give the same table, whatever happened on it before.
+        """
+        self.world.rebuild()
+        for disk, place in self._places(pegs):
+            self.world.place(disk.name, place)
+        self.world.settle()
+
+    def disk(self, number: int) -> Disk:
+        """A ring by its number, 1 the smallest; WorldError where the game has none."""
+        if not 1 <= number <= len(self.disks):
+            raise WorldError(f"there is no disk {number}: this table has {len(self.disks)}")
+        return self.disks[number - 1]
+
+    def reading(self, disk: Disk) -> str:
+        """What the camera over the table says of a ring: its peg, ``h`` held or ``x`` nowhere.
+
+        A peg is said only of a ring that rests there with nothing but larger rings under it.
+        """
+        if self._read_at != self.world.revision:
+            self._readings = self._read()
+            self._read_at = self.world.revision
+        return self._readings[disk.number]
+
+    def on_peg(self, peg: str) -> list[Disk]:
+        """The rings around a peg at any height and not held, lowest first."""
+        x, y = PEGS[peg]
+        around = []
+        for disk in self.disks:
+            (px, py, pz), _ = self.world.pose(disk.name)
+            if np.hypot(px - x, py - y) < REACH and self.world.fingers_on(disk.name) < 2:
+                around.append((pz, disk.number, disk))
+        return [disk for _, _, disk in sorted(around, key=lambda found: found[:2])]
+
+    def _read(self) -> dict[int, str]:
+        readings = dict.fromkeys((disk.number for disk in self.disks), NOWHERE)
+        for disk in self.disks:
+            if self.world.fingers_on(disk.name) == 2:
+                readings[disk.number] = HELD
+        for peg in PEGS:
+            height, under = 0.0, len(self.disks) + 1
+            for disk in self.on_peg(peg):
+                if not (self._rests(disk, height) and disk.number < under):
+                    break
+                readings[disk.number] = peg
+                height, under = height + disk.thickness, disk.number
+        return readings
+
+    def _rests(self, disk: Disk, height: float) -> bool:
+        """Whether a ring lies flat with its lower side at this height (m)."""
+        (_, _, z), (qx, qy, _, _) = self.world.pose(disk.name)
+        flat = 1.0 - 2.0 * (qx * qx + qy * qy) > TILT
+        return flat and abs(z - disk.thickness / 2 - height) < LEVEL
+
+    def _places(self, pegs: Mapping[Disk, str]) -> Iterator[tuple[Disk, Vector]]:
+        """Where each ring starts: on its stack, off its peg's middle by the seed's jitter."""
+        jitter = np.random.default_rng(self.seed).uniform(-JITTER, JITTER, (len(self.disks), 2))
+        height = dict.fromkeys(PEGS, 0.0005)
+        for disk in reversed(self.disks):
+            peg = pegs[disk]
+            if peg not in PEGS:
+                raise WorldError(f"disk {disk.number} cannot start on {peg!r}: pegs are a, b, c")
+            dx, dy = jitter[disk.number - 1].tolist()
+            yield disk, (PEGS[peg][0] + dx, PEGS[peg][1] + dy, height[peg] + disk.thickness / 2)
+            height[peg] += disk.thickness + 0.0005

@@ -1,0 +1,278 @@
+"""A physical world in PyBullet, on a client of its own; the only file that imports PyBullet.
+
+A world is a plan (``bodies``) and an engine that was filled from it. Fresh engines filled from one
+plan and put to one snapshot go on bit-equally, so ``apply`` and ``fork`` always start a fresh one:
+an engine that was merely set back keeps hidden contact caches and drifts by micrometres.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from smsl_studio.errors import WorldError
+from smsl_studio.world import drawing
+from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
+from smsl_studio.world.kinematics import Arm
+from smsl_studio.world.manipulator import Manipulator, Pose
+from smsl_studio.world.protocol import Quaternion, Shape, Vector
+from smsl_studio.world.urdf import read_urdf
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Bullet chats from C, past Python: meanwhile standard output and error lead nowhere."""
+    _flush()
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    kept = [(stream, os.dup(stream)) for stream in (1, 2)]
+    for stream, _ in kept:
+        os.dup2(nowhere, stream)
+    try:
+        yield
+    finally:
+        _flush()
+        for stream, copy in kept:
+            os.dup2(copy, stream)
+            os.close(copy)
+        os.close(nowhere)
+
+
+def _flush() -> None:
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(AttributeError, OSError, ValueError):
+            stream.flush()
+    with suppress(AttributeError, OSError, TypeError):
+        ctypes.CDLL(None).fflush(None)
+
+
+with _quiet():
+    import pybullet
+    import pybullet_data
+    from pybullet_utils.bullet_client import BulletClient
+
+MODELS = Path(pybullet_data.getDataPath())
+"""The folder of the models that come with the engine (``franka_panda/panda.urdf``)."""
+
+
+class BulletWorld:
+    """Rigid bodies and at most one robot, in ticks of 1/240 s."""
+
+    tick = 1.0 / 240.0
+    hardware = False
+
+    def __init__(self, name: str = "bullet") -> None:
+        self.name = name
+        self.revision = 0
+        """Grows whenever anything may have moved: what was read before is old."""
+        self._plan: list[Body | Robot] = []
+        self._arm: Arm | None = None
+        self._carriers: tuple[str, ...] | None = None
+        self._poses: dict[str, Pose] = {}
+        self._start()
+
+    # -- building ------------------------------------------------------------------------------
+
+    def add(self, part: Body | Robot) -> None:
+        """Put a body or the robot into the world; WorldError for a name twice or a second robot."""
+        if any(part.name == other.name for other in self._plan):
+            raise WorldError(f"{part.name!r} stands in the world already")
+        if isinstance(part, Robot) and self._robot is not None:
+            raise WorldError(f"{part.name!r} cannot be added: the world has a robot already")
+        self._plan.append(part)
+        self._carriers = None
+        with _quiet():
+            self._make(part)
+
+    def rebuild(self) -> None:
+        """Begin again with a fresh engine: every part where the plan has it, time zero."""
+        self.close()
+        self._start()
+        with _quiet():
+            for part in self._plan:
+                self._make(part)
+
+    def _start(self) -> None:
+        self._ids: dict[str, int] = {}
+        self._robot: Manipulator | None = None
+        self._ticks = 0
+        self._changed()
+        with _quiet():
+            engine = BulletClient(pybullet.DIRECT)
+            engine.setGravity(0, 0, -9.81)
+            engine.setTimeStep(self.tick)
+            engine.setPhysicsEngineParameter(deterministicOverlappingPairs=1)
+        self._engine: Any = engine
+
+    def _make(self, part: Body | Robot) -> None:
+        if isinstance(part, Robot):
+            urdf = read_urdf(MODELS / part.urdf)
+            self._arm = self._arm or Arm(urdf.chain(part.tool), part.rest)
+            self._robot = Manipulator(self._engine, part, MODELS / part.urdf, urdf, self._arm)
+            return
+        made = self._engine.createMultiBody(part.mass, self._collision(part), -1, part.position)
+        self._ids[part.name] = made
+        self._engine.changeDynamics(made, -1, lateralFriction=part.friction)
+        if part.mass:
+            self._let_sleep(made, at_once=False)
+
+    def _let_sleep(self, body: int, *, at_once: bool) -> None:
+        """Resting bodies cost nothing while they sleep; what touches them wakes them."""
+        state = pybullet.ACTIVATION_STATE_ENABLE_SLEEPING
+        if at_once:
+            state |= pybullet.ACTIVATION_STATE_SLEEP
+        self._engine.changeDynamics(body, -1, activationState=state)
+
+    def _collision(self, body: Body) -> int:
+        shape, make = body.collision, self._engine.createCollisionShape
+        if isinstance(shape, Capsule):
+            return int(make(pybullet.GEOM_CAPSULE, radius=shape.radius, height=shape.length))
+        if isinstance(shape, Box):
+            return int(make(pybullet.GEOM_BOX, halfExtents=shape.half))
+        if isinstance(shape, Floor):
+            return int(make(pybullet.GEOM_PLANE))
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "hulls.obj"
+            file.write_text(shape.obj, encoding="ascii")
+            return int(make(pybullet.GEOM_MESH, fileName=str(file)))
+
+    # -- moving --------------------------------------------------------------------------------
+
+    @property
+    def time(self) -> float:
+        return self._ticks * self.tick
+
+    @property
+    def arm(self) -> Arm:
+        """The robot's kinematics; WorldError in a world without a robot."""
+        if self._arm is None:
+            raise WorldError(f"there is no robot in the world {self.name!r}")
+        return self._arm
+
+    @property
+    def robot(self) -> Manipulator:
+        """The robot's motors and senses; WorldError in a world without a robot."""
+        if self._robot is None:
+            raise WorldError(f"there is no robot in the world {self.name!r}")
+        return self._robot
+
+    def step(self) -> None:
+        self._engine.stepSimulation()
+        self._ticks += 1
+        self._changed()
+
+    def _changed(self) -> None:
+        self._poses = {}
+        self.revision += 1
+
+    def brake(self) -> None:
+        if self._robot is not None:
+            self._robot.brake()
+
+    def place(self, name: str, position: Vector, orientation: Quaternion = UPRIGHT) -> None:
+        """Put a body somewhere, at rest."""
+        self._put(name, position, orientation, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+
+    def _put(
+        self, name: str, position: Vector, orientation: Quaternion, speed: Vector, spin: Vector
+    ) -> None:
+        self._engine.resetBasePositionAndOrientation(self._ids[name], position, orientation)
+        self._engine.resetBaseVelocity(self._ids[name], speed, spin)
+        self._changed()
+
+    def settle(self, limit: float = 1.0) -> None:
+        """Let everything fall to rest and sleep, for ``limit`` seconds at most.
+
+        It belongs to putting things up and takes no simulated time.
+        """
+        before, calm = self._ticks, 0
+        while calm < 12 and (self._ticks - before) * self.tick < limit:
+            self.step()
+            calm = calm + 1 if all(self.speed(name) < 0.002 for name in self._loose()) else 0
+        for name in self._loose():
+            self.place(name, *self.pose(name))
+            self._let_sleep(self._ids[name], at_once=True)
+        self._ticks = before
+
+    # -- asking --------------------------------------------------------------------------------
+
+    def pose(self, name: str) -> Pose:
+        """Where a body is: position (m) and orientation."""
+        found = self._poses.get(name)
+        if found is None:
+            found = self._engine.getBasePositionAndOrientation(self._ids[name])
+            self._poses[name] = found
+        return found
+
+    def speed(self, name: str) -> float:
+        """How fast a body moves (m/s); turning counts as with 3 cm of arm."""
+        linear, angular = self._engine.getBaseVelocity(self._ids[name])
+        return float(np.linalg.norm(linear) + 0.03 * np.linalg.norm(angular))
+
+    def fingers_on(self, name: str) -> int:
+        """How many of the robot's fingers press on a body: 0, 1 or 2."""
+        return self.robot.touching(self._ids[name])
+
+    def status(self) -> Mapping[str, str]:
+        return {} if self._robot is None else self._robot.status()
+
+    def shapes(self) -> tuple[Shape, ...]:
+        drawn = tuple(drawing.drawn(self._plan, MODELS))
+        self._carriers = tuple(name for name, _ in drawn)
+        return tuple(shape for _, shape in drawn)
+
+    def poses(self) -> tuple[float, ...]:
+        if self._carriers is None:
+            self.shapes()
+        frames = {} if self._robot is None else self._robot.frames()
+        found: list[float] = []
+        for name in self._carriers or ():
+            position, orientation = self.pose(name) if name in self._ids else frames[name]
+            found += (*position, *orientation)
+        return tuple(found)
+
+    # -- coming back ---------------------------------------------------------------------------
+
+    def snapshot(self) -> bytes:
+        return np.array(self._state(), dtype=np.float64).tobytes()
+
+    def apply(self, snapshot: bytes) -> None:
+        if len(snapshot) != 8 * len(self._state()):
+            raise WorldError(f"this snapshot is not of a world built like {self.name!r}")
+        ticks, *values = np.frombuffer(snapshot, dtype=np.float64).tolist()
+        self.rebuild()
+        self._ticks = int(ticks)
+        for name in self._loose():
+            row, values = values[:13], values[13:]
+            self._put(name, row[:3], row[3:7], row[7:10], row[10:])
+        if self._robot is not None:
+            self._robot.restore(values)
+
+    def fork(self) -> BulletWorld:
+        other = BulletWorld(self.name)
+        for part in self._plan:
+            other.add(part)
+        other.apply(self.snapshot())
+        return other
+
+    def _state(self) -> list[float]:
+        """Everything that moves, and what the motors are told, as plain numbers."""
+        found = [float(self._ticks)]
+        for name in self._loose():
+            linear, angular = self._engine.getBaseVelocity(self._ids[name])
+            found += [value for part in (*self.pose(name), linear, angular) for value in part]
+        return found if self._robot is None else found + self._robot.state()
+
+    def _loose(self) -> list[str]:
+        return [part.name for part in self._plan if isinstance(part, Body) and part.mass > 0]
+
+    def close(self) -> None:
+        with _quiet(), suppress(pybullet.error):
+            self._engine.disconnect()

@@ -1,0 +1,29 @@
+"""What a physical world's parts look like: the shapes to draw, and which body carries each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from smsl_studio.world.bodies import Body, Robot
+from smsl_studio.world.kinematics import rotation_of_rpy
+from smsl_studio.world.meshes import moved, read_obj, soup
+from smsl_studio.world.protocol import Shape
+from smsl_studio.world.urdf import read_urdf
+
+
+def drawn(plan: Iterable[Body | Robot], models: Path) -> Iterator[tuple[str, Shape]]:
+    """The shapes of a plan, each with the name of the body or the robot's link that carries it."""
+    for part in plan:
+        if isinstance(part, Robot):
+            yield from _links(part, models)
+        elif part.mesh:
+            yield part.name, Shape(part.name, part.mesh, part.colour, part.label)
+
+
+def _links(robot: Robot, models: Path) -> Iterator[tuple[str, Shape]]:
+    for visual in read_urdf(models / robot.urdf).visuals:
+        rotation = rotation_of_rpy(visual.rpy)
+        for colour, mesh in read_obj(visual.mesh):
+            placed = moved(mesh, rotation, visual.xyz)
+            yield visual.link, Shape(visual.link, soup(placed), colour)

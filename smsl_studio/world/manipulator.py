@@ -1,0 +1,154 @@
+"""A robot that stands in an engine: its motors, its gripper, what it touches.
+
+``engine`` is a client of PyBullet as ``bullet`` hands it over; this file needs no import of it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from smsl_studio.world.bodies import UPRIGHT, Robot
+from smsl_studio.world.kinematics import Arm
+from smsl_studio.world.protocol import Quaternion, Vector
+from smsl_studio.world.urdf import Urdf
+
+Array = NDArray[np.float64]
+Pose = tuple[Vector, Quaternion]
+
+GAIN = 0.5
+"""The share of its position error that a joint makes good in one tick."""
+
+GRIP = 25.0
+"""The force (N) of a finger where none is asked for."""
+
+
+class Manipulator:
+    """The arm and fingers of one robot; ``goal`` is where the arm's joints are sent (rad)."""
+
+    def __init__(self, engine: Any, robot: Robot, file: Path, urdf: Urdf, arm: Arm) -> None:
+        self._engine, self._urdf, self._plan = engine, urdf, robot
+        flags = engine.URDF_IGNORE_VISUAL_SHAPES
+        self.body = int(engine.loadURDF(str(file), useFixedBase=True, flags=flags))
+        infos = [engine.getJointInfo(self.body, i) for i in range(engine.getNumJoints(self.body))]
+        joints = {info[1].decode(): index for index, info in enumerate(infos)}
+        self._links = {info[12].decode(): index for index, info in enumerate(infos)}
+        self._arm = [joints[name] for name in arm.names]
+        self._forces = [infos[index][10] for index in self._arm]
+        self._fingers = [joints[name] for name in robot.fingers]
+        for index in self._fingers:
+            engine.changeDynamics(self.body, index, lateralFriction=robot.friction)
+        if self._fingers:
+            self._gear()
+        self._start()
+
+    def _gear(self) -> None:
+        """Both fingers stay at the same distance from the middle, as a real gripper's gear does."""
+        left, right = self._fingers
+        axis, origin = [1, 0, 0], [0, 0, 0]
+        kind = self._engine.JOINT_GEAR
+        gear = self._engine.createConstraint(
+            self.body, left, self.body, right, kind, axis, origin, origin
+        )
+        self._engine.changeConstraint(gear, gearRatio=-1, erp=0.1, maxForce=50)
+
+    def _start(self) -> None:
+        opening = self._plan.opening
+        positions = [*self._plan.rest, *(opening for _ in self._fingers)]
+        for index, position in zip(self._arm + self._fingers, positions, strict=True):
+            self._engine.resetJointState(self.body, index, position)
+        self.drive(np.array(self._plan.rest))
+        self.grip(opening)
+
+    # -- motors --------------------------------------------------------------------------------
+
+    def drive(self, joints: Array, speeds: Array | None = None) -> None:
+        """Send the arm's joints there (rad), to be passed at ``speeds`` (rad/s, else to stop)."""
+        self.goal = np.asarray(joints, dtype=np.float64)
+        self._speeds = np.zeros(len(self.goal)) if speeds is None else np.asarray(speeds)
+        self._engine.setJointMotorControlArray(
+            self.body,
+            self._arm,
+            self._engine.POSITION_CONTROL,
+            targetPositions=self.goal.tolist(),
+            targetVelocities=self._speeds.tolist(),
+            forces=self._forces,
+            positionGains=[GAIN] * len(self.goal),
+            velocityGains=[1.0] * len(self.goal),
+        )
+
+    def grip(self, opening: float, force: float = GRIP) -> None:
+        """Send both fingers to ``opening`` (m) from the middle with at most ``force`` (N)."""
+        self._grip = (opening, force)
+        for joint in self._fingers:
+            self._engine.setJointMotorControl2(
+                self.body,
+                joint,
+                self._engine.POSITION_CONTROL,
+                targetPosition=opening,
+                force=force,
+            )
+
+    def open(self) -> None:
+        """Send the fingers as far apart as the plan says."""
+        self.grip(self._plan.opening)
+
+    def brake(self) -> None:
+        """Hold every joint where it is; fingers that press on something go on pressing."""
+        arm, fingers = np.split(self._states(), [len(self._arm)])
+        self.drive(arm[:, 0])
+        if len(fingers) and np.abs(fingers[:, 1]).max() > 0.005:
+            self.grip(float(fingers[:, 0].mean()), self._grip[1])
+
+    # -- senses --------------------------------------------------------------------------------
+
+    def _states(self) -> Array:
+        """One row a joint, the arm's first, then the fingers': position and speed."""
+        states = self._engine.getJointStates(self.body, self._arm + self._fingers)
+        return np.array([state[:2] for state in states])
+
+    def joints(self) -> Array:
+        """Where the arm's joints are (rad)."""
+        return self._states()[: len(self._arm), 0]
+
+    def touching(self, body: int) -> int:
+        """How many fingers press on a body: 0, 1 or 2."""
+        contacts = (
+            self._engine.getContactPoints(self.body, body, joint, -1) for joint in self._fingers
+        )
+        return sum(any(contact[9] > 0.0 for contact in found) for found in contacts)
+
+    def frames(self) -> dict[str, Pose]:
+        """The frame of each link by its name."""
+        indices = list(self._links.values())
+        states = self._engine.getLinkStates(self.body, indices, computeForwardKinematics=True)
+        frames: dict[str, Pose] = {self._urdf.root: ((0.0, 0.0, 0.0), UPRIGHT)}
+        return frames | {
+            name: (state[4], state[5]) for name, state in zip(self._links, states, strict=True)
+        }
+
+    def status(self) -> dict[str, str]:
+        """The gripper's width and the force it is sent with."""
+        if not self._fingers:
+            return {}
+        width = 2.0 * float(self._states()[len(self._arm) :, 0].mean())
+        return {"gripper": f"{1000 * width:.0f} mm, {self._grip[1]:.0f} N"}
+
+    # -- coming back ---------------------------------------------------------------------------
+
+    def state(self) -> list[float]:
+        """Joints, speeds and what the motors are told, as plain numbers."""
+        told = [*self.goal.tolist(), *self._speeds.tolist(), *self._grip]
+        return [*self._states().ravel().tolist(), *told]
+
+    def restore(self, state: list[float]) -> None:
+        """Come back to a ``state`` of the same robot."""
+        count, every = len(self._arm), self._arm + self._fingers
+        for row, joint in enumerate(every):
+            self._engine.resetJointState(self.body, joint, *state[2 * row : 2 * row + 2])
+        told = state[2 * len(every) :]
+        self.drive(np.array(told[:count]), np.array(told[count : 2 * count]))
+        self.grip(*told[2 * count :])

@@ -1,0 +1,145 @@
+"""Triangles: read from OBJ files, made by turning an outline, thinned out. No engine, no Qt.
+
+A mesh here is an array (n, 3, 3) of float32 in metres: n triangles, counter-clockwise from outside.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from smsl_studio.world.protocol import Vector
+
+Mesh = NDArray[np.float32]
+PLAIN: Vector = (0.93, 0.93, 0.94)
+
+
+def soup(mesh: Mesh) -> tuple[float, ...]:
+    """The flat tuple of floats that a ``Shape`` carries; thousandths of a millimetre are enough."""
+    return tuple(np.round(mesh.astype(np.float64), 6).ravel().tolist())
+
+
+@lru_cache(maxsize=64)
+def read_obj(path: Path, limit: int = 2000) -> tuple[tuple[Vector, Mesh], ...]:
+    """The meshes of an OBJ file, one a colour of its materials, thinned to about ``limit``.
+
+    The colour is the material's ``Kd``; pale and tinted ones are all shown as the plain white of
+    a robot's shell, dark ones as they are.
+    """
+    vertices: list[bytes] = []
+    faces: dict[Vector, list[list[int]]] = {}
+    palette: dict[bytes, Vector] = {}
+    current = faces.setdefault(PLAIN, [])
+    for line in path.read_bytes().splitlines():
+        if line.startswith(b"v "):
+            vertices.append(line[2:])
+        elif line.startswith(b"f "):
+            current.append([int(corner.split(b"/", 1)[0]) for corner in line[2:].split()])
+        elif line.startswith(b"usemtl "):
+            current = faces.setdefault(palette.get(line[7:].strip(), PLAIN), [])
+        elif line.startswith(b"mtllib "):
+            palette = _palette(path.parent / line[7:].strip().decode())
+    points = np.array(b" ".join(vertices).split(), dtype=np.float64).reshape(len(vertices), -1)
+    meshes = {colour: _triangles(points[:, :3], found) for colour, found in faces.items() if found}
+    total = sum(len(mesh) for mesh in meshes.values())
+    return tuple(
+        (colour, thinned(mesh, max(60, limit * len(mesh) // total)))
+        for colour, mesh in meshes.items()
+    )
+
+
+def _palette(path: Path) -> dict[bytes, Vector]:
+    colours: dict[bytes, Vector] = {}
+    name = b""
+    for line in path.read_bytes().splitlines() if path.exists() else ():
+        words = line.split()
+        if words[:1] == [b"newmtl"]:
+            name = words[1]
+        elif words[:1] == [b"Kd"]:
+            r, g, b = (float(word) for word in words[1:4])
+            colours[name] = (r, g, b) if max(r, g, b) < 0.5 else PLAIN
+    return colours
+
+
+def _triangles(points: NDArray[np.float64], faces: list[list[int]]) -> Mesh:
+    fans = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
+    indices = np.array(fans)
+    indices = np.where(indices < 0, indices + len(points), indices - 1)
+    mesh: Mesh = points[indices].astype(np.float32)
+    return mesh
+
+
+def thinned(mesh: Mesh, limit: int) -> Mesh:
+    """At most ``limit`` triangles: corners are joined on a grid that grows until it fits."""
+    thin = mesh
+    if len(mesh) > limit:
+        sides = np.cross(mesh[:, 1] - mesh[:, 0], mesh[:, 2] - mesh[:, 0])
+        cell = float(np.sqrt(np.linalg.norm(sides, axis=1).sum() / limit))
+        while len(thin) > limit:
+            thin = _clustered(mesh, cell)
+            cell *= 1.15
+    return thin
+
+
+def _clustered(mesh: Mesh, cell: float) -> Mesh:
+    """Every corner moved to the mean of the corners in its grid cell; what collapses goes."""
+    corners = mesh.reshape(-1, 3).astype(np.float64)
+    where = _numbered(np.floor(corners / cell).astype(np.int64))[1]
+    count = np.bincount(where)
+    means = np.stack([np.bincount(where, corners[:, k]) / count for k in range(3)], axis=1)
+    a, b, c = where.reshape(-1, 3).T
+    kept = where.reshape(-1, 3)[(a != b) & (b != c) & (c != a)]
+    first = _numbered(np.sort(kept, axis=1))[0]
+    clustered: Mesh = means[kept[np.sort(first)]].astype(np.float32)
+    return clustered
+
+
+def _numbered(rows: NDArray[np.int64]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Equal rows get equal numbers: where each number stands first, and the number of each row."""
+    low = rows.min(axis=0)
+    _, width, depth = rows.max(axis=0) - low + 1
+    x, y, z = (rows - low).T
+    _, first, number = np.unique(
+        (x * width + y) * depth + z, return_index=True, return_inverse=True
+    )
+    return first, number
+
+
+def moved(mesh: Mesh, rotation: NDArray[np.float64], offset: Sequence[float]) -> Mesh:
+    """The mesh turned, then shifted."""
+    placed: Mesh = (mesh @ rotation.T + np.asarray(offset)).astype(np.float32)
+    return placed
+
+
+def turned(outline: Sequence[tuple[float, float]], sides: int = 48) -> Mesh:
+    """The solid that an outline of (radius, height) makes, turned about z.
+
+    The outline runs so that the outside is on its right seen with the radius to the right and the
+    height up: up the outer wall, then inwards.
+    """
+    angles = np.arange(sides + 1) * (2 * math.pi / sides)
+    circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    triangles = []
+    for (r0, z0), (r1, z1) in pairwise(outline):
+        for here, there in pairwise(circle):
+            a, b = (*(r0 * here), z0), (*(r0 * there), z0)
+            c, d = (*(r1 * there), z1), (*(r1 * here), z1)
+            triangles += ([(a, b, c)] if r0 > 0 else []) + ([(a, c, d)] if r1 > 0 else [])
+    return np.array(triangles, dtype=np.float32)
+
+
+def hulls_obj(hulls: Sequence[Sequence[Vector]], faces: Sequence[Sequence[int]]) -> str:
+    """OBJ text with one group a convex hull; each has the same faces over its own corners."""
+    lines: list[str] = []
+    for number, corners in enumerate(hulls):
+        base = number * len(corners) + 1
+        lines.append(f"o hull_{number}")
+        lines += [f"v {x:.7f} {y:.7f} {z:.7f}" for x, y, z in corners]
+        lines += ["f " + " ".join(str(base + corner) for corner in face) for face in faces]
+    return "\n".join(lines) + "\n"
