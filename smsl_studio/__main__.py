@@ -5,6 +5,7 @@ No argument, only files, or ``open``: the window. Anything else: the command lin
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
 from pathlib import PurePath
@@ -30,9 +31,34 @@ def main(argv: Sequence[str] | None = None) -> int:
         from smsl_studio.cli import main as command_line
 
         return command_line(arguments)
-    from smsl_studio.studio.app import main as window
+    return _open_window(files)
 
+
+def _open_window(files: list[str]) -> int:
+    missing = _missing_display()
+    if missing:
+        return _no_window(missing)
+    try:
+        from smsl_studio.studio.app import main as window
+    except ImportError as error:
+        if (error.name or "").startswith("smsl_studio"):
+            raise  # a fault of ours, not of this machine
+        return _no_window(f"Qt cannot be loaded: {error}")
     return window(files)
+
+
+def _missing_display() -> str:
+    """Why no window can be shown here; Qt would abort the process without another word."""
+    asked = ("QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY")
+    if sys.platform != "linux" or any(os.environ.get(name) for name in asked):
+        return ""
+    return "there is no display here (neither DISPLAY nor WAYLAND_DISPLAY is set)"
+
+
+def _no_window(reason: str) -> int:
+    print(f"smsl-studio: no window: {reason}.", file=sys.stderr)
+    print("The command line works without one: smsl-studio --help", file=sys.stderr)
+    return 2
 
 
 def _is_file_name(part: str) -> bool:

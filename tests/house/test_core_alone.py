@@ -84,6 +84,12 @@ def test_a_world_whose_engine_is_absent_is_told_and_not_thrown() -> None:
     assert "Traceback" not in done.stderr
 
 
+def test_without_qt_the_window_is_refused_with_a_reason() -> None:
+    done = python(BLOCKER + COMMANDS, "open")
+    assert done.returncode == 2, done.stderr
+    assert "Qt cannot be loaded" in done.stderr
+
+
 @pytest.mark.parametrize(
     ("code", "unwanted"),
     [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from smsl_studio.__main__ import files_for_window
+from smsl_studio.__main__ import files_for_window, main
 
 
 @pytest.mark.parametrize(
@@ -28,3 +28,13 @@ def test_the_window(argv: list[str], files: list[str]) -> None:
 )
 def test_the_command_line(argv: list[str]) -> None:
     assert files_for_window(argv) is None
+
+
+def test_without_a_display_the_program_says_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    assert main(["open"]) == 2
+    assert "there is no display here" in capsys.readouterr().err
