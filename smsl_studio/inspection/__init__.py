@@ -1,0 +1,1 @@
+"""Inspection: what can be said about a blueprint before anything moves."""

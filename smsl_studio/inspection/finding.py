@@ -40,6 +40,23 @@ class Finding:
     advice: str = ""
     fix: Fix | None = None
 
+    @classmethod
+    def at(
+        cls,
+        blueprint: Blueprint,
+        rule: str,
+        severity: Severity,
+        address: Address,
+        message: str,
+        *,
+        advice: str = "",
+        fix: Fix | None = None,
+        below: tuple[str, ...] = (),
+    ) -> Finding:
+        """A finding at the key of ``address``, or at the key ``below`` it (HEADER, INITIAL)."""
+        place = blueprint.place(address, *below)
+        return cls(rule, severity, address, place, message, advice, fix)
+
     def __str__(self) -> str:
         advice = f"; {self.advice}" if self.advice else ""
         return f"{self.place} {self.rule} {self.address}: {self.message}{advice}"

@@ -1,0 +1,86 @@
+"""Inspection: every rule over a blueprint, the findings in the order of the text."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules import effects, header, levels, reach, writing
+
+MOST = 100
+"""A rule reports so many places of one SB, and says how many more there are."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A rule: its number, what it finds in a few words, and the function that looks."""
+
+    id: str
+    words: str
+    check: Callable[[Blueprint], Iterator[Finding]]
+
+
+ALL = (
+    Rule("R01", "a key written twice", writing.r01_doubled_key),
+    Rule("R02", "a target that is no state", writing.r02_unknown_target),
+    Rule("R03", "a header that names nothing", header.r03_header_names_nothing),
+    Rule("R04", "a header left to defaults", header.r04_left_to_default),
+    Rule("R05", "names that do not carry facts", header.r05_fact_strings),
+    Rule("R06", "states with equal facts", header.r06_equal_facts),
+    Rule("R07", "sub-SBs that do not fit", levels.r07_sub_sbs),
+    Rule("R08", "a cycle among SBs", levels.r08_cycles),
+    Rule("R09", "names that look alike", writing.r09_look_alikes),
+    Rule("R10", "a state that cannot be reached", reach.r10_unreachable),
+    Rule("R11", "a trap", reach.r11_traps),
+    Rule("R12", "a dead end", reach.r12_dead_ends),
+    Rule("R13", "a sub-SB that cannot serve", levels.r13_sub_cannot_serve),
+    Rule("R14", "a sub-SB's fact changed with others", levels.r14_mixed),
+    Rule("R15", "a mislabelled operation", effects.r15_mislabelled),
+    Rule("R16", "a conditional effect", effects.r16_conditional),
+    Rule("R17", "a self loop not marked as repeatable", effects.r17_self_loops),
+    Rule("R18", "parallel operations without costs", effects.r18_parallel),
+    Rule("R29", "an annotation not understood", writing.r29_annotations),
+)
+RULES: Mapping[str, str] = MappingProxyType({rule.id: rule.words for rule in ALL})
+"""The rules that are checked, by number, in a few words each."""
+
+
+def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple[Finding, ...]:
+    """What the rules have to say, in the order of the text; UsageError for an unknown rule.
+
+    ``rules`` names the rules to check; all where it is None.
+    """
+    for name in rules or ():
+        if name not in RULES:
+            raise UsageError(
+                f"there is no rule {name!r}",
+                advice=did_you_mean(name, RULES) or f"Choose of {', '.join(RULES)}.",
+            )
+    found: list[Finding] = []
+    for rule in ALL:
+        if rules is None or rule.id in rules:
+            found.extend(_at_most(rule.check(blueprint)))
+    return tuple(
+        sorted(found, key=lambda f: (f.place.line, f.place.column, f.rule, f.address, f.message))
+    )
+
+
+def _at_most(findings: Iterator[Finding]) -> list[Finding]:
+    """The first findings of each SB; the last one kept says how many are not listed."""
+    kept: dict[str, list[Finding]] = {}
+    left_out: dict[str, int] = {}
+    for finding in findings:
+        own = kept.setdefault(finding.address.branch, [])
+        if len(own) < MOST:
+            own.append(finding)
+        else:
+            left_out[finding.address.branch] = left_out.get(finding.address.branch, 0) + 1
+    for branch, more in left_out.items():
+        last = kept[branch][-1]
+        words = f"{last.message} ({more} more places in {branch} are not listed)"
+        kept[branch][-1] = replace(last, message=words)
+    return [finding for own in kept.values() for finding in own]

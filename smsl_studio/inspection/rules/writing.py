@@ -1,0 +1,178 @@
+"""Rules about what is written: doubled keys, unknown targets, look-alikes, annotations."""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterable, Iterator
+from functools import partial
+
+from smsl_studio.blueprint.address import Address, note_key, split_fact
+from smsl_studio.blueprint.annotations import read_hazards
+from smsl_studio.blueprint.editing import keep_last, retarget
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.inspection.rules.wording import near
+
+ERROR, WARNING = Severity.ERROR, Severity.WARNING
+
+
+def r01_doubled_key(blueprint: Blueprint) -> Iterator[Finding]:
+    """A key written twice: the last one wins, and a reader of the text may see the first."""
+    for path, places in blueprint.document.duplicates():
+        fix = None
+        if _is_double(blueprint, path):
+            fix = Fix("Keep the last one", partial(keep_last, path=path))
+        for place in places[1:]:
+            first = places[0]
+            yield Finding(
+                "R01",
+                ERROR,
+                _address(path),
+                place,
+                f"{path[-1]} is written twice, first at line {first.line}, column {first.column}",
+                "the last one counts; rename or remove one",
+                fix,
+            )
+
+
+def _is_double(blueprint: Blueprint, path: tuple[str, ...]) -> bool:
+    """Whether the key is doubled in an object that counts, not in one that was overridden."""
+    try:
+        members = blueprint.document.members(path[:-1])
+    except KeyError:
+        return False
+    return sum(member.key == path[-1] for member in members) > 1
+
+
+def _address(path: tuple[str, ...]) -> Address:
+    """The SB, state or operation that a path of keys lies in."""
+    if len(path) > 1 and (path[1] == HEADER or path[1].startswith("_")):
+        return Address(path[0])
+    return Address(*path[: 2 if len(path) > 2 and path[2].startswith("_") else 3])
+
+
+def r02_unknown_target(blueprint: Blueprint) -> Iterator[Finding]:
+    """A target that is no state of the SB."""
+    for branch in blueprint:
+        for edge in branch.edges():
+            if edge.target in branch.table:
+                continue
+            like = near(edge.target, branch.table)
+            yield Finding.at(
+                blueprint,
+                "R02",
+                ERROR,
+                edge.address,
+                f"leads to {edge.target}, which is no state of {branch.name}",
+                advice=f"did you mean {like}?" if like else "add that state, or lead it to another",
+                fix=Fix(f"Lead it to {like}", partial(retarget, address=edge.address, target=like))
+                if like
+                else None,
+            )
+
+
+def r09_look_alikes(blueprint: Blueprint) -> Iterator[Finding]:
+    """Names that differ only by case or by characters that look alike."""
+    yield from _alike(blueprint, ((name, Address(name)) for name in blueprint.branches), "SB")
+    for branch in blueprint:
+        states = ((name, Address(branch.name, name)) for name in branch.table)
+        yield from _alike(blueprint, states, "state")
+        first = {}
+        for state, operations in branch.table.items():
+            for name in operations:
+                if name not in first:
+                    first[name] = Address(branch.name, state, name)
+        yield from _alike(blueprint, first.items(), "operation")
+
+
+def _alike(
+    blueprint: Blueprint, names: Iterable[tuple[str, Address]], what: str
+) -> Iterator[Finding]:
+    seen: dict[str, str] = {}
+    for name, address in names:
+        other = seen.setdefault(skeleton(name), name)
+        if other != name:
+            by = "case" if other.casefold() == name.casefold() else "characters that look alike"
+            yield Finding.at(
+                blueprint,
+                "R09",
+                WARNING,
+                address,
+                f"the {what} {name} differs from {other} only by {by}",
+                advice="give one of them another name",
+            )
+
+
+_LOOK = str.maketrans("0оοσ1lіιавсеруxхкмнт", "oooo" + "llli" + "abcepyxxkmht")
+
+
+def skeleton(name: str) -> str:
+    """What a hurried reader sees of a name: no case, one form of every look-alike character."""
+    return unicodedata.normalize("NFKC", name).casefold().translate(_LOOK)
+
+
+def r29_annotations(blueprint: Blueprint) -> Iterator[Finding]:
+    """Annotations that do not fit their kind, or speak of what is not there."""
+    if "_hazards" in blueprint.fields:
+        for path, reason in read_hazards(blueprint.fields["_hazards"])[1]:
+            yield _note(blueprint, path, f"a hazard is not understood: {reason}")
+        for hazard in blueprint.hazards:
+            for text in hazard.facts:
+                if not _is_fact(blueprint, text):
+                    yield _note(
+                        blueprint, ("_hazards",), f"{hazard.name} names {text}, which is no fact"
+                    )
+    for branch in blueprint:
+        for path, reason in branch.notes.faults:
+            yield _note(
+                blueprint,
+                (branch.name, *path),
+                f"{path[-1]} in {path[0]} is not understood: {reason}",
+            )
+        yield from _strangers(blueprint, branch)
+
+
+def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
+    """Entries whose key names nothing in the SB, and ``requires`` of unknown facts."""
+    notes = branch.notes
+    for digit in notes.facts:
+        if digit >= branch.num_facts:
+            words = (
+                f"_facts speaks of digit {digit}, but {branch.name} has {branch.num_facts} facts"
+            )
+            yield _note(blueprint, (branch.name, "_facts", str(digit)), words)
+    for state in notes.states:
+        if state not in branch.table:
+            words = f"_states speaks of {state}, which is no state of {branch.name}"
+            yield _note(blueprint, (branch.name, "_states", state), words)
+    if not notes.operations:
+        return
+    known = {note_key(edge.name) for edge in branch.edges()}
+    known |= {note_key(edge.name, edge.source) for edge in branch.edges()}
+    for key, note in notes.operations.items():
+        if key not in known:
+            words = f"_operations speaks of {key}, which is no operation of {branch.name}"
+            yield _note(blueprint, (branch.name, "_operations", key), words)
+        for text in note.requires:
+            if not _is_fact(blueprint, text):
+                words = f"{key} requires {text}, which is no fact"
+                yield _note(blueprint, (branch.name, "_operations", key, "requires", text), words)
+
+
+def _is_fact(blueprint: Blueprint, text: str) -> bool:
+    fact = split_fact(text)
+    if fact is None or fact[0] not in blueprint.branches:
+        return False
+    return fact[1] < blueprint[fact[0]].num_facts
+
+
+def _note(blueprint: Blueprint, path: tuple[str, ...], message: str) -> Finding:
+    return Finding(
+        "R29",
+        WARNING,
+        Address(path[0]),
+        blueprint.document.place(path),
+        message,
+        "it is kept in the file, and left out of the meaning",
+    )
