@@ -1,0 +1,141 @@
+"""The child of the process host: a local host behind a pipe, and nothing of its parent's.
+
+Messages are ``(verb, arguments)``; answers ``("ok", value)``, ``("refused", StudioError)`` or
+``("crashed", text)``. The child ends when it is told to, and as soon as its parent is gone.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import StudioError
+from smsl_studio.host.local import LocalHost
+from smsl_studio.host.protocol import Outcome, Tick
+from smsl_studio.host.shared_poses import SharedPoses
+from smsl_studio.smsl.files import parse_bytes
+
+HEARTBEAT = 0.1
+PICTURE = 1.0 / 60.0
+"""Wall seconds between two pictures: more often nobody looks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Recipe:
+    """All a child needs to build the same world: the blueprint as text, world, seed, plugins."""
+
+    text: str
+    file: str
+    world: str
+    seed: int
+    plugin_paths: tuple[str, ...]
+
+
+def serve(connection: Connection, recipe: Recipe) -> None:
+    """The child's whole life: answer one command after the other."""
+    _settle_in()
+    shared = _Shared()
+    threading.Thread(target=_live_with_parent, args=(shared,), daemon=True).start()
+    try:
+        child = _Child(recipe, shared)
+        while child.serving:
+            verb, arguments = connection.recv()
+            connection.send(_answer(child.verbs[verb], arguments))
+    except (EOFError, OSError):  # the parent is gone
+        pass
+    finally:
+        connection.close()
+
+
+def _answer(verb: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[str, Any]:
+    try:
+        return "ok", verb(*arguments)
+    except StudioError as error:
+        return "refused", error
+    except Exception:
+        return "crashed", traceback.format_exc(limit=-3)
+
+
+class _Shared:
+    """The block both sides know, once there is one; the thread of the pulse writes to it too, so
+    that it stays open until the child ends."""
+
+    def __init__(self) -> None:
+        self.block: SharedPoses | None = None
+
+
+class _Child:
+    """The verbs of a child."""
+
+    def __init__(self, recipe: Recipe, shared: _Shared) -> None:
+        blueprint = read_blueprint(parse_bytes(recipe.text.encode(), recipe.file))
+        paths = [Path(path) for path in recipe.plugin_paths]
+        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths)
+        self.serving = True
+        self._shared = shared
+        self._drawn = 0.0
+        self._status: Mapping[str, str] = {}
+        self.verbs: dict[str, Callable[..., Any]] = {
+            "open": self.host.open,
+            "share": self.share,
+            "sense": self.host.sense,
+            "begin": self.host.begin,
+            "tick": self.tick,
+            "cancel": self.host.cancel,
+            "close": self.close,
+        }
+
+    def share(self, name: str, count: int) -> Mapping[str, str]:
+        """Draw into this block from now on; the world's first words."""
+        self._shared.block = SharedPoses(count, name)
+        self._draw()
+        return self._status
+
+    def tick(self) -> tuple[Tick, Mapping[str, str] | None]:
+        """One tick, and the world's words where they are new."""
+        tick, before = self.host.tick(), self._status
+        now = time.monotonic()
+        if now - self._drawn >= PICTURE or tick.outcome not in (Outcome.IDLE, Outcome.RUNNING):
+            self._drawn = now
+            self._draw()
+        return tick, (self._status if self._status != before else None)
+
+    def close(self) -> None:
+        self.host.close()
+        self.serving = False
+
+    def _draw(self) -> None:
+        if self._shared.block is not None:
+            self._shared.block.write(self.host.poses())
+        self._status = dict(self.host.status())
+
+
+def _settle_in() -> None:
+    """Ctrl-C is the parent's to answer; nothing here may write to the parent's standard output."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    sys.stdout = sys.stderr
+    with contextlib.suppress(OSError):
+        os.dup2(2, 1)
+
+
+def _live_with_parent(shared: _Shared) -> None:
+    """Show a pulse while the parent lives; end at once, in whatever library code, when it dies."""
+    parent = multiprocessing.parent_process()
+    beats = 0
+    while parent is None or not wait([parent.sentinel], timeout=HEARTBEAT):
+        beats += 1
+        if shared.block is not None:
+            shared.block.beat(beats)
+    os._exit(1)

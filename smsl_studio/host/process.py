@@ -1,0 +1,213 @@
+"""The process host: world and library code run in a child, so that the dispatcher outlives them.
+
+The child is spawned, never forked. Commands go through a pipe, in lock with the dispatcher; poses
+come through shared memory. A child that dies is seen at once, one that hangs after ``hang_limit``
+seconds in one command, one that is frozen after ``silence_limit`` seconds without a pulse: each is
+a HostError, and every later call says the same. Times here are wall time.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import signal
+import threading
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from multiprocessing.connection import Connection, wait
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import HostError
+from smsl_studio.host.child import Recipe, serve
+from smsl_studio.host.protocol import Opened, Tick
+from smsl_studio.host.shared_poses import SharedPoses
+from smsl_studio.monitor.sample import Sample
+
+OPEN_LIMIT = 60.0
+LOOK = 0.1
+"""How often (s) a waiting parent looks at the child's pulse."""
+
+
+class ProcessHost:
+    """A child process with the world and the code bound to a blueprint in it.
+
+    A script that uses it must guard its own start with ``if __name__ == "__main__":``, because a
+    spawned child imports it.
+    """
+
+    def __init__(
+        self,
+        blueprint: Blueprint,
+        world: str,
+        seed: int = 0,
+        plugin_paths: Sequence[Path] = (),
+        *,
+        hang_limit: float = 10.0,
+        silence_limit: float = 3.0,
+    ) -> None:
+        document = blueprint.document
+        paths = tuple(str(path) for path in plugin_paths)
+        self._recipe = Recipe(document.text, document.file, world, seed, paths)
+        self._hang_limit = hang_limit
+        self._silence_limit = silence_limit
+        self._process: Any = None
+        self._pipe: Connection | None = None
+        self._shared: SharedPoses | None = None
+        self._status: Mapping[str, str] = {}
+        self._gone: HostError | None = None
+        self._doing = ""
+
+    @property
+    def pid(self) -> int | None:
+        """The child's process number, None where there is none."""
+        return self._process.pid if self._process is not None else None
+
+    def open(self, start: Mapping[str, str]) -> Opened:
+        """Start the child if there is none, and have it open its world (see ``LocalHost.open``)."""
+        if self._process is None and self._gone is None:
+            self._spawn()
+        opened: Opened = self._ask("open", dict(start), limit=OPEN_LIMIT)
+        if self._shared is None:
+            count = 7 * len(opened.shapes)
+            self._shared = SharedPoses(count)
+            self._status = self._ask("share", self._shared.name, count)
+        return opened
+
+    def sense(self) -> tuple[Sample, ...]:
+        """Every sensor once, now, without moving the time."""
+        samples: tuple[Sample, ...] = self._ask("sense")
+        return samples
+
+    def begin(self, edge: Address) -> None:
+        """Start the library function bound to an edge; it first moves at the next tick."""
+        self._doing = f" in the middle of {edge}"
+        self._ask("begin", edge)
+
+    def tick(self) -> Tick:
+        """Let the world and the running call go on for one tick."""
+        tick, status = self._ask("tick")
+        if status is not None:
+            self._status = status
+        if tick.outcome.value != "running":
+            self._doing = ""
+        found: Tick = tick
+        return found
+
+    def cancel(self, mode: str) -> None:
+        """End the running call as ``LocalHost.cancel`` does."""
+        self._ask("cancel", mode)
+        self._doing = ""
+
+    def poses(self) -> tuple[float, ...]:
+        """The newest poses for drawing; the last ones, where the child is gone."""
+        return self._shared.read() if self._shared is not None else ()
+
+    def status(self) -> Mapping[str, str]:
+        """The world's newest short words for people."""
+        return self._status
+
+    def close(self) -> None:
+        """End the child, also one that hangs, and free everything; twice is harmless."""
+        if self._pipe is not None and self._process.is_alive():
+            with contextlib.suppress(OSError):
+                self._pipe.send(("close", ()))
+                self._process.join(2.0)
+        self._gone = self._gone or HostError("the host is closed")
+        self._end()
+
+    def _spawn(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self._pipe, theirs = context.Pipe()
+        self._process = context.Process(
+            target=serve, args=(theirs, self._recipe), name="smsl-studio-world", daemon=True
+        )
+        with _ctrl_c_is_ours():
+            self._process.start()
+        theirs.close()
+
+    def _ask(self, verb: str, *arguments: Any, limit: float | None = None) -> Any:
+        if self._gone is not None:
+            raise HostError(self._gone.sentence, advice=self._gone.advice)
+        if self._pipe is None:
+            raise HostError("the host is not open")
+        try:
+            self._pipe.send((verb, arguments))
+            self._wait(verb, limit or self._hang_limit)
+            kind, value = self._pipe.recv()
+        except (EOFError, OSError):
+            raise self._died() from None
+        if kind == "ok":
+            return value
+        if kind == "refused":
+            raise value
+        raise self._lost(f"the simulation process broke{self._doing}: {value.strip()}")
+
+    def _wait(self, verb: str, limit: float) -> None:
+        """Wait for the answer; HostError where none can be expected any more."""
+        assert self._pipe is not None
+        began = heard = time.monotonic()
+        pulse = -1
+        while self._pipe not in (ready := wait([self._pipe, self._process.sentinel], LOOK)):
+            if ready:
+                raise self._died()
+            now = time.monotonic()
+            newest = self._shared.pulse if self._shared is not None else None
+            if newest is None or newest != pulse or verb == "open":
+                pulse, heard = newest if newest is not None else -1, now
+            if now - began > limit:
+                raise self._lost(
+                    f"the simulation process did not answer for {now - began:.1f} s{self._doing}"
+                )
+            if now - heard > self._silence_limit:
+                silent = f"{now - heard:.1f} s{self._doing}"
+                raise self._lost(f"the simulation process has shown no pulse for {silent}")
+
+    def _died(self) -> HostError:
+        self._process.join(2.0)
+        code = self._process.exitcode
+        if code is not None and code < 0:
+            how = f"was killed by signal {-code} ({_signal_name(-code)})"
+        else:
+            how = f"ended by itself with exit status {code}"
+        return self._lost(f"the simulation process {how}{self._doing}")
+
+    def _lost(self, sentence: str) -> HostError:
+        """The child is given up: what to raise now, and at every later call."""
+        self._gone = HostError(sentence, advice="Start a new run.")
+        self._end()
+        return self._gone
+
+    def _end(self) -> None:
+        if self._pipe is not None:
+            self._pipe.close()
+        if self._process is not None:
+            self._process.kill()
+            self._process.join()
+            self._process.close()
+        if self._shared is not None:
+            self._shared.read()
+            self._shared.close()
+        self._process = self._pipe = None
+
+
+def _signal_name(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return "unknown"
+
+
+@contextlib.contextmanager
+def _ctrl_c_is_ours() -> Iterator[None]:
+    """A child started here is born deaf to Ctrl-C; signals can only be set in the main thread."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    kept = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, kept)
