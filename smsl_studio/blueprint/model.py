@@ -302,8 +302,13 @@ class Blueprint:
         parts = text.path if isinstance(text, Address) else Address.split(text)
         if parts and parts[0] not in self.branches and len(self.roots) == 1:
             root = self[self.roots[0]]
-            if parts[0] in root.table or len(parts) == 1:
+            if parts[0] in root.table:
                 parts = (root.name, *parts)
+            elif len(parts) == 1 and parts[0]:
+                raise AddressError(
+                    f"there is neither a State Branch nor a state {parts[0]!r}",
+                    advice=did_you_mean(parts[0], [*self.branches, *root.table]),
+                )
         if not 1 <= len(parts) <= 3 or not all(parts):
             raise AddressError(
                 f"{text!s} is no address", advice="Write SB, SB/State or SB/State/Operation."
