@@ -1,0 +1,331 @@
+"""Each rule finds its planted fault, at the right key, and nothing in what is sound.
+
+In the texts a ``^`` stands before the key the finding must point at; it is taken out before
+reading.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import EditRefused, UsageError
+from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.inspection.inspect import ALL, MOST, RULES, inspect
+from smsl_studio.smsl.json_form import parse_json
+
+SAMPLES = Path(__file__).parents[2] / "samples"
+
+PLANTED = [
+    # rule, severity, address, words of the message, text
+    ("R01", "E", "SB/State_0/a", "twice, first at line 2, column 15", """{"SB": {
+  "State_0": {"a": "State_0", ^"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R01", "E", "SB", "INITIAL is written twice", """{"SB": {
+  "HEADER": {"INITIAL": "State_0",
+    ^"INITIAL": "State_0"},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R01", "E", "SB/State_1", "State_1 is written twice", """{"SB": {
+  "State_1": {}, "State_0": {"a": "State_1"}, ^"State_1": {"b": "State_0"}}}"""),
+    ("R02", "E", "SB/State_1/b", "leads to State_O, which is no state", """{"SB": {
+  "State_0": {"a": "State_1"}, "State_1": {"c": "State_0", ^"b": "State_O"}}}"""),
+    ("R03", "E", "SB", "INITIAL is State_2, which is no state", """{"SB": {
+  "HEADER": {^"INITIAL": "State_2"},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R03", "E", "SB", "ACTIVATING is Elsewhere", """{"SB": {"HEADER": {"INITIAL": "State_0",
+  ^"ACTIVATING": "Elsewhere"},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R03", "E", "SB", "has no states", """{^"SB": {"HEADER": {}}}"""),
+    ("R03", "E", "SB", "NUM_STATES is 3, but there are 2", """{"SB": {
+  "HEADER": {^"NUM_STATES": 3}, "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R04", "I", "SB", "INITIAL and NUM_FACTS are left to the default", """{"SB": {
+  ^"HEADER": {"ACTIVATING": "State_1"},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R04", "I", "SB", "INITAL is no header key", """{"SB": {"HEADER": {^"INITAL": "State_0",
+  "INITIAL": "State_0", "ACTIVATING": "State_1", "NUM_FACTS": 1},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R05", "E", "SB/State_0", "carries 1 character of facts, where the others carry 2", """{"SB": {
+  "HEADER": {"NUM_FACTS": 2},
+  ^"State_0": {"a": "State_10"}, "State_10": {"b": "State_11"}, "State_11": {"c": "State_0"}}}"""),
+    ("R05", "E", "SB", "NUM_FACTS is 2, which does not divide", """{"SB": {
+  "HEADER": {^"NUM_FACTS": 2},
+  "State_000": {"a": "State_100"}, "State_100": {"b": "State_000"}}}"""),
+    ("R05", "E", "SB", "NUM_FACTS is 0", """{"SB": {
+  "HEADER": {^"NUM_FACTS": 0}, "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R05", "W", "SB", "each state has one fact, its own name", """{^"SB": {
+  "Open": {"a": "Closed"}, "Closed": {"b": "Open"}}}"""),
+    ("R06", "E", "SB/State1", "has the same facts as State_1 (1)", """{"SB": {
+  "State_1": {"a": "State_0"}, ^"State1": {"b": "State_1"}, "State_0": {"c": "State1"}}}"""),
+    ("R07", "E", "SB", "the sub-SB Sup is no SB", """{"SB": {"HEADER": {"SUB_SBS": {^"Sup": 0}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "Sub expands digit 17, but SB has only digit 0", """{"SB": {
+  "HEADER": {"SUB_SBS": {^"Sub": 17}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "More expands digit 0, which Sub expands already", """{"SB": {
+  "HEADER": {"SUB_SBS": {"Sub": 0, ^"More": 0}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "More": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "digit 0 takes 3 values (a, b and c)", """{"SB": {
+  "HEADER": {"SUB_SBS": {^"Sub": 0}},
+  "State_a": {"x": "State_b"}, "State_b": {"y": "State_c"}, "State_c": {"z": "State_a"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "I", "Second", "Sub also expands a fact of First", """{
+  "First": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Second": {"HEADER": {"SUB_SBS": {^"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R08", "E", "Sub", "SB > Sub > SB is a cycle", """{
+  "SB": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"HEADER": {"SUB_SBS": {^"SB": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R09", "W", "SB/State_1/Go", "the operation Go differs from go only by case", """{"SB": {
+  "State_0": {"go": "State_1"}, "State_1": {^"Go": "State_0"}}}"""),
+    ("R09", "W", "SB/State_O", "only by characters that look alike", """{"SB": {
+  "State_0": {"go": "State_O"}, ^"State_O": {"back": "State_0"}}}"""),
+    ("R10", "E", "SB/State_2", "no operations lead here from INITIAL, State_0", """{"SB": {
+  "State_0": {"a": "State_1"}, ^"State_2": {"b": "State_0"}, "State_1": {"c": "State_0"}}}"""),
+    ("R10", "W", "SB/State_x", "it holds a failure value", """{"SB": {
+  "_facts": {"0": {"failure": ["x"]}},
+  "State_0": {"a": "State_1"}, ^"State_x": {"b": "State_0"}, "State_1": {"c": "State_0"}}}"""),
+    ("R11", "E", "SB/State_2", "nothing leads from here to ACTIVATING, State_1", """{"SB": {
+  "State_0": {"a": "State_1", "b": "State_2"}, ^"State_2": {"c": "State_2"}, "State_1": {}}}"""),
+    ("R12", "E", "SB/State_2", "no operation leads out of here", """{"SB": {
+  "State_0": {"a": "State_1", "b": "State_2"}, ^"State_2": {}, "State_1": {}}}"""),
+    ("R13", "E", "Sub", "INITIAL and ACTIVATING are both State_0", """{
+  "SB": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"HEADER": {^"ACTIVATING": "State_0"},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R13", "E", "Sub", "no operations lead from State_0 to State_1", """{
+  "SB": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {}},
+  ^"Sub": {"State_0": {"a": "State_0"}, "State_1": {"b": "State_0"}}}"""),
+    ("R13", "E", "Sub", "SB/State_1/b lets the fact fall", """{
+  "SB": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"HEADER": {^"INITIAL": "State_0"}, "State_0": {"a": "State_1"}, "State_1": {}}}"""),
+    ("R14", "W", "SB/State_00/a", "changes fact 1 together with other facts", """{
+  "SB": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_00": {^"a": "State_11"}, "State_11": {}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R14", "W", "SB", "2 operations change Clamp together with other facts", """{
+  "SB": {"HEADER": {"SUB_SBS": {^"Sub": 0}}, "_facts": {"0": {"name": "Clamp"}},
+    "State_00": {"a": "State_11"}, "State_11": {"b": "State_00"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R16", "I", "SB/State_00/go", "what go does to fact 2 (to 1 or to 0) depends", """{"SB": {
+  "State_00": {^"go": "State_11", "x": "State_01"}, "State_01": {"up": "State_00"},
+  "State_10": {"y": "State_00"}, "State_11": {"z": "State_10", "go": "State_10"}}}"""),
+    ("R17", "I", "SB/State_0/b", "not marked as repeatable; 1 more like it", """{"SB": {
+  "State_0": {"a": "State_1", ^"b": "State_0"}, "State_1": {"b": "State_1", "c": "State_0"}}}"""),
+    ("R18", "I", "SB/State_0/a", "a and b lead to State_1 in parallel", """{"SB": {
+  "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}}}"""),
+    ("R29", "W", "SB", "Input should be greater than or equal to 0", """{"SB": {
+  "_operations": {^"a": {"cost": -1}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "SB", "_operations speaks of c, which is no operation", """{"SB": {
+  "_operations": {^"c": {"cost": 1}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "SB", "a requires SB/4, which is no fact", """{"SB": {
+  "_operations": {"a": {"requires": {^"SB/4": "1"}}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "_hazards", "Overlap names SB/x, which is no fact", """{
+  ^"_hazards": [{"name": "Overlap", "facts": {"SB/x": "1"}}],
+  "SB": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+]  # fmt: skip
+
+
+def read(text: str, file: str = "planted.json") -> Blueprint:
+    return read_blueprint(parse_json(text, file))
+
+
+def sample(name: str) -> Blueprint:
+    return read((SAMPLES / name).read_text("utf-8"), f"samples/{name}")
+
+
+def planted(text: str) -> tuple[Blueprint, int, int]:
+    """The blueprint, and line and column of the marked key."""
+    before, _, after = text.partition("^")
+    return read(before + after), before.count("\n") + 1, len(before.rpartition("\n")[2]) + 1
+
+
+def errors(blueprint: Blueprint) -> set[tuple[str, str]]:
+    found = inspect(blueprint)
+    return {(f.rule, str(f.address)) for f in found if f.severity is Severity.ERROR}
+
+
+@pytest.mark.parametrize(("rule", "severity", "address", "words", "text"), PLANTED)
+def test_a_planted_fault_is_found_where_it_stands(
+    rule: str, severity: str, address: str, words: str, text: str
+) -> None:
+    blueprint, line, column = planted(text)
+    found = [f for f in inspect(blueprint, [rule]) if words in f.message]
+    assert len(found) == 1, [str(f) for f in inspect(blueprint)]
+    (finding,) = found
+    assert (finding.rule, finding.severity.value, str(finding.address)) == (rule, severity, address)
+    assert (finding.place.line, finding.place.column) == (line, column)
+    assert finding.advice
+
+
+def fixable() -> Iterator[tuple[Blueprint, Finding, Fix]]:
+    """The planted faults that have a fix."""
+    for rule, _, _, words, text in PLANTED:
+        blueprint, _, _ = planted(text)
+        (finding,) = [f for f in inspect(blueprint, [rule]) if words in f.message]
+        if finding.fix is not None:
+            yield blueprint, finding, finding.fix
+
+
+def test_a_fix_takes_the_finding_away_and_brings_no_new_error() -> None:
+    fixed_rules = set()
+    for blueprint, finding, fix in fixable():
+        fixed = fix.apply(blueprint)
+        assert read(fixed.document.text).meaning == fixed.meaning
+        left = {(f.rule, f.address, f.message) for f in inspect(fixed)}
+        assert (finding.rule, finding.address, finding.message) not in left
+        assert errors(fixed) <= errors(blueprint), fix.words
+        fixed_rules.add(finding.rule)
+    assert fixed_rules == {"R01", "R02", "R03", "R04", "R05", "R07", "R08", "R10", "R17"}
+
+
+def test_every_rule_has_a_planted_fault() -> None:
+    assert {rule.id for rule in ALL} - {rule for rule, *_ in PLANTED} == {"R15"}
+    assert len(RULES) == len(ALL)
+
+
+# The samples
+
+
+def test_the_papers_hanoi_has_exactly_its_two_misprints() -> None:
+    found = [f for f in inspect(sample("hanoi.json")) if f.severity is Severity.ERROR]
+    assert [str(f) for f in found] == [
+        "samples/hanoi.json:73:13 R15 SB1/State_cbb/Op_1c: moves fact 1 to b; did you mean Op_1b?",
+        "samples/hanoi.json:100:13 R15 SB1/State_cbc/Op_2b: moves fact 2 to a; did you mean Op_2a?",
+    ]
+    assert [f.fix.words for f in found if f.fix] == ["Rename to Op_1b", "Rename to Op_2a"]
+
+
+def test_both_fixes_give_the_corrected_hanoi() -> None:
+    blueprint = sample("hanoi.json")
+    for finding in inspect(blueprint, ["R15"]):
+        assert finding.fix is not None
+        blueprint = finding.fix.apply(blueprint)
+    assert blueprint == sample("hanoi-corrected.json")
+
+
+@pytest.mark.parametrize(
+    "name", ["hanoi-corrected.json", "hanoi-2.json", "registration.json", "hfsm.json"]
+)
+def test_the_other_samples_have_no_errors(name: str) -> None:
+    assert not errors(sample(name))
+
+
+def test_hfsm_has_a_warning_for_its_mixed_edge() -> None:
+    found = [f for f in inspect(sample("hfsm.json")) if f.severity is Severity.WARNING]
+    assert [(f.rule, str(f.address)) for f in found] == [("R14", "SB1/State100/Operation100B")]
+
+
+# What needs more than a line
+
+
+def test_no_majority_no_alarm() -> None:
+    """R15 needs a majority: an operation of two equal halves has none."""
+    table = {
+        "State_00": {"x": "State_10", "y": "State_01"},
+        "State_10": {"x": "State_11"},
+        "State_01": {"x": "State_11"},
+        "State_11": {"x": "State_10"},
+    }
+    blueprint = read(json.dumps({"SB": table}))
+    assert not inspect(blueprint, ["R15"])
+
+
+def test_an_operation_that_is_there_already_was_not_meant() -> None:
+    """R15 needs an operation absent from the source state."""
+    blueprint = sample("hanoi.json")
+    text = blueprint.document.text.replace(
+        '"Op_1c": "State_bbb",', '"Op_1c": "State_bbb", "Op_1b": "State_bbb",', 1
+    )
+    assert [str(f.address) for f in inspect(read(text), ["R15"])] == ["SB1/State_cbc/Op_2b"]
+
+
+def test_a_fact_is_called_by_its_name() -> None:
+    text = sample("hanoi.json").document.text.replace(
+        '"HEADER": {},', '"HEADER": {}, "_facts": {"0": {"name": "disk 1"}},', 1
+    )
+    first = inspect(read(text), ["R15"])[0]
+    assert first.message == "moves disk 1 to b"
+
+
+def test_load_marked_operations_are_not_mixed_and_need_no_way_back() -> None:
+    blueprint = sample("hfsm.json")
+    text = blueprint.document.text.replace(
+        '"State000": {', '"_operations": {"Operation100B": {"subs": "load"}}, "State000": {', 1
+    )
+    assert not inspect(read(text), ["R14"])
+
+
+def test_costs_and_repeatable_marks_answer_their_notes() -> None:
+    notes = {"a": {"cost": 1}, "State_0/b": {"cost": 2}, "loop": {"repeatable": True}}
+    table = {"State_0": {"a": "State_1", "b": "State_1", "loop": "State_0"}, "State_1": {}}
+    assert not inspect(read(json.dumps({"SB": {"_operations": notes, **table}})), ["R17", "R18"])
+
+
+def test_deleting_an_unreachable_state_takes_along_what_only_leads_to_it() -> None:
+    blueprint = read(
+        '{"SB": {"State_0": {"a": "State_1"}, "State_2": {"b": "State_3"},'
+        ' "State_3": {"c": "State_0"}, "State_1": {"d": "State_0"}}}'
+    )
+    fixes = [f.fix for f in inspect(blueprint, ["R10"])]
+    assert [fix.words for fix in fixes if fix] == ["Delete State_2", "Delete 2 states"]
+    assert fixes[1] is not None
+    assert list(fixes[1].apply(blueprint)["SB"].table) == ["State_0", "State_1"]
+
+
+def test_a_rule_reports_a_hundred_places_and_how_many_more() -> None:
+    table = {"State_000": {f"go{i:03}": f"State_{i:03}" for i in range(1, 251)}}
+    blueprint = read(json.dumps({"SB": table}))
+    found = inspect(blueprint, ["R02"])
+    assert len(found) == MOST
+    assert found[-1].message.endswith("(150 more places in SB are not listed)")
+    assert sum("not listed" in f.message for f in found) == 1
+
+
+def test_findings_stand_in_the_order_of_the_text() -> None:
+    found = inspect(sample("registration.json"))
+    places = [(f.place.line, f.place.column) for f in found]
+    assert places == sorted(places)
+
+
+def test_an_unknown_rule_is_told() -> None:
+    with pytest.raises(UsageError, match="R99"):
+        inspect(sample("hfsm.json"), ["R99"])
+
+
+def test_an_empty_file_has_nothing_to_report() -> None:
+    assert inspect(read("{}")) == ()
+
+
+def fixes_of(found: tuple[Finding, ...]) -> Iterator[Finding]:
+    yield from (f for f in found if f.fix is not None)
+
+
+def test_the_fixes_of_the_samples_bring_no_new_errors() -> None:
+    for name in ("hanoi.json", "registration.json", "hfsm.json"):
+        blueprint = sample(name)
+        for finding in fixes_of(inspect(blueprint)):
+            assert finding.fix is not None
+            try:
+                fixed = finding.fix.apply(blueprint)
+            except EditRefused as refusal:
+                pytest.fail(f"{finding}: {refusal}")
+            assert finding.message not in {f.message for f in inspect(fixed, [finding.rule])}
+            assert errors(fixed) <= errors(blueprint)
