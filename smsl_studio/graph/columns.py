@@ -16,6 +16,7 @@ from smsl_studio.graph.shape import distances, flood
 Point = tuple[float, float]
 COLUMN, ROW = 218.0, 172.0
 """Pixels between columns (more where labels need it) and between rows."""
+_ASLANT = 124.0
 _TALL = 8
 """A column of more nodes is broken into several."""
 
@@ -26,13 +27,13 @@ def in_columns(branch: StateBranch) -> dict[str, Point]:
     if not len(graph):
         return {}
     facts = [branch.facts(name) for name in graph.names]
-    by_facts = _change_one_fact(graph, facts)
-    digit = _row_digit(graph, facts) if by_facts else None
-    if digit is not None:
-        return _grid(branch, graph, facts, digit)
-    layer = _differences(branch, graph, facts) if by_facts else None
     start = graph.index.get(branch.initial, 0)
-    return _named(graph, _parts(graph, start, layer))
+    layer = _differences(facts, start)
+    if len(facts[0]) < 2 or not _steps_by_one(graph, facts, layer):
+        return _named(graph, _parts(graph, start, None))
+    digit = _row_digit(graph, facts)
+    places = _parts(graph, start, layer) if digit is None else _grid(graph, facts, digit, start)
+    return _named(graph, places)
 
 
 def _named(graph: BranchGraph, places: dict[int, Point]) -> dict[str, Point]:
@@ -46,24 +47,21 @@ def _named(graph: BranchGraph, places: dict[int, Point]) -> dict[str, Point]:
 # What the facts say
 
 
-def _change_one_fact(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> bool:
-    """Whether at least half of the operations that change facts change exactly one of several."""
-    if len(facts[0]) < 2:
-        return False
-    changes = [
-        sum(a != b for a, b in zip(facts[source], facts[target], strict=True))
+def _steps_by_one(
+    graph: BranchGraph, facts: Sequence[tuple[str, ...]], layer: Sequence[int]
+) -> bool:
+    """Whether at least half of the operations that change facts lead to the next column."""
+    moves = [
+        abs(layer[target] - layer[source])
         for source, target in zip(graph.sources, graph.targets, strict=True)
+        if facts[source] != facts[target]
     ]
-    moves = [count for count in changes if count]
-    return bool(moves) and sum(count == 1 for count in moves) * 2 >= len(moves)
+    return bool(moves) and moves.count(1) * 2 >= len(moves)
 
 
-def _differences(
-    branch: StateBranch, graph: BranchGraph, facts: Sequence[tuple[str, ...]]
-) -> list[int]:
-    """In how many facts each state differs from INITIAL."""
-    first = facts[graph.index.get(branch.initial, 0)]
-    return [sum(a != b for a, b in zip(first, state, strict=True)) for state in facts]
+def _differences(facts: Sequence[tuple[str, ...]], start: int) -> list[int]:
+    """In how many facts each state differs from the one it starts in."""
+    return [sum(a != b for a, b in zip(facts[start], state, strict=True)) for state in facts]
 
 
 def _row_digit(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> int | None:
@@ -89,28 +87,31 @@ def _row_digit(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> int | No
 
 
 def _grid(
-    branch: StateBranch, graph: BranchGraph, facts: Sequence[tuple[str, ...]], digit: int
-) -> dict[str, Point]:
-    """One row of columns for each value of ``digit``, the value of INITIAL on top."""
-    start = graph.index.get(branch.initial, 0)
+    graph: BranchGraph, facts: Sequence[tuple[str, ...]], digit: int, start: int
+) -> dict[int, Point]:
+    """One row of columns for each value of ``digit``, the value of INITIAL on top.
+
+    Where a column holds several states in one row they stand aslant, like the edges of a cube, so
+    that the operations between the rows pass beside them.
+    """
     values = dict.fromkeys((facts[start][digit], *(state[digit] for state in facts)))
-    layer = _differences(branch, graph, [f[:digit] + f[digit + 1 :] for f in facts])
+    rests = [state[:digit] + state[digit + 1 :] for state in facts]
+    layer = _differences(rests, start)
     top = [i for i in range(len(graph)) if facts[i][digit] == facts[start][digit]]
     columns = _sorted_columns(graph, top, layer, {})
     height = max(map(len, columns))
-    twin = {
-        (facts[i][:digit] + facts[i][digit + 1 :], facts[i][digit]): i for i in range(len(graph))
-    }
+    twin = {(rests[i], facts[i][digit]): i for i in range(len(graph))}
     used = sorted({layer[i] for i in top})
     xs = _column_places(graph, columns, {i: used.index(layer[i]) for i in range(len(graph))})
     places: dict[int, Point] = {}
     for block, value in enumerate(values):
-        for x, column in zip(xs, columns, strict=True):
+        for number, (x, column) in enumerate(zip(xs, columns, strict=True)):
             for slot, state in enumerate(column):
-                y = block * height * ROW + (slot - (len(column) - 1) / 2 + (height - 1) / 2) * ROW
-                rest = facts[state][:digit] + facts[state][digit + 1 :]
-                places[twin[rest, value]] = (x, y)
-    return _named(graph, places)
+                aslant = slot - (len(column) - 1) / 2
+                y = (block * height + aslant + (height - 1) / 2) * ROW
+                at = x + number * (height - 1) * _ASLANT + aslant * _ASLANT
+                places[twin[rests[state], value]] = (at, y)
+    return places
 
 
 # Columns by the shape of the graph

@@ -166,6 +166,20 @@ def test_a_star_has_its_leaves_in_one_column() -> None:
     assert not covers(places)
 
 
+def test_a_cube_is_seen_aslant() -> None:
+    """Three independent facts: no operation between the rows passes through a node."""
+    table = {
+        f"State{i:03b}": {f"o{bit}": f"State{i ^ (1 << bit):03b}" for bit in range(3)}
+        for i in range(8)
+    }
+    places = place_states(StateBranch("SB", dict(table)))
+    assert len({x for x, _ in places.values()}) == 4
+    assert not covers(places)
+    for name in table:
+        twin = name[:-1] + ("0" if name.endswith("1") else "1")
+        assert places[name][0] == places[twin][0]
+
+
 def test_states_without_operations_stand_in_lines() -> None:
     places = place_states(StateBranch("SB", {f"New {i}": {} for i in range(9)}))
     assert len(rows(places)) == 3
