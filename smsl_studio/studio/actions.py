@@ -1,0 +1,119 @@
+"""Actions: one table of everything the window can be asked to do.
+
+Menus, mode bar, command palette, the list of shortcuts and the tests read it. A new action is one
+row in one of the tables of ``commands.py``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.icons import icon
+from smsl_studio.studio.theme import Tokens
+
+
+def always() -> bool:
+    """The condition of actions that can be done at any time."""
+    return True
+
+
+@dataclass(frozen=True)
+class Action:
+    """One thing to ask for.
+
+    ``keys`` are shortcuts, the first one is shown. ``scope`` is ``window``, or ``canvas`` for keys
+    that act only while the canvas has the focus (single letters, Del, Enter). ``section`` groups
+    the actions of a menu; a rule stands between sections.
+    """
+
+    id: str
+    words: str
+    call: Callable[[], object]
+    menu: str = ""
+    icon: str = ""
+    keys: tuple[str, ...] = ()
+    enabled: Callable[[], bool] = always
+    checked: Callable[[], bool] | None = None
+    scope: str = "window"
+    section: int = 0
+    short: str = ""
+    """The words on a button of the mode bar, where they are shorter."""
+    tip: str = ""
+
+    @property
+    def hint(self) -> str:
+        """What the tooltip says: the words, what it does, and the shortcut."""
+        said = self.tip or self.words.rstrip("….")
+        return f"{said} ({key_words(self.keys[0])})" if self.keys else said
+
+
+def key_words(keys: str) -> str:
+    """A shortcut as this platform writes it."""
+    return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
+
+
+class Actions(QObject):
+    """The table as Qt actions, which follow what is enabled and checked."""
+
+    def __init__(self, table: Iterable[Action], window: QWidget, tokens: Tokens) -> None:
+        super().__init__(window)
+        self.table: dict[str, Action] = {action.id: action for action in table}
+        self._made: dict[str, QAction] = {}
+        self._held: frozenset[str] = frozenset()
+        for action in self.table.values():
+            made = QAction(action.words, window)
+            made.setObjectName(action.id)
+            made.setCheckable(action.checked is not None)
+            made.setShortcuts([QKeySequence(key) for key in action.keys])
+            made.setToolTip(action.hint)
+            made.setStatusTip(action.tip)
+            made.triggered.connect(self._caller(action))
+            if action.scope == "window":
+                window.addAction(made)
+            self._made[action.id] = made
+        self.set_tokens(tokens)
+        self.refresh()
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[Action]:
+        return iter(self.table.values())
+
+    def bind_canvas(self, canvas: QWidget) -> None:
+        """Let the canvas have its own keys: they act only while it has the focus."""
+        for action in self:
+            if action.scope == "canvas":
+                made = self._made[action.id]
+                made.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+                canvas.addAction(made)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for action in self:
+            if action.icon:
+                self._made[action.id].setIcon(icon(action.icon, tokens))
+
+    def refresh(self) -> None:
+        """Ask every action whether it is enabled and checked."""
+        for action in self:
+            made = self._made[action.id]
+            made.setEnabled(action.enabled())
+            if action.checked is not None:
+                made.setChecked(action.checked())
+
+    def in_menu(self, menu: str) -> list[Action]:
+        """The actions of a menu, by section, in the order of the table."""
+        return sorted((a for a in self if a.menu == menu), key=lambda a: a.section)
+
+    def _caller(self, action: Action) -> Callable[[], None]:
+        def call() -> None:
+            if action.enabled():
+                action.call()
+            self.refresh()
+
+        return call

@@ -1,0 +1,211 @@
+"""Controls that Fusion does not have, or draws in another hand: they paint from the palette."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QKeyEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPen,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QWidget,
+)
+
+from smsl_studio.studio.icons import draw
+from smsl_studio.studio.theme import CONTROL, RADIUS_CONTROL
+
+Role = QPalette.ColorRole
+
+
+def label(text: str, role: str, parent: QWidget | None = None) -> QLabel:
+    """A label in one of the style sheet's roles (heading, second, small, hint, refusal ...)."""
+    made = QLabel(text, parent)
+    made.setProperty("role", role)
+    made.setTextFormat(Qt.TextFormat.PlainText)
+    if role in {"hint", "refusal"}:
+        made.setWordWrap(True)
+    return made
+
+
+def rule(vertical: bool = False, length: int | None = None) -> QFrame:
+    """A line one pixel wide between groups."""
+    line = QFrame()
+    line.setProperty("role", "rule")
+    if vertical:
+        line.setFixedWidth(1)
+        if length:
+            line.setFixedHeight(length)
+    else:
+        line.setFixedHeight(1)
+    return line
+
+
+def row(*widgets: QWidget | int | None, spacing: int = 8) -> QHBoxLayout:
+    """Widgets side by side; None stretches, a number is a gap."""
+    layout = QHBoxLayout()
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(spacing)
+    for widget in widgets:
+        if widget is None:
+            layout.addStretch(1)
+        elif isinstance(widget, int):
+            layout.addSpacing(widget)
+        else:
+            layout.addWidget(widget)
+    return layout
+
+
+class Combo(QComboBox):
+    """A choice with our border and chevron; the wheel scrolls the panel, not the choice.
+
+    ``accent`` marks a choice that was made where "none" is usual (a sub-SB under a fact).
+    """
+
+    def __init__(self, parent: QWidget | None = None, height: int = CONTROL) -> None:
+        super().__init__(parent)
+        self.accent = False
+        self.setFixedHeight(height)
+        self.setMinimumWidth(60)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMaxVisibleItems(16)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.ignore()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        palette, focus = self.palette(), self.hasFocus()
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        width = 2.0 if focus else 1.0
+        edge = palette.color(Role.Accent if focus or self.accent else Role.Dark)
+        if not self.isEnabled():
+            edge = palette.color(Role.Midlight)
+        painter.setPen(QPen(edge, width))
+        painter.setBrush(palette.color(Role.Base if self.isEnabled() else Role.AlternateBase))
+        inset = width / 2
+        box = QRectF(self.rect()).adjusted(inset, inset, -inset, -inset)
+        painter.drawRoundedRect(box, RADIUS_CONTROL, RADIUS_CONTROL)
+        ink = palette.color(Role.Accent if self.accent else Role.Text)
+        if not self.isEnabled() or (not self.accent and self.property("pale")):
+            ink = palette.color(Role.PlaceholderText)
+        draw(painter, "chevron-down", QRectF(self.width() - 21, self.height() / 2 - 5.5, 12, 12),
+             ink, palette.color(Role.Base))  # fmt: skip
+        painter.setPen(ink)
+        font = self.font()
+        font.setWeight(font.Weight.Medium if self.accent else font.Weight.Normal)
+        painter.setFont(font)
+        room = self.rect().adjusted(9, 0, -24, 0)
+        text = painter.fontMetrics().elidedText(
+            self.currentText(), Qt.TextElideMode.ElideMiddle, room.width()
+        )
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+
+
+class Switch(QAbstractButton):
+    """On or off, as a thumb in a track; the words beside it say which."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setCheckable(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setFixedSize(36, 22)
+
+    def sizeHint(self) -> QSize:
+        return QSize(36, 22)
+
+    def hitButton(self, pos: QPoint) -> bool:
+        return self.rect().contains(pos)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        palette = self.palette()
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        track = QRectF(2, 2, 32, 18)
+        on = self.isChecked()
+        painter.setPen(QPen(palette.color(Role.Accent if on else Role.Dark), 1.2))
+        painter.setBrush(palette.color(Role.Accent if on else Role.Base))
+        painter.drawRoundedRect(track, 9, 9)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(palette.color(Role.BrightText if on else Role.Dark))
+        painter.drawEllipse(QRectF(18.5 if on else 4.5, 4.5, 13, 13))
+        if self.hasFocus():
+            painter.setPen(QPen(palette.color(Role.Accent), 1.5))
+            painter.setBrush(QColor(0, 0, 0, 0))
+            painter.drawRoundedRect(QRectF(0.75, 0.75, 34.5, 20.5), 10, 10)
+
+
+class Field(QLineEdit):
+    """A line of text that is given back once when it is meant: on Enter or on leaving it.
+
+    Escape puts the old text back. A short ``suffix`` (a unit, an explanation) stands at the right.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._settled = ""
+        self._suffix = QLabel(self)
+        self._suffix.setProperty("role", "hint")
+        self._suffix.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._suffix.hide()
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    @property
+    def changed(self) -> bool:
+        """Whether the text is another than the one that was shown."""
+        return self.text() != self._settled
+
+    def settle(self, text: str) -> None:
+        """Show a value; what was being typed into this field is over."""
+        self._settled = text
+        if self.text() != text:
+            self.setText(text)
+            self.setCursorPosition(0)
+        self.set_refused(False)
+
+    def set_refused(self, refused: bool) -> None:
+        """Mark the text as one that was refused."""
+        if bool(self.property("refused")) != refused:
+            self.setProperty("refused", refused)
+            self.style().unpolish(self)
+            self.style().polish(self)
+
+    def set_suffix(self, text: str) -> None:
+        self._suffix.setText(text)
+        self._suffix.setVisible(bool(text))
+        self._suffix.adjustSize()
+        self._place_suffix()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.changed:
+            self.settle(self._settled)
+            self.selectAll()
+            return
+        super().keyPressEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        if event.reason() in {Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason}:
+            self.selectAll()
+
+    def resizeEvent(self, event: object) -> None:
+        super().resizeEvent(event)  # type: ignore[arg-type]
+        self._place_suffix()
+
+    def _place_suffix(self) -> None:
+        size = self._suffix.sizeHint()
+        self._suffix.resize(size)
+        self._suffix.move(self.width() - size.width() - 10, (self.height() - size.height()) // 2)

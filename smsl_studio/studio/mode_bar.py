@@ -1,0 +1,179 @@
+"""The mode bar: which mode, what can be drawn, search and Run; or the transport of a run."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QFrame,
+    QHBoxLayout,
+    QPushButton,
+    QStackedWidget,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
+
+from smsl_studio.studio.actions import Actions
+from smsl_studio.studio.controls import row, rule
+from smsl_studio.studio.icons import draw, icon
+from smsl_studio.studio.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
+
+DRAW_TOOLS = (
+    ("undo", "redo"),
+    ("add_state", "connect", "sub_sb"),
+    ("tidy",),
+)
+MODES = ("mode_draw", "mode_run")
+
+
+class ModeBar(QToolBar):
+    """One bar, fixed; its middle follows the mode."""
+
+    search_wanted = Signal()
+
+    def __init__(self, actions: Actions, tokens: Tokens) -> None:
+        super().__init__("Modes and tools")
+        self.setObjectName("mode_bar")
+        self.setMovable(False)
+        self.setFloatable(False)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        self._actions = actions
+        self.left_button = _tool(actions["left_panel"], "", icon_only=True)
+        self.left_button.hide()
+        self.segments = Segments([(actions[name], actions.table[name].short) for name in MODES])
+        self.search = SearchBox(tokens)
+        self.search.clicked.connect(self.search_wanted)
+        self.run = QPushButton("Run")
+        self.run.setProperty("role", "primary")
+        self.run.setFixedHeight(32)
+        self.run.setToolTip(actions.table["run_play"].hint)
+        self.run.clicked.connect(actions["run_play"].trigger)
+        self._stop_place = QHBoxLayout()
+        self._stop_place.setContentsMargins(0, 0, 0, 0)
+        self._draw_tools = self._make_draw_tools(actions)
+        self._middle = QStackedWidget()
+        self._middle.addWidget(self._draw_tools)
+        inner = QWidget()
+        layout = QHBoxLayout(inner)
+        layout.setContentsMargins(12, 0, 12, 0)
+        layout.setSpacing(12)
+        layout.addWidget(self.left_button)
+        layout.addWidget(self.segments)
+        layout.addWidget(rule(vertical=True, length=24))
+        layout.addWidget(self._middle, 1)
+        self.addWidget(inner)
+        self.setFixedHeight(MODE_BAR)
+        self.set_tokens(tokens)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
+        self.search.set_tokens(tokens)
+
+    def add_transport(self, transport: QWidget) -> None:
+        """The row that Run mode shows in the bar's place."""
+        self._middle.addWidget(transport)
+
+    def add_stop(self, stop: QWidget) -> None:
+        """A Stop that stays visible beside the drawing tools while a run exists."""
+        self._stop_place.addWidget(stop)
+
+    def show_mode(self, mode: str) -> None:
+        running = mode == "run" and self._middle.count() > 1
+        self._middle.setCurrentIndex(1 if running else 0)
+        self.setFixedHeight(MODE_BAR_RUN if running else MODE_BAR)
+
+    def _make_draw_tools(self, actions: Actions) -> QWidget:
+        tools = QWidget()
+        layout = row(spacing=4)
+        for at, group in enumerate(DRAW_TOOLS):
+            if at:
+                layout.addSpacing(8)
+                layout.addWidget(rule(vertical=True, length=24))
+                layout.addSpacing(8)
+            for name in group:
+                short = actions.table[name].short
+                layout.addWidget(_tool(actions[name], short, icon_only=not short))
+        layout.addStretch(1)
+        layout.addWidget(self.search)
+        layout.addSpacing(4)
+        layout.addWidget(self.run)
+        layout.addLayout(self._stop_place)
+        tools.setLayout(layout)
+        return tools
+
+
+class Segments(QFrame):
+    """The modes side by side, exactly one of them chosen."""
+
+    def __init__(self, modes: list[tuple[QAction, str]]) -> None:
+        super().__init__()
+        self.setObjectName("segments")
+        self.setAccessibleName("Mode")
+        layout = row(spacing=0)
+        layout.setContentsMargins(2, 2, 2, 2)
+        for action, words in modes:
+            button = QToolButton()
+            button.setDefaultAction(action)
+            button.setText(words)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+            button.setFixedHeight(30)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.setAccessibleName(f"{words} mode")
+            layout.addWidget(button)
+        self.setLayout(layout)
+        self.setFixedHeight(34)
+
+
+class SearchBox(QAbstractButton):
+    """Looks like a field and opens the command palette."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self._tokens = tokens
+        self.setFixedSize(248, 32)
+        self.setText("Find or run a command")
+        self.setAccessibleName("Find or run a command")
+        self.setToolTip("Find a state or operation, or run a command (Ctrl+K)")
+        self.setCursor(Qt.CursorShape.IBeamCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens, painter = self._tokens, QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        edge = self.palette().color(QPalette.ColorRole.Accent) if self.hasFocus() else tokens.nl
+        painter.setPen(QPen(edge, 2 if self.hasFocus() else 1))
+        painter.setBrush(tokens.surf)
+        box = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        painter.drawRoundedRect(box, 6, 6)
+        draw(painter, "search", QRectF(10, 9, 14, 14), tokens.tx2, tokens.surf)
+        painter.setPen(tokens.tx2)
+        painter.setFont(text_font(13))
+        painter.drawText(self.rect().adjusted(33, 0, -60, 0), Qt.AlignmentFlag.AlignVCenter, self.text())
+        key = QRectF(self.width() - 51, 7, 42, 18)
+        painter.setPen(QPen(tokens.line, 1))
+        painter.setBrush(tokens.win)
+        painter.drawRoundedRect(key, 4, 4)
+        painter.setPen(tokens.tx2)
+        painter.setFont(text_font(11, 500))
+        painter.drawText(key, Qt.AlignmentFlag.AlignCenter, "Ctrl K")
+
+
+def _tool(action: QAction, words: str, icon_only: bool = False) -> QToolButton:
+    button = QToolButton()
+    button.setDefaultAction(action)
+    button.setProperty("role", "tool")
+    style = Qt.ToolButtonStyle
+    button.setToolButtonStyle(style.ToolButtonIconOnly if icon_only else style.ToolButtonTextBesideIcon)
+    button.setText(words or action.text())
+    button.setAccessibleName(action.text().rstrip("…"))
+    button.setFixedHeight(32)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    if icon_only:
+        button.setFixedWidth(36)
+    return button

@@ -1,0 +1,128 @@
+"""Findings: what inspection has to say, in order; a click jumps there, a button repairs it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import reduce
+
+from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.panels.finding_rows import FindingsView
+from smsl_studio.studio.panels.frame import Panel
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import counted
+
+
+class Findings(Panel):
+    """The list; ``tools`` is what stands at the right of its tab: what it comes to, fix all."""
+
+    count_changed = Signal(int)
+
+    def __init__(
+        self, session: Session, tokens: Tokens, rules: int = 0, parent: QWidget | None = None
+    ) -> None:
+        super().__init__("Findings", parent)
+        self._session, self._rules = session, rules
+        self._findings: tuple[Finding, ...] = ()
+        self.summary: QLabel = label("Not checked yet", "small")
+        self.fix_all_button = QPushButton("Fix all")
+        self.fix_all_button.setProperty("role", "soft")
+        self.fix_all_button.clicked.connect(self.fix_all)
+        self.fix_all_button.hide()
+        self.list = FindingsView(tokens, self)
+        self.empty: QLabel = label("", "hint")
+        self.empty.setContentsMargins(16, 12, 16, 12)
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self.empty)
+        self._pages.addWidget(self.list)
+        self.column.addWidget(self._pages)
+        self.tools = QWidget()
+        line = row(self.summary, self.fix_all_button, spacing=12)
+        line.setContentsMargins(0, 0, 8, 0)
+        self.tools.setLayout(line)
+        self.list.clicked.connect(self._jump)
+        self.list.activated.connect(self._jump)
+        self.list.fix_wanted.connect(self._fix)
+        self.set_checking()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.list.set_tokens(tokens)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        return self._findings
+
+    def set_checking(self) -> None:
+        """The blueprint has changed: what stands here is being checked again."""
+        self.summary.setText("Checking")
+        if not self._findings:
+            self.empty.setText("Not checked yet. The findings come in a moment.")
+
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """Show the findings of the blueprint as it is now."""
+        self._findings = tuple(findings)
+        self.list.show_findings(self._findings)
+        errors = sum(f.severity is Severity.ERROR for f in findings)
+        self.summary.setText(
+            f"{counted(errors, 'error blocks', 'errors block')} approval" if errors else
+            f"Checked, {counted(self._rules, 'rule')}"
+        )  # fmt: skip
+        self.empty.setText(f"No findings. {counted(self._rules, 'rule')} checked.")
+        self._pages.setCurrentWidget(self.list if findings else self.empty)
+        fixes = len(self._fixes())
+        self.fix_all_button.setVisible(fixes > 1)
+        self.fix_all_button.setText("Fix both" if fixes == 2 else f"Fix all {fixes}")
+        self.fix_all_button.setToolTip("Apply the fixes of all errors as one undoable edit")
+        self.count_changed.emit(len(self._findings))
+
+    def next_finding(self) -> None:
+        """Go to the finding after the current one, round and round."""
+        if self._findings:
+            at = self.list.currentIndex().row()
+            index = self.list.model().index((at + 1) % len(self._findings), 0)
+            self.list.setCurrentIndex(index)
+            self._jump(index)
+
+    def fix_current(self) -> None:
+        """Apply the fix of the current finding, or of the first that has one."""
+        at = self.list.currentIndex().row()
+        current = self._findings[at] if 0 <= at < len(self._findings) else None
+        if current is None or current.fix is None:
+            current = next((f for f in self._findings if f.fix is not None), None)
+        if current is not None:
+            self._fix(current)
+
+    def fix_all(self) -> None:
+        """Apply the fixes of all errors as one undoable edit."""
+        fixes = self._fixes()
+        self._session.edit(f"Fix {counted(len(fixes), 'finding')}", _one_after_the_other(fixes))
+
+    def can_fix(self) -> bool:
+        return any(finding.fix is not None for finding in self._findings)
+
+    def _fixes(self) -> list[Fix]:
+        return [
+            finding.fix
+            for finding in self._findings
+            if finding.fix is not None and finding.severity is Severity.ERROR
+        ]
+
+    def _fix(self, finding: Finding) -> None:
+        fix = finding.fix
+        if fix is not None and self._session.edit(fix.words, fix.apply):
+            self._session.show_branch(finding.address.branch)
+
+    def _jump(self, index: QModelIndex) -> None:
+        finding: Finding = index.data(Qt.ItemDataRole.UserRole)
+        self._session.jump(finding.address)
+
+
+def _one_after_the_other(fixes: Sequence[Fix]) -> Callable[[Blueprint], Blueprint]:
+    return lambda blueprint: reduce(lambda so_far, fix: fix.apply(so_far), fixes, blueprint)
+

@@ -1,0 +1,22 @@
+"""History: every step by name; a click goes there."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QUndoView, QWidget
+
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import Tokens
+
+
+class History(QUndoView):
+    """The steps since the file was opened, the present one marked."""
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(session.history, parent)
+        self.setObjectName("history")
+        self.setAccessibleName("History")
+        self.setEmptyLabel("As it was opened")
+        self.setToolTip("Click a step to go there")
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.viewport().update()

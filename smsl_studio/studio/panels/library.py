@@ -1,0 +1,183 @@
+"""Library: the operations this blueprint uses, and those that plugins offer."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.annotations import PLAIN, OperationNote
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.studio.controls import label
+from smsl_studio.studio.icons import ACTOR_ICON, icon
+from smsl_studio.studio.panels.frame import Heading, Panel
+from smsl_studio.studio.rows import LINE, Row, RowsView
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import counted
+
+NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
+
+
+@dataclass(frozen=True)
+class Offer:
+    """An operation that a plugin offers: the name or pattern it answers to, and who offers it."""
+
+    pattern: str
+    plugin: str
+    names: tuple[str, ...] = ()
+    """The operations of the blueprint that it is bound to."""
+
+
+class Library(Panel):
+    """Operations by name, how often each is used, and who acts. A click selects its edges."""
+
+    add_plugin_wanted = Signal()
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__("Library", parent)
+        self._session, self._tokens = session, tokens
+        self._offers: tuple[Offer, ...] = ()
+        self._findings: tuple[Finding, ...] = ()
+        self._heading = Heading("Library")
+        self.filter = QLineEdit()
+        self.filter.setPlaceholderText("Filter operations")
+        self.filter.setAccessibleName("Filter operations")
+        self.filter.setClearButtonEnabled(True)
+        self._glass = self.filter.addAction(
+            icon("search", tokens), QLineEdit.ActionPosition.LeadingPosition
+        )
+        box = QVBoxLayout()
+        box.setContentsMargins(12, 0, 12, 8)
+        box.addWidget(self.filter)
+        self.list = RowsView(tokens, self)
+        self.list.setAccessibleName("Operations")
+        self.hint: QLabel = label("", "hint")
+        self.hint.setContentsMargins(12, 6, 12, 10)
+        self.column.addWidget(self._heading)
+        self.column.addLayout(box)
+        self.column.addWidget(self.list, 1)
+        self.column.addWidget(self.hint)
+        self.filter.textChanged.connect(lambda *_: self._show())
+        self.list.clicked.connect(self._clicked)
+        self.list.activated.connect(self._clicked)
+        session.blueprint_changed.connect(lambda *_: self._show())
+        session.branch_changed.connect(lambda *_: self._show())
+        self._show()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._glass.setIcon(icon("search", tokens))
+        self.list.set_tokens(tokens)
+
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """Mark the operations that errors and warnings are about."""
+        self._findings = tuple(findings)
+        self._show()
+
+    def set_offers(self, offers: Sequence[Offer]) -> None:
+        """What the plugins offer."""
+        self._offers = tuple(offers)
+        self._show()
+
+    def _clicked(self, index: QModelIndex) -> None:
+        row: Row = index.data(Qt.ItemDataRole.UserRole)
+        if isinstance(row.payload, str):
+            self._session.select(_edges(self._session.blueprint, self._session.branch, row.payload))
+
+    def _show(self) -> None:
+        wanted = self.filter.text().strip().casefold()
+        blueprint = self._session.blueprint
+        used = _used(blueprint)
+        here = [name for name in sorted(used, key=_by_name) if wanted in name.casefold()]
+        marks = _marks(self._findings)
+        rows: list[Row] = []
+        if here:
+            rows.append(Row(f"In this blueprint · {len(here)}", kind="section"))
+        rows += [self._row(name, used[name], marks.get(name, "")) for name in here]
+        offers = [o for o in self._offers if wanted in o.pattern.casefold()]
+        if offers:
+            of = f" of {len(self._offers)}" if len(offers) < len(self._offers) else ""
+            rows.append(Row(f"From plugins · {len(offers)}{of}", kind="section"))
+        rows += [_offered(offer) for offer in offers]
+        self.list.show_rows(rows)
+        self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE])} shown")
+        self.hint.setText(self._hint(bool(used), bool(rows)))
+
+    def _row(self, name: str, count: int, severity: str) -> Row:
+        note = _first_note(self._session.blueprint, name)
+        times = counted(count, "edge")
+        return Row(
+            name,
+            name,
+            ACTOR_ICON.get(note.actor or "", "robot" if note.actor else "arrow"),
+            note.title,
+            f"{count:,}",
+            severity,
+            tip=f"{name}, {times}. Click to select those of the shown State Branch.",
+        )
+
+    def _hint(self, used: bool, shown: bool) -> str:
+        if not shown and (used or self._offers):
+            return "No operation has this in its name."
+        if not self._offers:
+            return NO_PLUGIN
+        return "" if used else "Draw an operation from a state's handle to another state."
+
+
+def _offered(offer: Offer) -> Row:
+    bound = counted(len(offer.names), "operation") if offer.names else "not used"
+    names = ", ".join(offer.names[:8]) or "no operation of this blueprint"
+    return Row(
+        offer.pattern,
+        None,
+        "robot",
+        right=bound,
+        tip=f"{offer.pattern}, offered by {offer.plugin}; serves {names}.",
+        pale=not offer.names,
+    )
+
+
+def _used(blueprint: Blueprint) -> Counter[str]:
+    counts: Counter[str] = Counter()
+    for branch in blueprint:
+        for operations in branch.table.values():
+            counts.update(operations.keys())
+    return counts
+
+
+def _by_name(name: str) -> tuple[str, str]:
+    return name.casefold(), name
+
+
+def _first_note(blueprint: Blueprint, name: str) -> OperationNote:
+    for branch in blueprint:
+        note = branch.notes.operations.get(note_key(name))
+        if note is not None:
+            return note
+    return PLAIN
+
+
+def _marks(findings: Sequence[Finding]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for finding in findings:
+        name, letter = finding.address.operation, finding.severity.value
+        if name and finding.severity is not Severity.NOTE and found.get(name) != "E":
+            found[name] = letter
+    return found
+
+
+def _edges(blueprint: Blueprint, shown: str, name: str) -> list[Address]:
+    """The edges of an operation in the shown SB, else in the first SB that has it."""
+    order = sorted(blueprint.branches, key=lambda branch: branch != shown)
+    for branch in order:
+        table = blueprint[branch].table
+        edges = [Address(branch, state, name) for state in table if name in table[state]]
+        if edges:
+            return edges
+    return []

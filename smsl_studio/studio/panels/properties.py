@@ -1,0 +1,119 @@
+"""Properties of the selection, over the header of the SB that is shown."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QWidget
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.controls import label, row, rule
+from smsl_studio.studio.panels.frame import Panel
+from smsl_studio.studio.panels.header_form import HeaderForm
+from smsl_studio.studio.panels.operation_form import OperationForm
+from smsl_studio.studio.panels.state_form import StateForm
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import counted
+
+
+class Properties(QScrollArea):
+    """One state, one operation, or what several selected elements share; then the branch header."""
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self.setAccessibleName("Properties")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        inner = Panel("Properties")
+        self.state = StateForm(session, tokens)
+        self.operation = OperationForm(session, tokens)
+        self.several = _Several(session)
+        self.header = HeaderForm(session, tokens)
+        self._rule = rule()
+        for widget in (self.state, self.operation, self.several, self._rule, self.header):
+            inner.column.addWidget(widget)
+        inner.column.addStretch(1)
+        self.setWidget(inner)
+        session.selection_changed.connect(lambda *_: self._show())
+        session.blueprint_changed.connect(lambda *_: self._show())
+        self._show()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for form in (self.state, self.operation, self.header):
+            form.set_tokens(tokens)
+
+    def _show(self) -> None:
+        blueprint, selection = self._session.blueprint, self._session.selection
+        selection = tuple(a for a in selection if a.state and _stands(blueprint, a))
+        states = [a for a in selection if not a.operation]
+        edges = [a for a in selection if a.operation]
+        one_state = len(selection) == 1 and bool(states)
+        only_edges = bool(edges) and not states
+        self.state.setVisible(one_state)
+        self.operation.setVisible(only_edges)
+        self.several.setVisible(len(selection) > 1)
+        self._rule.setVisible(bool(selection))
+        if one_state:
+            self.state.show_state(blueprint, states[0])
+        if only_edges:
+            self.operation.show_operations(blueprint, edges)
+        if len(selection) > 1:
+            self.several.show_selection(states, edges)
+
+
+class _Several(Panel):
+    """How many elements are selected, and the verbs that fit all of them."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__("Selection")
+        self._session = session
+        self.column.setContentsMargins(12, 8, 12, 12)
+        self.column.setSpacing(8)
+        self._count: QLabel = label("", "heading")
+        self._facts: QLabel = label("", "small")
+        self._facts.setWordWrap(True)
+        self.delete = QPushButton("Delete")
+        self.delete.setToolTip("Delete what is selected (Del)")
+        self.delete.clicked.connect(self._delete)
+        self.column.addWidget(self._count)
+        self.column.addWidget(self._facts)
+        self.column.addLayout(row(self.delete, None))
+
+    def show_selection(self, states: list[Address], edges: list[Address]) -> None:
+        words = [counted(len(states), "state")] if states else []
+        words += [counted(len(edges), "operation")] if edges else []
+        self._count.setText(f"{' and '.join(words)} selected")
+        self._facts.setText(_shared_facts(self._session.blueprint, states))
+        self._facts.setVisible(bool(self._facts.text()))
+        self.delete.setText(f"Delete {len(states) + len(edges)}")
+
+    def _delete(self) -> None:
+        chosen = self._session.selection
+        self._session.edit(
+            f"Delete {counted(len(chosen), 'element')}", lambda bp: editing.delete(bp, chosen)
+        )
+
+
+def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
+    """The facts on which all selected states agree, in words."""
+    if len(states) < 2 or len({a.branch for a in states}) != 1:
+        return ""
+    branch = blueprint[states[0].branch]
+    columns = list(zip(*(branch.facts(a.state) for a in states), strict=False))
+    same = [
+        f"{branch.fact_name(digit)} {column[0]}"
+        for digit, column in enumerate(columns)
+        if len(set(column)) == 1
+    ]
+    return f"All of them: {', '.join(same)}." if same else "They share no fact."
+
+
+def _stands(blueprint: Blueprint, address: Address) -> bool:
+    branch = blueprint.branches.get(address.branch)
+    if branch is None or address.state not in branch.table:
+        return False
+    return not address.operation or address.operation in branch.table[address.state]

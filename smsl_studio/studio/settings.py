@@ -1,0 +1,69 @@
+"""What the window remembers: theme, places of the panels, recent files. One small file.
+
+It lies in the platform's user directory, or in SMSL_STUDIO_HOME.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
+
+RECENT = 10
+THEMES = ("light", "dark", "system")
+
+
+def home() -> Path:
+    """The user's folder of this program; it need not exist yet."""
+    given = os.environ.get("SMSL_STUDIO_HOME")
+    if given:
+        return Path(given)
+    kind = QStandardPaths.StandardLocation.GenericConfigLocation
+    return Path(QStandardPaths.writableLocation(kind)) / "smsl-studio"
+
+
+class Settings:
+    """The remembered choices, each read and written by name."""
+
+    def __init__(self, folder: Path | None = None) -> None:
+        self.folder = folder or home()
+        self._store = QSettings(str(self.folder / "window.ini"), QSettings.Format.IniFormat)
+
+    @property
+    def theme(self) -> str:
+        """``light``, ``dark`` or ``system``."""
+        value = str(self._store.value("theme", "system"))
+        return value if value in THEMES else "system"
+
+    @theme.setter
+    def theme(self, name: str) -> None:
+        self._store.setValue("theme", name)
+
+    @property
+    def recent(self) -> tuple[Path, ...]:
+        """The files opened or saved last, newest first."""
+        value = self._store.value("recent", [])
+        paths = value if isinstance(value, list) else [value]
+        return tuple(Path(str(path)) for path in paths if path)
+
+    def remember(self, path: Path) -> None:
+        """Put a file in front of the recent ones."""
+        others = [known for known in self.recent if known != path]
+        self._store.setValue("recent", [str(p) for p in (path, *others)[:RECENT]])
+
+    def forget(self, path: Path) -> None:
+        """Take a file that is gone from the recent ones."""
+        self._store.setValue("recent", [str(p) for p in self.recent if p != path])
+
+    def bytes_of(self, key: str) -> QByteArray:
+        """A stored shape (of the window, or of a mode's panels); empty where none is stored."""
+        value = self._store.value(key)
+        return value if isinstance(value, QByteArray) else QByteArray()
+
+    def store(self, key: str, value: QByteArray) -> None:
+        self._store.setValue(key, value)
+
+    def sync(self) -> None:
+        """Write to the disk now."""
+        self._store.sync()

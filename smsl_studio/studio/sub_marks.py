@@ -1,0 +1,26 @@
+"""What an edge does to the facts that sub-SBs expand: rise, fall, mixed, or nothing."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.model import Operation, StateBranch
+
+
+def sub_mark(branch: StateBranch, edge: Operation) -> str:
+    """``rise``, ``fall``, ``mixed`` or the empty text, as the marks on the canvas have it."""
+    if not branch.subs or edge.source not in branch.table or edge.target not in branch.table:
+        return ""
+    before, after = branch.facts(edge.source), branch.facts(edge.target)
+    if len(before) != len(after):
+        return ""
+    changed = [digit for digit, value in enumerate(before) if value != after[digit]]
+    turned = [
+        digit
+        for digit in changed
+        if digit in branch.subs
+        and branch.is_on(edge.source, digit) != branch.is_on(edge.target, digit)
+    ]
+    if not turned:
+        return ""
+    if len(changed) > 1:
+        return "mixed"
+    return "rise" if branch.is_on(edge.target, turned[0]) else "fall"

@@ -1,0 +1,33 @@
+"""Small pieces of language that several panels use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from smsl_studio.inspection.finding import Finding, Severity
+
+
+def counted(number: int, one: str, many: str = "") -> str:
+    """``1 state``, ``10 states``; thousands are set apart."""
+    return f"{number:,} {one if number == 1 else many or one + 's'}"
+
+
+def tally(findings: Iterable[Finding]) -> str:
+    """``1 error, 2 warnings, 3 notes``, leaving out what there is none of."""
+    found = list(findings)
+    parts = (
+        (sum(f.severity is severity for f in found), word)
+        for severity, word in (
+            (Severity.ERROR, "error"),
+            (Severity.WARNING, "warning"),
+            (Severity.NOTE, "note"),
+        )
+    )
+    return ", ".join(counted(number, word) for number, word in parts if number)
+
+
+def capital(sentence: str) -> str:
+    """The sentence with a capital letter and a full stop."""
+    said = sentence[:1].upper() + sentence[1:]
+    return said if said.endswith((".", "?", ":")) or not said else f"{said}."
+
