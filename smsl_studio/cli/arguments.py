@@ -1,0 +1,91 @@
+"""What commands there are, and the arguments they share."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from typing import IO, NoReturn
+
+from smsl_studio.cli.output import Output
+from smsl_studio.errors import UsageError
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """A command: the file it lives in, and what it does in one line."""
+
+    module: str
+    words: str
+
+
+COMMANDS = {
+    "open": Command("opening", "open the window, on files if any are named"),
+    "check": Command("checking", "inspect blueprints: every finding with its place"),
+    "route": Command("routing", "plan the cheapest route between two states"),
+    "run": Command("running", "run a blueprint in a world, headless"),
+    "sweep": Command("sweeping", "run every single edge in a world and check where it leads"),
+    "worlds": Command("worlds", "list the worlds there are"),
+    "plugins": Command("plugins", "list the plugins there are, and those that do not load"),
+}
+
+
+class Parser(argparse.ArgumentParser):
+    """The parser of one command; wrong usage is a UsageError, help goes where data goes."""
+
+    def __init__(self, name: str, out: Output) -> None:
+        super().__init__(
+            prog=f"smsl-studio {name}", description=_sentence(name), allow_abbrev=False
+        )
+        self._out = out
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(message, advice=f"{self.prog} --help says what it takes.")
+
+    def print_help(self, file: IO[str] | None = None) -> None:  # type: ignore[override]
+        self._out.line(self.format_help().rstrip())
+
+
+def add_format(parser: Parser) -> None:
+    """``--format text|json``."""
+    parser.add_argument(
+        "--format", choices=("text", "json"), default="text", help="text for people (default), json"
+    )
+
+
+def add_world(parser: Parser, required: bool) -> None:
+    """``--world NAME``."""
+    parser.add_argument(
+        "--world",
+        metavar="NAME",
+        required=required,
+        help="where it runs; 'table' runs any blueprint without physics (see: worlds)",
+    )
+
+
+def overview() -> str:
+    """The help of the program."""
+    width = max(map(len, COMMANDS))
+    lines = [f"  {name:<{width}}  {command.words}" for name, command in COMMANDS.items()]
+    return "\n".join(
+        [
+            "usage: smsl-studio [FILE...]",
+            "       smsl-studio COMMAND [--help] ...",
+            "",
+            "Draw, inspect and run blueprints of medical and robotic procedures.",
+            "Without a command the window opens.",
+            "",
+            "commands:",
+            *lines,
+            "",
+            "options:",
+            "  -h, --help     show this",
+            "  -V, --version  show the version",
+            "",
+            "Exit status: 0 good, 1 the answer is no, 2 wrong usage or unreadable input.",
+        ]
+    )
+
+
+def _sentence(name: str) -> str:
+    words = COMMANDS[name].words
+    return f"{words[:1].upper()}{words[1:]}."

@@ -1,0 +1,89 @@
+"""``check``: inspection. Exit status 1 where a finding of severity E stands."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.arguments import Parser, add_format, add_world
+from smsl_studio.cli.output import Output, report
+from smsl_studio.cli.reading import read_argument
+from smsl_studio.errors import ReadError
+from smsl_studio.front.reading import inspect
+from smsl_studio.inspection.finding import Finding, Severity
+
+
+def add_arguments(parser: Parser) -> None:
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
+    parser.add_argument(
+        "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
+    )
+    add_world(parser, required=False)
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    if options.world is not None:
+        _must_exist(options.world)
+    inspect(_nothing(), options.rule)
+    reports, status = [], 0
+    for file in options.files:
+        try:
+            blueprint = read_argument(file)
+        except ReadError as error:
+            report(error, "smsl-studio check")
+            status = 2
+            continue
+        findings = inspect(blueprint, options.rule)
+        if any(finding.severity is Severity.ERROR for finding in findings):
+            status = max(status, 1)
+        if options.format == "text":
+            _print(blueprint, findings, out)
+        else:
+            reports.append(_as_json(blueprint, findings))
+    if options.format == "json":
+        out.json({"files": reports})
+    return status
+
+
+def _nothing() -> Blueprint:
+    """An empty blueprint: inspecting it tells whether the rules that were asked for exist."""
+    from smsl_studio.front.reading import read_bytes
+
+    return read_bytes(b"{}", "")
+
+
+def _must_exist(world: str) -> None:
+    from smsl_studio.library.loading import discover
+    from smsl_studio.library.operation_library import TABLE
+
+    if world != TABLE:
+        discover().world(world)
+
+
+def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, Any]:
+    return {
+        "file": blueprint.file,
+        "states": blueprint.state_count,
+        "operations": blueprint.operation_count,
+        "findings": [finding.as_json() for finding in findings],
+    }
+
+
+def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> None:
+    paint = {Severity.ERROR: out.red, Severity.WARNING: out.yellow, Severity.NOTE: str}
+    counts = dict.fromkeys(Severity, 0)
+    for finding in findings:
+        counts[finding.severity] += 1
+        mark = paint[finding.severity](f"{finding.severity.value} {finding.rule}")
+        advice = f"; {finding.advice}" if finding.advice else ""
+        out.line(f"{finding.place}: {mark} {finding.address}: {finding.message}{advice}")
+    said = ", ".join(
+        f"{counts[severity]} {word}{'' if counts[severity] == 1 else 's'}"
+        for severity, word in zip(Severity, ("error", "warning", "note"), strict=True)
+    )
+    out.line(
+        f"{blueprint.file}: {blueprint.state_count} states, "
+        f"{blueprint.operation_count} operations: {said}"
+    )

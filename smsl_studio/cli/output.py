@@ -1,0 +1,84 @@
+"""Where a command writes: data to standard output, everything else to standard error."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import sys
+from collections.abc import Iterator
+from typing import Any, TextIO
+
+from smsl_studio.errors import StudioError
+
+_RED, _GREEN, _YELLOW, _PLAIN = "\x1b[31m", "\x1b[32m", "\x1b[33m", "\x1b[0m"
+
+
+class Output:
+    """The data of one command: lines of text, or JSON, one object a line."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._colours = stream.isatty() and not os.environ.get("NO_COLOR")
+
+    def line(self, text: str) -> None:
+        """One line, or several in one text; it is on its way when this returns."""
+        self._stream.write(f"{text}\n")
+        self._stream.flush()
+
+    def json(self, value: Any) -> None:
+        """One JSON object on a line of its own."""
+        self.line(json.dumps(value, ensure_ascii=False))
+
+    def red(self, text: str) -> str:
+        return self._in(_RED, text)
+
+    def green(self, text: str) -> str:
+        return self._in(_GREEN, text)
+
+    def yellow(self, text: str) -> str:
+        return self._in(_YELLOW, text)
+
+    def _in(self, colour: str, text: str) -> str:
+        return f"{colour}{text}{_PLAIN}" if self._colours else text
+
+
+def note(text: str) -> None:
+    """A note for people, on standard error."""
+    print(text, file=sys.stderr, flush=True)
+
+
+def report(error: StudioError, name: str) -> None:
+    """An expected error: what is wrong with its place, then the advice, one line each."""
+    note(str(error) if error.place else f"{name}: {error}")
+    if error.advice:
+        note(error.advice)
+
+
+@contextlib.contextmanager
+def claimed_stdout() -> Iterator[TextIO]:
+    """Standard output for us alone: what anyone else prints meanwhile goes to standard error.
+
+    Library code, and the C code below it, may print what it likes; data stays whole.
+    """
+    try:
+        ours = sys.stdout.fileno() == 1
+    except (AttributeError, OSError, ValueError):
+        ours = False
+    if not ours:
+        stream = sys.stdout
+        with contextlib.redirect_stdout(sys.stderr):
+            yield stream
+        return
+    sys.stdout.flush()
+    kept = os.dup(1)
+    encoding = sys.stdout.encoding or "utf-8"
+    stream = os.fdopen(os.dup(kept), "w", encoding=encoding, errors="backslashreplace")
+    os.dup2(2, 1)
+    try:
+        yield stream
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+        with contextlib.suppress(OSError):
+            stream.close()

@@ -1,0 +1,44 @@
+"""``worlds``: the worlds there are, and where they come from."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.cli.arguments import Parser, add_format
+from smsl_studio.cli.output import Output
+from smsl_studio.cli.plugins import fault_as_json
+from smsl_studio.library.loading import discover
+from smsl_studio.library.operation_library import TABLE
+
+
+def add_arguments(parser: Parser) -> None:
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    loaded = discover()
+    worlds = [
+        {"name": TABLE, "engine": "table", "hardware": False, "plugin": None, "location": None}
+    ]
+    for plugin in loaded.plugins:
+        for entry in plugin.library.worlds.values():
+            worlds.append(
+                {
+                    "name": entry.name,
+                    "engine": entry.engine,
+                    "hardware": entry.hardware,
+                    "plugin": plugin.name,
+                    "location": plugin.location,
+                }
+            )
+    if options.format == "json":
+        faults = [fault_as_json(fault) for fault in loaded.faults]
+        out.json({"worlds": worlds, "faults": faults})
+        return 0
+    for world in worlds:
+        origin = f"{world['plugin']}, {world['location']}" if world["plugin"] else "built in"
+        hardware = ", hardware" if world["hardware"] else ""
+        out.line(f"{world['name']}: engine {world['engine']}{hardware} ({origin})")
+    for fault in loaded.faults:
+        out.line(str(fault))
+    return 0

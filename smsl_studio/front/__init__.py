@@ -1,0 +1,38 @@
+"""The front door: every room wired once, by plain constructors.
+
+Each name is loaded when it is first asked for, so that ``import smsl_studio`` costs nothing.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from smsl_studio.front.reading import inspect, read, refusals
+    from smsl_studio.front.routes import plan_route
+    from smsl_studio.front.running import Run, open_run, run
+    from smsl_studio.front.sweeping import sweep
+
+__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep"]
+
+_HOMES = {
+    "read": "reading",
+    "inspect": "reading",
+    "refusals": "reading",
+    "plan_route": "routes",
+    "Run": "running",
+    "run": "running",
+    "open_run": "running",
+    "sweep": "sweeping",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -1,0 +1,69 @@
+"""What people write for a place in a blueprint, made an address that exists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import AddressError, UsageError, did_you_mean
+
+Written = str | Address
+
+
+def state_at(blueprint: Blueprint, text: Written, branch: str | None = None) -> Address:
+    """A state, written ``SB/State``, or ``State`` where the SB is given or the only root.
+
+    AddressError where there is none, UsageError where it is no state.
+    """
+    if branch is not None and isinstance(text, str):
+        own = blueprint[branch]
+        parts = Address.split(text)
+        if len(parts) == 1 and parts[0] not in own.table:
+            raise AddressError(
+                f"there is no state {parts[0]!r} in {branch}",
+                advice=did_you_mean(parts[0], own.table),
+            )
+        if len(parts) == 1:
+            return Address(branch, parts[0])
+    found = blueprint.resolve(text)
+    if not found.state or found.operation:
+        raise UsageError(f"{text} is no state", advice="Write SB/State.")
+    if branch is not None and found.branch != branch:
+        raise UsageError(f"{text} is no state of {branch}", advice="Leave --sb out, or name it.")
+    return found
+
+
+def states_at(
+    blueprint: Blueprint, written: Written | Iterable[Written] | None, what: str
+) -> tuple[Address, ...]:
+    """Several states, at most one an SB; ``what`` names them in the UsageError for a second one."""
+    if written is None:
+        return ()
+    texts: Sequence[Written]
+    texts = [written] if isinstance(written, str | Address) else list(written)
+    found = [state_at(blueprint, text) for text in texts]
+    for index, address in enumerate(found):
+        if any(address.branch == other.branch for other in found[:index]):
+            raise UsageError(
+                f"{address.branch} has two {what}s", advice=f"Give one {what} for each SB."
+            )
+    return tuple(found)
+
+
+def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Address, ...]:
+    """Operations to avoid, written ``SB/State/Operation``; a state stands for all that leads out.
+
+    UsageError for an SB: avoiding all of it leaves nothing.
+    """
+    found: list[Address] = []
+    for text in written:
+        address = blueprint.resolve(text)
+        if not address.state:
+            raise UsageError(f"{text} is no operation", advice="Write SB/State/Operation.")
+        if address.operation:
+            found.append(address)
+        else:
+            out = blueprint[address.branch].table[address.state]
+            found += [Address(address.branch, address.state, name) for name in out]
+    return tuple(found)
