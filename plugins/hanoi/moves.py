@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from smsl_studio.errors import WorldError
 from smsl_studio.world.paths import rounded, timetable, waypoints
 
 from .disks import PEG_TOP, PEGS, Disk
@@ -45,6 +46,8 @@ def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     A ring that is there already is left alone; one with rings on top cannot be gripped alone, so
     that the hand does not even try.
     """
+    if peg not in PEGS:
+        raise WorldError(f"there is no peg {peg!r}: there are the pegs a, b and c")
     if table.reading(disk) == peg:
         return True
     if table.reading(disk) != HELD:

@@ -7,7 +7,7 @@ is in the hand reads ``h``; one off the pegs or on a smaller one reads ``x``.
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from smsl_studio.errors import WorldError
 
@@ -16,10 +16,11 @@ from .table import Table
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
+    from smsl_studio.library.operation_library import OperationLibrary
     from smsl_studio.world.bullet import BulletWorld
 
 
-def register(library: Any) -> None:
+def register(library: OperationLibrary) -> None:
     """Offer the world ``hanoi`` with everything that moves and senses in it."""
 
     @library.world("hanoi")

@@ -29,6 +29,9 @@ LEVEL = 0.004
 TILT = 0.99
 """The least upward part of a resting ring's axis: 8 degrees."""
 
+SIGHT = ((0.0, 1.0), (-0.6, 0.6), (-0.05, 1.0))
+"""The part of the room (m) that the camera sees."""
+
 PANDA = Robot(
     "panda",
     "franka_panda/panda.urdf",
@@ -76,11 +79,15 @@ class Table:
             raise WorldError(f"there is no disk {number}: this table has {len(self.disks)}")
         return self.disks[number - 1]
 
-    def reading(self, disk: Disk) -> str:
+    def reading(self, disk: Disk) -> str | None:
         """What the camera over the table says of a ring: its peg, ``h`` held or ``x`` nowhere.
 
         A peg is said only of a ring that rests there with nothing but larger rings under it.
+        None where the ring is out of sight.
         """
+        position, _ = self.world.pose(disk.name)
+        if not all(low < here < high for here, (low, high) in zip(position, SIGHT, strict=True)):
+            return None
         if self._read_at != self.world.revision:
             self._readings = self._read()
             self._read_at = self.world.revision
@@ -121,9 +128,11 @@ class Table:
         jitter = np.random.default_rng(self.seed).uniform(-JITTER, JITTER, (len(self.disks), 2))
         height = dict.fromkeys(PEGS, 0.0005)
         for disk in reversed(self.disks):
-            peg = pegs[disk]
+            peg = pegs.get(disk, "")
             if peg not in PEGS:
-                raise WorldError(f"disk {disk.number} cannot start on {peg!r}: pegs are a, b, c")
+                raise WorldError(
+                    f"disk {disk.number} cannot start on {peg!r}: there are the pegs a, b and c"
+                )
             dx, dy = jitter[disk.number - 1].tolist()
             yield disk, (PEGS[peg][0] + dx, PEGS[peg][1] + dy, height[peg] + disk.thickness / 2)
             height[peg] += disk.thickness + 0.0005

@@ -76,6 +76,7 @@ class BulletWorld:
         self._arm: Arm | None = None
         self._carriers: tuple[str, ...] | None = None
         self._poses: dict[str, Pose] = {}
+        self._applied: tuple[list[float], bytes] | None = None
         self._start()
 
     # -- building ------------------------------------------------------------------------------
@@ -199,6 +200,7 @@ class BulletWorld:
         for name in self._loose():
             self.place(name, *self.pose(name))
             self._let_sleep(self._ids[name], at_once=True)
+        self.step()  # the engine takes a body for asleep only from the next tick on
         self._ticks = before
 
     # -- asking --------------------------------------------------------------------------------
@@ -221,7 +223,11 @@ class BulletWorld:
         return self.robot.touching(self._ids[name])
 
     def status(self) -> Mapping[str, str]:
-        return {} if self._robot is None else self._robot.status()
+        if self._robot is None:
+            return {}
+        held = [name for name in self._loose() if self.fingers_on(name) == 2]
+        holding = {"holding": held[0].replace("_", " ")} if held else {}
+        return {**holding, **self._robot.status()}
 
     def shapes(self) -> tuple[Shape, ...]:
         drawn = tuple(drawing.drawn(self._plan, MODELS))
@@ -241,7 +247,10 @@ class BulletWorld:
     # -- coming back ---------------------------------------------------------------------------
 
     def snapshot(self) -> bytes:
-        return np.array(self._state(), dtype=np.float64).tobytes()
+        state = self._state()
+        if self._applied is not None and state == self._applied[0]:
+            return self._applied[1]
+        return np.array(state, dtype=np.float64).tobytes()
 
     def apply(self, snapshot: bytes) -> None:
         if len(snapshot) != 8 * len(self._state()):
@@ -254,6 +263,8 @@ class BulletWorld:
             self._put(name, row[:3], row[3:7], row[7:10], row[10:])
         if self._robot is not None:
             self._robot.restore(values)
+        # The engine normalises what it is given, in its last digit; the snapshot is what counts.
+        self._applied = (self._state(), snapshot)
 
     def fork(self) -> BulletWorld:
         other = BulletWorld(self.name)

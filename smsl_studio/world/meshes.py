@@ -26,7 +26,7 @@ def soup(mesh: Mesh) -> tuple[float, ...]:
 
 
 @lru_cache(maxsize=64)
-def read_obj(path: Path, limit: int = 2000) -> tuple[tuple[Vector, Mesh], ...]:
+def read_obj(path: Path, limit: int = 3500) -> tuple[tuple[Vector, Mesh], ...]:
     """The meshes of an OBJ file, one a colour of its materials, thinned to about ``limit``.
 
     The colour is the material's ``Kd``; pale and tinted ones are all shown as the plain white of

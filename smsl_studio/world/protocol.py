@@ -31,9 +31,8 @@ class Shape:
 class World(Protocol):
     """What library code moves and senses. One tick is ``tick`` seconds of simulated time.
 
-    ``snapshot``/``apply`` put a world back exactly; ``fork`` gives an independent copy for previews.
-    ``set_facts`` and ``fact`` are what the table world has instead of physics: others raise
-    WorldError.
+    ``snapshot``/``apply`` put a world back exactly; ``fork`` gives an independent copy for
+    previews. ``set_facts`` and ``fact`` are what the table world has instead of physics.
     """
 
     name: str
@@ -54,7 +53,7 @@ class World(Protocol):
         ...
 
     def shapes(self) -> tuple[Shape, ...]:
-        """What can be drawn, once, in the order of ``poses``; empty where there is nothing to see."""
+        """What can be drawn, once, in the order of ``poses``; empty with nothing to see."""
         ...
 
     def poses(self) -> tuple[float, ...]:
