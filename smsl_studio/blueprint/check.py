@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+
 FactKey = tuple[str, int]
 
 
@@ -74,3 +76,57 @@ class CheckResult:
     @property
     def unknown(self) -> tuple[Term, ...]:
         return tuple(term for term in self.terms if term.truth is None)
+
+
+def state_check(
+    blueprint: Blueprint, branch: str, state: str, scene: Scene, believed: Mapping[str, str]
+) -> CheckResult:
+    """C_state(s): whether ``state`` holds in the scene, fact by fact.
+
+    A digit expanded by a sub-SB is the sub's state check in ACTIVATING, recursively: itself where
+    the state wants the digit on, its three-valued negation where it wants it off. A fact nobody
+    senses is believed from ``believed`` (SB -> state); a fact that is sensed but not known makes
+    the check unknown. The SUB_SBS must have no cycle.
+    """
+    own = blueprint.branches[branch]
+    wanted = own.facts(state)
+    terms = []
+    for digit, value in enumerate(wanted):
+        sub = own.subs.get(digit)
+        if sub is not None and sub in blueprint.branches:
+            inner = state_check(blueprint, sub, blueprint.branches[sub].activating, scene, believed)
+            terms.append(_sub_term(own, digit, value, inner))
+        else:
+            terms.append(_term(own, digit, value, scene, believed))
+    return CheckResult(branch, state, tuple(terms))
+
+
+def _term(
+    branch: StateBranch, digit: int, wanted: str, scene: Scene, believed: Mapping[str, str]
+) -> Term:
+    key = (branch.name, digit)
+    reading = scene.readings.get(key)
+    if reading is not None and reading.sensed:
+        if reading.value is None:
+            return Term(key, wanted, None, None, reading.reason or "no valid reading")
+        return Term(key, wanted, reading.value, reading.value == wanted)
+    held = believed.get(branch.name)
+    if held is None:
+        return Term(key, wanted, None, None, "nobody senses it")
+    value = branch.facts(held)[digit]
+    return Term(key, wanted, value, value == wanted, "believed, nobody senses it")
+
+
+def _sub_term(base: StateBranch, digit: int, wanted: str, inner: CheckResult) -> Term:
+    key, on, truth = (base.name, digit), base.on_value(digit), inner.truth
+    if truth is None:
+        unknown = ", ".join(f"{term.fact[0]}/{term.fact[1]}" for term in inner.unknown)
+        return Term(key, wanted, None, None, f"{unknown} in {inner.branch} is unknown")
+    reading = on if truth else off_value(base, digit)
+    return Term(key, wanted, reading, truth == (wanted == on), f"the check of {inner.branch}")
+
+
+def off_value(base: StateBranch, digit: int) -> str:
+    """The value of a sub digit that is not its on value; ``0`` where the states show none."""
+    on = base.on_value(digit)
+    return next((value for value in base.alphabet[digit] if value != on), "0")

@@ -122,6 +122,23 @@ class OperationRisky(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class OperationPruned(Event):
+    """A person shut an edge out, with a reason, until it is restored."""
+
+    event: ClassVar[str] = "operation_pruned"
+    address: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperationRestored(Event):
+    """A pruned, avoided or risky edge may be used again."""
+
+    event: ClassVar[str] = "operation_restored"
+    address: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FactChanged(Event):
     """A sensed fact took another value; None is unknown, with the reason."""
 

@@ -1,0 +1,148 @@
+"""Configuration: the active state of every SB, and what makes one consistent.
+
+The invariant (paper, Eq. 5): a digit with a sub-SB is on if and only if the sub-SB is in its
+ACTIVATING state. Flags are computed from a configuration, never stored beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import RunRefused
+
+Configuration = Mapping[str, str]
+
+
+class Hierarchy:
+    """Who expands whom, worked out once for one blueprint. RunRefused where SUB_SBS go in a circle.
+
+    ``order`` has every SB, bases before their subs, else in file order. A sub-SB that does not
+    exist, or a digit that no state has, is left out: inspection reports it (R07).
+    """
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self.blueprint = blueprint
+        self.subs: dict[str, tuple[tuple[int, str], ...]] = {}
+        self.bases: dict[str, list[tuple[str, int]]] = {name: [] for name in blueprint.branches}
+        for branch in blueprint:
+            found = [
+                (digit, sub)
+                for digit, sub in sorted(branch.subs.items())
+                if sub in blueprint.branches and 0 <= digit < branch.num_facts
+            ]
+            self.subs[branch.name] = tuple(found)
+            for digit, sub in found:
+                self.bases[sub].append((branch.name, digit))
+        self.roots = tuple(name for name in blueprint.branches if not self.bases[name])
+        self.order = self._bases_first()
+
+    def _bases_first(self) -> tuple[str, ...]:
+        waiting = {name: len(bases) for name, bases in self.bases.items()}
+        order: list[str] = []
+        while len(order) < len(waiting):
+            free = next((n for n, count in waiting.items() if count == 0 and n not in order), None)
+            if free is None:
+                circle = ", ".join(n for n in waiting if n not in order)
+                raise RunRefused(
+                    f"the sub-SBs go round in a circle: {circle}", advice="Detach one of them."
+                )
+            order.append(free)
+            for _, sub in self.subs[free]:
+                waiting[sub] -= 1
+        return tuple(order)
+
+    def tree(self, branch: str) -> tuple[str, ...]:
+        """The SB and everything below it, bases before their subs."""
+        found = {branch}
+        for name in self.order:
+            if name in found:
+                found.update(sub for _, sub in self.subs[name])
+        return tuple(name for name in self.order if name in found)
+
+    def roots_of(self, branch: str) -> tuple[str, ...]:
+        """The roots above an SB (itself, where it is one), in file order."""
+        return tuple(root for root in self.roots if branch in self.tree(root))
+
+
+def start_configuration(hierarchy: Hierarchy, given: Mapping[str, str]) -> dict[str, str]:
+    """Where every SB stands when a run starts (clause 3). RunRefused says why it cannot.
+
+    Bases first: a root stands where it was given or in INITIAL; a sub in ACTIVATING where its
+    digit is on, else in INITIAL, or where it was given, if that agrees with its bases.
+    """
+    found: dict[str, str] = {}
+    for name in hierarchy.order:
+        branch = hierarchy.blueprint[name]
+        wanted = given.get(name)
+        bases = hierarchy.bases[name]
+        if bases and branch.initial == branch.activating:
+            raise RunRefused(
+                f"{name} is a sub-SB and its INITIAL is its ACTIVATING, {branch.initial}",
+                advice="Choose another INITIAL or ACTIVATING, so that the fact can change.",
+            )
+        if bases:
+            start = branch.activating if _is_on(hierarchy, found, name) else branch.initial
+            if wanted is not None and (wanted == branch.activating) == (start == branch.activating):
+                start = wanted
+            elif wanted is not None:
+                raise RunRefused(
+                    f"the start {name}/{wanted} disagrees with {_bases_said(found, bases)}",
+                    advice=f"Start {name} in {start}, or its base elsewhere.",
+                )
+        else:
+            start = branch.initial if wanted is None else wanted
+        if start not in branch.table:
+            raise RunRefused(f"{name} has no state {start!r} to start in")
+        found[name] = start
+    return found
+
+
+def _is_on(hierarchy: Hierarchy, found: Configuration, sub: str) -> bool:
+    bases = hierarchy.bases[sub]
+    votes = {hierarchy.blueprint[base].is_on(found[base], digit) for base, digit in bases}
+    if len(votes) == 2:
+        raise RunRefused(
+            f"the bases of {sub} disagree about it: {_bases_said(found, bases)}",
+            advice="Start them where the fact has one value.",
+        )
+    return votes == {True}
+
+
+def _bases_said(found: Configuration, bases: Iterable[tuple[str, int]]) -> str:
+    return ", ".join(f"{base}/{found[base]} (digit {digit})" for base, digit in bases)
+
+
+def disagreements(hierarchy: Hierarchy, configuration: Configuration) -> tuple[FactKey, ...]:
+    """The digits that break the invariant: on with the sub elsewhere, or off with it there."""
+    return tuple(
+        (base, digit)
+        for base in hierarchy.order
+        for digit, sub in hierarchy.subs[base]
+        if hierarchy.blueprint[base].is_on(configuration[base], digit)
+        != (configuration[sub] == hierarchy.blueprint[sub].activating)
+    )
+
+
+def standing(hierarchy: Hierarchy, branch: str, state: str) -> dict[str, str]:
+    """``branch`` in ``state`` and everything below it as a start would have it.
+
+    This is where ``subs: load`` leaves a sub and what is below it (clauses 5 and 14).
+    """
+    found = {branch: state}
+    for name in hierarchy.tree(branch):
+        for digit, sub in hierarchy.subs[name]:
+            below = hierarchy.blueprint[sub]
+            on = hierarchy.blueprint[name].is_on(found[name], digit)
+            found[sub] = below.activating if on else below.initial
+    return found
+
+
+def flags(blueprint: Blueprint, configuration: Configuration) -> dict[FactKey, str]:
+    """Every fact as the configuration has it: what the dispatcher believes."""
+    return {
+        (name, digit): value
+        for name, state in configuration.items()
+        for digit, value in enumerate(blueprint[name].facts(state))
+    }

@@ -1,0 +1,153 @@
+"""Edges by their effect on sub digits (clause 2), and what carrying one out asks for (clause 5)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from enum import Enum
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Configuration, Hierarchy
+from smsl_studio.blueprint.model import StateBranch
+
+
+class Kind(Enum):
+    """The effect of an edge on the digits that sub-SBs expand."""
+
+    PURE = "pure"
+    """It changes none of them."""
+    RISE = "rise"
+    """It turns one on and changes nothing else."""
+    FALL = "fall"
+    """It turns one off and changes nothing else."""
+    MIXED = "mixed"
+    """It changes one together with other digits, or several."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """One operation with all that its joint step depends on.
+
+    ``crossing`` is 1 where it enters its SB's ACTIVATING state, -1 where it leaves it, else 0.
+    ``function`` says that its own library function runs; ``cost`` is what the edge itself adds to
+    a route (clause 12); ``price`` is its declared cost, by which bases' edges are chosen (clause
+    10). ``requires`` are (SB, digit, value); a digit of -1 is a fact that does not exist.
+    """
+
+    branch: str
+    source: str
+    name: str
+    target: str
+    kind: Kind = Kind.PURE
+    falls: tuple[int, ...] = ()
+    rises: tuple[int, ...] = ()
+    crossing: int = 0
+    load: bool = False
+    function: bool = True
+    cost: float = 1.0
+    price: float = 1.0
+    requires: tuple[tuple[str, int, str], ...] = ()
+
+    @property
+    def address(self) -> Address:
+        return Address(self.branch, self.source, self.name)
+
+    def __str__(self) -> str:
+        return str(self.address)
+
+
+class Edges:
+    """The edges of one blueprint, classed when they are first asked for.
+
+    ``exact`` are the addresses whose function was bound to exactly this ``State/Operation``: the
+    only functions that run on an edge which needs none.
+    """
+
+    def __init__(self, hierarchy: Hierarchy, exact: Collection[Address] = ()) -> None:
+        self.hierarchy = hierarchy
+        self.blueprint = hierarchy.blueprint
+        self.exact = frozenset(exact)
+        self._out: dict[tuple[str, str], tuple[Edge, ...]] = {}
+
+    def out(self, branch: str, state: str) -> tuple[Edge, ...]:
+        """Every edge out of a state, in written order; targets that do not exist are left out."""
+        found = self._out.get((branch, state))
+        if found is None:
+            own = self.blueprint[branch]
+            found = tuple(
+                self._edge(own, state, name, target)
+                for name, target in own.table[state].items()
+                if target in own.table
+            )
+            self._out[branch, state] = found
+        return found
+
+    def get(self, address: Address) -> Edge | None:
+        """The edge at an address, or None where its target does not exist."""
+        found = self.out(address.branch, address.state)
+        return next((edge for edge in found if edge.name == address.operation), None)
+
+    def _edge(self, branch: StateBranch, source: str, name: str, target: str) -> Edge:
+        enters = (target == branch.activating) - (source == branch.activating)
+        crossing = enters if self.hierarchy.bases[branch.name] else 0
+        subs = self.hierarchy.subs[branch.name]
+        if not subs and "_operations" not in branch.fields:
+            return Edge(branch.name, source, name, target, crossing=crossing)
+        falls = tuple(d for d, _ in subs if branch.is_on(source, d) and not branch.is_on(target, d))
+        rises = tuple(d for d, _ in subs if branch.is_on(target, d) and not branch.is_on(source, d))
+        others = self._others(branch, source, target)
+        kind = _kind(falls, rises, others)
+        note = branch.operation_note(source, name)
+        load = note.subs == "load" and bool(falls or rises)
+        exact = Address(branch.name, source, name) in self.exact
+        function = load or kind is Kind.PURE or others or exact
+        price = branch.cost(source, name)
+        single = kind in (Kind.RISE, Kind.FALL)
+        requires = tuple(self._required(key, value) for key, value in note.requires.items())
+        return Edge(
+            branch.name,
+            source,
+            name,
+            target,
+            kind,
+            falls,
+            rises,
+            crossing,
+            load,
+            function,
+            0.0 if single and not function else price,
+            price,
+            requires,
+        )
+
+    def _others(self, branch: StateBranch, source: str, target: str) -> bool:
+        expanded = {digit for digit, _ in self.hierarchy.subs[branch.name]}
+        pairs = zip(branch.facts(source), branch.facts(target), strict=False)
+        return any(a != b for digit, (a, b) in enumerate(pairs) if digit not in expanded)
+
+    def _required(self, key: str, value: str) -> tuple[str, int, str]:
+        name, _, digit = key.rpartition("/")
+        parts = Address.split(name)
+        known = len(parts) == 1 and parts[0] in self.blueprint.branches
+        if known and digit.isdecimal() and int(digit) < self.blueprint[parts[0]].num_facts:
+            return parts[0], int(digit), value
+        return key, -1, value
+
+    def missing(self, edge: Edge, configuration: Configuration) -> Iterator[str]:
+        """What of an edge's ``requires`` a configuration does not give, one sentence each."""
+        for name, digit, value in edge.requires:
+            if digit < 0:
+                yield f"{edge} requires {name}, which is no fact"
+                continue
+            held = self.blueprint[name].facts(configuration[name])[digit]
+            if held != value:
+                yield f"{edge} requires {name}/{digit} to be {value}, and it is {held}"
+
+
+def _kind(falls: tuple[int, ...], rises: tuple[int, ...], others: bool) -> Kind:
+    changed = len(falls) + len(rises)
+    if changed == 0:
+        return Kind.PURE
+    if changed > 1 or others:
+        return Kind.MIXED
+    return Kind.RISE if rises else Kind.FALL

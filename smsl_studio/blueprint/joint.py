@@ -1,0 +1,159 @@
+"""The joint step: everything one asked edge brings about, and what becomes true together.
+
+A joint step is a sequence of actions; each runs one library function. An edge is *done* when its
+last part is done, and *commits* with the edges that must become true together with it (clause 6).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.edges import Edge
+
+
+@dataclass(frozen=True)
+class Action:
+    """One library function and its consequences.
+
+    ``begins`` are the edges that start with it, bases first. ``moved`` has every SB that stands
+    elsewhere once it is done, committed or not, ``done`` the edges that are true then, subs first.
+    ``commits`` are those that commit, and ``committed`` is where that leaves their SBs.
+    ``transit`` are the base digits in transit while it runs, ``after`` those still in transit
+    afterwards.
+    """
+
+    edge: Edge
+    begins: tuple[Edge, ...]
+    moved: Mapping[str, str]
+    done: tuple[Edge, ...]
+    commits: tuple[Edge, ...]
+    committed: Mapping[str, str]
+    transit: frozenset[FactKey]
+    after: frozenset[FactKey]
+
+
+@dataclass(frozen=True)
+class JointStep:
+    """What carrying out ``asked`` does. ``edges`` are in the order in which they start."""
+
+    asked: Edge
+    edges: tuple[Edge, ...]
+    actions: tuple[Action, ...]
+    cost: float
+    after: Mapping[str, str]
+    """Every SB that stands elsewhere at the end."""
+
+    def names(self, branch: str) -> tuple[str, ...]:
+        """The names of the edges of one SB in it."""
+        return tuple(edge.name for edge in self.edges if edge.branch == branch)
+
+
+@dataclass(eq=False)
+class Carried:
+    """One edge while a script is written: the actions it begins and is done with.
+
+    ``places`` are the SBs it leaves elsewhere; ``order`` grows as edges are done; ``transit`` are
+    the base digits in transit from its start to its commit.
+    """
+
+    edge: Edge
+    first: int
+    transit: tuple[FactKey, ...] = ()
+    done: int = -1
+    order: int = -1
+    places: Mapping[str, str] = field(default_factory=dict)
+
+
+class Script:
+    """A joint step while it is being written; ``configuration`` is where the writing has got to.
+
+    ``links`` are pairs (crossing, base edge) that commit together.
+    """
+
+    def __init__(self, configuration: Mapping[str, str]) -> None:
+        self.configuration = dict(configuration)
+        self.carried: list[Carried] = []
+        self.functions: list[Edge] = []
+        self.links: list[tuple[Carried, Carried]] = []
+        self.cost = 0.0
+
+    def begin(self, edge: Edge, transit: tuple[FactKey, ...] = ()) -> Carried:
+        """An edge starts with the next function that runs."""
+        carried = Carried(edge, len(self.functions), transit)
+        self.carried.append(carried)
+        self.cost += edge.cost
+        return carried
+
+    def run(self, edge: Edge) -> int:
+        """The edge's own function runs; its index."""
+        self.functions.append(edge)
+        return len(self.functions) - 1
+
+    def finish(self, carried: Carried, done: int, places: Mapping[str, str]) -> None:
+        """The edge is true after action ``done``, and the SBs stand in ``places``."""
+        carried.order = sum(c.done >= 0 for c in self.carried)
+        carried.done, carried.places = done, places
+        self.configuration.update(places)
+
+    def joint_step(self) -> JointStep:
+        """The script as a frozen value."""
+        done = sorted(self.carried, key=lambda c: (c.done, c.order))
+        commits = _commits(self.carried, done, self.links)
+        actions = tuple(
+            _action(function, index, self.carried, done, commits)
+            for index, function in enumerate(self.functions)
+        )
+        after = {branch: state for c in done for branch, state in c.places.items()}
+        edges = tuple(carried.edge for carried in self.carried)
+        return JointStep(edges[0], edges, actions, round(self.cost, 9), after)
+
+
+Commits = Mapping[int, int]
+"""The action after which each edge commits, by the identity of its ``Carried``."""
+
+
+def _commits(
+    carried: list[Carried], done: list[Carried], links: list[tuple[Carried, Carried]]
+) -> Commits:
+    """When each edge commits: crossings with their bases' edges, and what follows them in an SB
+    while they are pending with them too (clause 6)."""
+    group = {id(c): index for index, c in enumerate(carried)}
+    ends = {index: c.done for index, c in enumerate(carried)}
+
+    def join(one: Carried, other: Carried) -> None:
+        into, gone = sorted((group[id(one)], group[id(other)]))
+        ends[into] = max(ends[into], ends[gone])
+        for key, number in group.items():
+            if number == gone:
+                group[key] = into
+
+    for crossing, base in links:
+        join(crossing, base)
+    latest: dict[str, Carried] = {}
+    for one in done:
+        for branch in one.places:
+            former = latest.get(branch)
+            if former is not None and ends[group[id(former)]] > one.done:
+                join(former, one)
+            latest[branch] = one
+    return {key: ends[number] for key, number in group.items()}
+
+
+def _action(
+    function: Edge, index: int, carried: list[Carried], done: list[Carried], commits: Commits
+) -> Action:
+    now = [c for c in done if c.done == index]
+    committing = [c for c in done if commits[id(c)] == index]
+    open_ones = [c for c in carried if c.first <= index <= commits[id(c)]]
+    return Action(
+        edge=function,
+        begins=tuple(c.edge for c in carried if c.first == index),
+        moved={branch: state for c in now for branch, state in c.places.items()},
+        done=tuple(c.edge for c in now),
+        commits=tuple(c.edge for c in committing),
+        committed={branch: state for c in committing for branch, state in c.places.items()},
+        transit=frozenset(fact for c in open_ones for fact in c.transit),
+        after=frozenset(fact for c in open_ones if commits[id(c)] > index for fact in c.transit),
+    )

@@ -1,0 +1,85 @@
+"""The cheapest way through a space that unfolds as it is walked: ties by count, then by names."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable, Hashable, Iterable
+from itertools import count
+from typing import Any, NamedTuple, TypeVar
+
+Node = TypeVar("Node", bound=Hashable)
+
+
+class Move(NamedTuple):
+    """One step of a search: where it leads, what it costs, and what it stands for.
+
+    ``names`` are the routed SB's edges in it; ``key`` decides between moves equal in cost, number
+    and names; ``what`` is handed back untouched.
+    """
+
+    to: Any
+    cost: float
+    names: tuple[str, ...]
+    key: tuple[str, ...]
+    what: Any
+
+
+Rank = tuple[float, int, int]
+
+
+def cheapest(
+    start: Node, is_goal: Callable[[Node], bool], moves: Callable[[Node], Iterable[Move]]
+) -> list[Move] | None:
+    """The cheapest sequence of moves to a goal, or None where there is none.
+
+    Ties: cost, number of names, number of moves, then the names themselves, move by move. Costs
+    must not be negative.
+    """
+    best: dict[Node, Rank] = {start: (0.0, 0, 0)}
+    origins: dict[Node, list[tuple[Node, Move]]] = {start: []}
+    order = count()
+    heap: list[tuple[Rank, int, Node]] = [((0.0, 0, 0), next(order), start)]
+    goals: list[Node] = []
+    reached: Rank | None = None
+    while heap:
+        rank, _, node = heapq.heappop(heap)
+        if rank != best[node]:
+            continue
+        if reached is not None and rank > reached:
+            break
+        if is_goal(node):
+            goals.append(node)
+            reached = rank
+            continue
+        for move in moves(node):
+            # Rounded so that sums which differ only in their last bits still tie.
+            further = (round(rank[0] + move.cost, 9), rank[1] + len(move.names), rank[2] + 1)
+            known = best.get(move.to)
+            if known is None or further < known:
+                best[move.to] = further
+                origins[move.to] = [(node, move)]
+                heapq.heappush(heap, (further, next(order), move.to))
+            elif further == known:
+                origins[move.to].append((node, move))
+    return _first_by_name(start, goals, origins) if goals else None
+
+
+def _first_by_name(
+    start: Node, goals: list[Node], origins: dict[Node, list[tuple[Node, Move]]]
+) -> list[Move]:
+    onward: dict[Node, list[Move]] = {}
+    seen = set(goals)
+    waiting = list(goals)
+    while waiting:
+        for origin, move in origins[waiting.pop()]:
+            onward.setdefault(origin, []).append(move)
+            if origin not in seen:
+                seen.add(origin)
+                waiting.append(origin)
+    route: list[Move] = []
+    node = start
+    while node in onward:
+        move = min(onward[node], key=lambda move: (move.names, move.key))
+        route.append(move)
+        node = move.to
+    return route

@@ -1,0 +1,218 @@
+"""Carrying out one joint step, tick by tick: begin, run, settle, check, commit (clauses 5 to 7)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import Enum
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import CheckResult
+from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.words import all_words, check_words, truth_word
+from smsl_studio.host.protocol import Bound, Outcome, Tick
+from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
+
+ENDED = {
+    Outcome.RETURNED: "returned",
+    Outcome.FAILED: "failed",
+    Outcome.RAISED: "raised",
+    Outcome.IDLE: "lost",
+}
+HAIR = 1e-9
+
+
+class Stage(Enum):
+    """Where the current action stands."""
+
+    NEXT = "next"
+    RUNNING = "running"
+    SETTLING = "settling"
+    DONE = "done"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a joint step ended early. ``risky`` says that the operation itself is to blame."""
+
+    edge: Edge
+    reason: str
+    risky: bool
+    pending: bool
+
+
+class Carrier:
+    """One joint step on its way. ``advance`` takes it one tick on; nothing here decides what
+    comes after it."""
+
+    def __init__(self, run: Run, step: JointStep) -> None:
+        self.step = step
+        self.stage = Stage.NEXT
+        self.failure: Failure | None = None
+        self.since = run.time
+        self.check: CheckResult | None = None
+        self._run = run
+        self._index = 0
+        self._until = 0.0
+        self._fault = ""
+        self._blame = True
+
+    @property
+    def action(self) -> Action:
+        return self.step.actions[min(self._index, len(self.step.actions) - 1)]
+
+    @property
+    def bound(self) -> Bound:
+        """The function of the current action."""
+        return self._run.opened.bound[self.action.edge.address]
+
+    @property
+    def moving(self) -> bool:
+        """Whether a library function runs or the world settles after one."""
+        return self.stage in (Stage.RUNNING, Stage.SETTLING)
+
+    @property
+    def remaining(self) -> tuple[Edge, ...]:
+        """The edges that have not started yet."""
+        later = self._index if self.stage is Stage.NEXT else self._index + 1
+        return tuple(e for action in self.step.actions[later:] for e in action.begins)
+
+    @property
+    def running(self) -> Address | None:
+        """The edge whose function runs."""
+        return self.action.edge.address if self.moving else None
+
+    def advance(self, shut: Mapping[Address, str]) -> None:
+        """One tick. Afterwards ``stage`` says whether the step goes on, is done or has failed."""
+        if self.stage is Stage.NEXT:
+            self._begin(shut)
+        elif self.stage is Stage.RUNNING:
+            self._running()
+        elif self.stage is Stage.SETTLING:
+            tick, changes = self._run.senses.tick()
+            self._run.emit(*changes)
+            if tick.time >= self._until - HAIR:
+                self._decide()
+
+    def abort(self, mode: str, reason: str) -> None:
+        """Cancel the running function; the step fails without blame once the world has settled."""
+        if self.stage is Stage.RUNNING:
+            self._run.host.cancel(mode)
+            self._ended("cancelled", reason)
+            self._fault, self._blame = reason, False
+            self._settle()
+
+    def _begin(self, shut: Mapping[Address, str]) -> None:
+        action, run = self.action, self._run
+        barred = next((e for e in (action.edge, *action.begins) if e.address in shut), None)
+        if barred is not None:
+            self._fail(
+                f"{barred} is {shut[barred.address]}", risky=False, pending=bool(run.transit)
+            )
+            return
+        run.transit = action.transit
+        for edge in action.begins:
+            function = self.bound.function if edge == action.edge else self._function(edge)
+            run.emit(
+                OperationStarted(
+                    t=run.time,
+                    address=str(edge),
+                    target=edge.target,
+                    function=function,
+                )
+            )
+        run.host.begin(action.edge.address)
+        self.stage, self.since = Stage.RUNNING, run.time
+
+    def _function(self, edge: Edge) -> str:
+        if not edge.function:
+            return ""
+        return self._run.opened.bound[edge.address].function
+
+    def _running(self) -> None:
+        tick, changes = self._run.senses.tick()
+        self._run.emit(*changes)
+        if tick.outcome is Outcome.RUNNING:
+            limit = self.bound.timeout
+            if tick.time - self.since < limit - HAIR:
+                return
+            self._run.host.cancel("abort")
+            self._fault = f"{self.action.edge} took longer than its {limit:g} s"
+            self._ended("timed_out", self._fault)
+        else:
+            self._ended(ENDED[tick.outcome], tick.message)
+            self._fault = _fault(self.action.edge, tick)
+        self._settle()
+
+    def _ended(self, outcome: str, message: str) -> None:
+        run = self._run
+        address = str(self.action.edge)
+        run.emit(OperationEnded(t=run.time, address=address, outcome=outcome, message=message))
+
+    def _settle(self) -> None:
+        self.stage = Stage.SETTLING
+        self._until = self._run.time + self._run.opened.settle
+        if self._run.opened.settle <= 0:
+            self._decide()
+
+    def _decide(self) -> None:
+        """Whatever the function returned, the state check on sensed facts decides."""
+        run, action = self._run, self.action
+        run.look()
+        if self._fault:
+            self._fail(self._fault, risky=self._blame)
+            return
+        run.pending.update(action.moved)
+        run.transit = action.after
+        for branch, state in {**action.moved, **action.committed}.items():
+            self.check = run.check(branch, state, action.after)
+            self._told(self.check)
+            if self.check.truth is not True:
+                self._fail(check_words(run.blueprint, self.check), risky=True)
+                return
+        if action.commits:
+            run.commit(action.committed, len(action.commits))
+            operations = tuple(map(str, action.commits))
+            run.emit(
+                Committed(t=run.time, operations=operations, configuration=dict(action.committed))
+            )
+        self._index += 1
+        last = self._index == len(self.step.actions)
+        self.stage = Stage.DONE if last else Stage.NEXT
+        broken = run.broken()
+        if broken and not last:
+            words = "; ".join(all_words(run.blueprint, broken))
+            self._fail(words, risky=False, pending=bool(run.transit))
+
+    def _told(self, check: CheckResult) -> None:
+        facts = self._run.blueprint
+        self._run.emit(
+            StateChecked(
+                t=self._run.time,
+                address=str(Address(check.branch, check.state)),
+                result=truth_word(check.truth),
+                misses=all_words(facts, check.misses),
+                unknown=all_words(facts, check.unknown),
+            )
+        )
+
+    def _fail(self, reason: str, risky: bool, pending: bool | None = None) -> None:
+        """Pending from the moment a crossing starts until it commits."""
+        if pending is None:
+            pending = bool(self.action.transit)
+        self.failure = Failure(self.action.edge, reason, risky, pending)
+        self.stage = Stage.FAILED
+
+
+def _fault(edge: Edge, tick: Tick) -> str:
+    words = f": {tick.message}" if tick.message else ""
+    if tick.outcome is Outcome.FAILED:
+        return f"{edge} says that it failed{words}"
+    if tick.outcome is Outcome.RAISED:
+        return f"{edge} raised an error{words}"
+    if tick.outcome is Outcome.IDLE:
+        return f"{edge} was lost by the host"
+    return ""

@@ -1,0 +1,84 @@
+"""What can be done now: every edge out of the active states, permitted or with its reasons."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import CheckResult
+from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.stepper import Unavailable
+from smsl_studio.dispatch.carrier import Carrier
+from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.guards import refusals
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.status import Possible
+
+
+class Outlook:
+    """Questions to a run that change nothing; answers are kept until the scene or terms change."""
+
+    def __init__(self, run: Run, course: Course) -> None:
+        self._run = run
+        self._course = course
+        self._key: object = None
+        self._possible: tuple[Possible, ...] = ()
+
+    def possible(self) -> tuple[Possible, ...]:
+        """Every edge out of the active states, bases first, in written order."""
+        run, course = self._run, self._course
+        facts = tuple(reading.value for reading in run.senses.scene.readings.values())
+        ahead = course.ahead
+        key = (tuple(run.configuration.values()), facts, course.version, ahead)
+        if key != self._key:
+            self._key = key
+            route = frozenset(ahead)
+            self._possible = tuple(
+                self._one(edge, route)
+                for name in run.hierarchy.order
+                for edge in course.planner.stepper.edges.out(name, run.configuration[name])
+            )
+        return self._possible
+
+    def details(self) -> tuple[str, ...]:
+        """Why each edge out of the active states does not help, edge by edge."""
+        return tuple(
+            f"{one.address}: {'; '.join(one.reasons)}"
+            if one.reasons
+            else f"{one.address}: possible, but no way leads on from {one.target}"
+            for one in self.possible()
+        )
+
+    def awaited(self, carrier: Carrier | None) -> CheckResult | None:
+        """The check that decides next: the running operation's target, else the active state."""
+        run = self._run
+        if carrier is not None:
+            edge = carrier.action.edge
+            return run.check(edge.branch, edge.target, carrier.action.after)
+        goal = self._course.goals[0].branch if self._course.goals else run.hierarchy.order[0]
+        return run.check(goal, run.configuration[goal])
+
+    def progress(self, carrier: Carrier | None) -> float | None:
+        """The share of its declared duration that the running operation has taken."""
+        if carrier is None or not carrier.moving:
+            return None
+        edge: Address = carrier.action.edge.address
+        branch = self._run.blueprint[edge.branch]
+        duration = branch.operation_note(edge.state, edge.operation).duration
+        if not duration:
+            return None
+        return min(1.0, (self._run.time - carrier.since) / duration)
+
+    def _one(self, edge: Edge, route: frozenset[Address]) -> Possible:
+        run, course = self._run, self._course
+        step = course.asked(run.configuration, edge)
+        unavailable = isinstance(step, Unavailable)
+        reasons = step.reasons if isinstance(step, Unavailable) else refusals(run, step)
+        return Possible(
+            address=edge.address,
+            target=edge.target,
+            permitted=not reasons,
+            reasons=reasons,
+            cost=edge.price if isinstance(step, Unavailable) else step.cost,
+            on_route=edge.address in route and not unavailable,
+            pruned=edge.address in course.shut,
+            risky=edge.address in course.risky,
+        )

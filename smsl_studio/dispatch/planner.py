@@ -1,0 +1,148 @@
+"""Routes over joint configurations, unfolded only as far as they are walked (clauses 11, 12)."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Configuration, Hierarchy
+from smsl_studio.blueprint.edges import Edge, Kind
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.blueprint.search import Move, cheapest
+from smsl_studio.blueprint.stepper import Stepper, Terms, Unavailable
+
+Key = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Leg:
+    """The way to one goal: joint steps, the configuration before each, and the whole cost."""
+
+    goal: Address
+    steps: tuple[JointStep, ...]
+    before: tuple[Mapping[str, str], ...]
+    cost: float
+
+    @property
+    def operations(self) -> tuple[Address, ...]:
+        """Every edge of it, in the order in which they start."""
+        return tuple(edge.address for step in self.steps for edge in step.edges)
+
+
+class Planner:
+    """Plans for one blueprint under one set of terms; kept as long as the terms stand."""
+
+    def __init__(self, hierarchy: Hierarchy, terms: Terms | None = None) -> None:
+        self.hierarchy = hierarchy
+        self.stepper = Stepper(hierarchy, terms)
+        self._at = {name: index for index, name in enumerate(hierarchy.order)}
+        self._required = {
+            key.rpartition("/")[0]
+            for branch in hierarchy.blueprint
+            for note in branch.notes.operations.values()
+            for key in note.requires
+        }
+
+    def legs(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
+        """The way to all goals, one leg for each that does not hold yet; None where there is none.
+
+        The goals are pursued in their order, each leg keeping what the former reached; where that
+        leads nowhere, all of them are sought at once.
+        """
+        legs: list[Leg] = []
+        here = dict(start)
+        for index, goal in enumerate(goals):
+            wanted = goals[: index + 1]
+            if holds(here, wanted):
+                continue
+            leg = self._leg(here, goal, wanted, [goal.branch])
+            if leg is None:
+                if len(goals) == 1:
+                    return None
+                last = self._leg(start, goals[-1], goals, [g.branch for g in goals])
+                return None if last is None else (last,)
+            legs.append(leg)
+            here.update(pair for step in leg.steps for pair in step.after.items())
+        return tuple(legs)
+
+    def _leg(
+        self,
+        start: Configuration,
+        goal: Address,
+        wanted: Sequence[Address],
+        branches: Collection[str],
+    ) -> Leg | None:
+        roots = {root for branch in branches for root in self.hierarchy.roots_of(branch)}
+        movers = [
+            name
+            for name in self.hierarchy.order
+            if any(name in self.hierarchy.tree(root) for root in roots)
+        ]
+        quiet = self._quiet(movers, wanted)
+        places = [(self._at[one.branch], one.state) for one in wanted]
+        found = cheapest(
+            self.stepper.key(start),
+            lambda node: all(node[at] == state for at, state in places),
+            lambda node: self._moves(node, movers, quiet, goal.branch),
+        )
+        if found is None:
+            return None
+        steps: list[JointStep] = []
+        before: list[Mapping[str, str]] = []
+        here = dict(start)
+        for move in found:
+            step = self.stepper.step(here, move.what)
+            assert isinstance(step, JointStep)
+            steps.append(step)
+            before.append(dict(here))
+            here.update(step.after)
+        return Leg(goal, tuple(steps), tuple(before), round(sum(s.cost for s in steps), 9))
+
+    def _quiet(self, movers: Sequence[str], wanted: Sequence[Address]) -> frozenset[str]:
+        """The flat subs that no goal and no ``requires`` looks into.
+
+        Only operations that leave ACTIVATING need to be asked of them: whatever else could be
+        asked, a base's rise does on its own sub-route, and never at a higher cost.
+        """
+        asked = {one.branch for one in wanted} | {
+            name for name in self._at if Address(name).path[0] in self._required
+        }
+        return frozenset(
+            name
+            for name in movers
+            if self.hierarchy.bases[name] and not self.hierarchy.subs[name] and name not in asked
+        )
+
+    def _moves(
+        self, node: Key, movers: Sequence[str], quiet: frozenset[str], routed: str
+    ) -> Iterator[Move]:
+        here: dict[str, str] | None = None
+        for name in movers:
+            at = self._at[name]
+            for edge in self.stepper.edges.out(name, node[at]):
+                plain = edge.kind is Kind.PURE and not edge.crossing
+                if edge.source == edge.target or (name in quiet and edge.crossing >= 0):
+                    continue
+                here = here or dict(zip(self.hierarchy.order, node, strict=True))
+                if plain:
+                    if self.stepper.allows(here, edge):
+                        to = (*node[:at], edge.target, *node[at + 1 :])
+                        names = (edge.name,) if name == routed else ()
+                        yield Move(to, edge.cost, names, (f"{at:06}", edge.name), edge)
+                    continue
+                move = self._joint_move(here, edge, routed, at)
+                if move is not None:
+                    yield move
+
+    def _joint_move(self, here: Mapping[str, str], edge: Edge, routed: str, at: int) -> Move | None:
+        step = self.stepper.step(here, edge)
+        if isinstance(step, Unavailable):
+            return None
+        to = self.stepper.key({**here, **step.after})
+        return Move(to, step.cost, step.names(routed), (f"{at:06}", edge.name), edge)
+
+
+def holds(configuration: Configuration, goals: Sequence[Address]) -> bool:
+    """Whether every goal holds."""
+    return all(configuration[goal.branch] == goal.state for goal in goals)

@@ -1,0 +1,66 @@
+"""Relocalisation: which configurations the scene agrees with (clauses 8 and 9). Pure questions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import islice, product
+
+from smsl_studio.blueprint.check import state_check
+from smsl_studio.blueprint.configuration import disagreements
+from smsl_studio.dispatch.run import Run
+
+MOST = 8
+"""Candidates that are worth naming; more than one is a hold anyway."""
+
+
+def stands(run: Run, configuration: Mapping[str, str]) -> bool:
+    """Whether every state check of a configuration is true on the scene."""
+    return all(check.truth is True for check in run.checks(configuration))
+
+
+def candidates(run: Run) -> tuple[Mapping[str, str], ...]:
+    """The configurations whose every state check is true and that agree with themselves.
+
+    Subs first, then bases. An SB whose committed state checks true keeps it.
+    """
+    believed = dict(run.configuration)
+    found: dict[str, list[str]] = {}
+    for name in reversed(run.hierarchy.order):
+        found[name] = _true_states(run, name, believed)
+        if not found[name]:
+            return ()
+        believed[name] = found[name][0]
+    names = list(run.configuration)
+    every = (
+        dict(zip(names, states, strict=True)) for states in product(*(found[n] for n in names))
+    )
+    agreeing = (one for one in every if not disagreements(run.hierarchy, one))
+    return tuple(one for one in islice(agreeing, MOST) if stands(run, one))
+
+
+def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
+    """The configuration where only one sub stands elsewhere, if that explains the whole scene.
+
+    None where it is no sub, where no single state of it does, or where it would enter or leave
+    ACTIVATING (clause 8: then it counts as pending).
+    """
+    if not run.hierarchy.bases[branch]:
+        return None
+    states = _true_states(run, branch, run.configuration)
+    if len(states) != 1:
+        return None
+    moved = {**run.configuration, branch: states[0]}
+    if disagreements(run.hierarchy, moved) or not stands(run, moved):
+        return None
+    return moved
+
+
+def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
+    def true(state: str) -> bool:
+        check = state_check(run.blueprint, name, state, run.senses.scene, believed)
+        return check.truth is True
+
+    committed = run.configuration[name]
+    if true(committed):
+        return [committed]
+    return list(islice(filter(true, run.blueprint[name].table), MOST))

@@ -1,0 +1,91 @@
+"""What one run holds: its blueprint, host, senses, configuration, and what happened this tick."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+
+from smsl_studio.blueprint.check import CheckResult, FactKey, Term, state_check
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.dispatch.senses import Senses
+from smsl_studio.host.protocol import Host, Opened
+from smsl_studio.runlog.events import Event
+
+
+class Run:
+    """The facts of a run that all its parts share; verbs are elsewhere.
+
+    ``configuration`` is committed. ``pending`` are the SBs that stand elsewhere, not committed;
+    ``transit`` are the base digits in transit. Nothing else is stored: flags are computed.
+    """
+
+    def __init__(
+        self, hierarchy: Hierarchy, host: Host, opened: Opened, start: Mapping[str, str]
+    ) -> None:
+        self.hierarchy = hierarchy
+        self.blueprint = hierarchy.blueprint
+        self.host = host
+        self.opened = opened
+        self.senses = Senses(host, opened)
+        self.configuration = dict(start)
+        self.pending: dict[str, str] = {}
+        self.transit: frozenset[FactKey] = frozenset()
+        self.operations = 0
+        self.events: list[Event] = []
+
+    @property
+    def time(self) -> float:
+        return self.senses.time
+
+    @property
+    def believed(self) -> dict[str, str]:
+        """Where every SB stands, committed or pending."""
+        return {**self.configuration, **self.pending}
+
+    def emit(self, *events: Event) -> None:
+        self.events.extend(events)
+
+    def look(self) -> None:
+        """Read every sensor now."""
+        self.emit(*self.senses.look())
+
+    def check(self, branch: str, state: str, without: Collection[FactKey] = ()) -> CheckResult:
+        """The state check of a state on the scene, without the digits in transit."""
+        believed = {**self.configuration, **self.pending, branch: state}
+        result = state_check(self.blueprint, branch, state, self.senses.scene, believed)
+        if not without:
+            return result
+        kept = tuple(term for term in result.terms if term.fact not in without)
+        return CheckResult(branch, state, kept)
+
+    def checks(self, configuration: Mapping[str, str]) -> tuple[CheckResult, ...]:
+        """The state check of every SB as it stands in a configuration."""
+        return tuple(
+            state_check(self.blueprint, name, state, self.senses.scene, configuration)
+            for name, state in configuration.items()
+        )
+
+    def broken(self) -> tuple[Term, ...]:
+        """Integrity (clause 9): the sensed facts that differ from the flags, transit left out."""
+        believed = self.believed
+        return tuple(
+            term
+            for name, state in believed.items()
+            for term in _state_terms(self, name, state, believed)
+            if term.truth is False and term.fact not in self.transit
+        )
+
+    def drop_pending(self) -> None:
+        """Forget what was in transit; the committed configuration stands."""
+        self.pending, self.transit = {}, frozenset()
+
+    def commit(self, committed: Mapping[str, str], count: int) -> None:
+        """SBs take the states that became true together."""
+        self.configuration.update(committed)
+        self.operations += count
+        self.pending = {
+            name: state for name, state in self.pending.items() if self.configuration[name] != state
+        }
+
+
+def _state_terms(run: Run, name: str, state: str, believed: Mapping[str, str]) -> Iterable[Term]:
+    return state_check(run.blueprint, name, state, run.senses.scene, believed).terms

@@ -1,0 +1,52 @@
+"""The run's senses: what the host's sensors say, as the scene and as events."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from smsl_studio.blueprint.check import FactKey, Scene
+from smsl_studio.host.protocol import Host, Opened, Tick
+from smsl_studio.monitor.facts import FactMonitor
+from smsl_studio.monitor.sample import Sample
+from smsl_studio.runlog.events import FactChanged
+
+
+class Senses:
+    """Time, scene and the last sensed value of every fact of one run."""
+
+    def __init__(self, host: Host, opened: Opened) -> None:
+        self._host = host
+        self._monitor = FactMonitor(opened.sensors)
+        self._told: dict[FactKey, str | None] = {}
+        self.time = 0.0
+        self.scene = Scene()
+
+    def look(self) -> tuple[FactChanged, ...]:
+        """Read every sensor once, now; what changed."""
+        samples = self._host.sense()
+        self.time = max((sample.time for sample in samples), default=self.time)
+        return self._take(samples)
+
+    def tick(self) -> tuple[Tick, tuple[FactChanged, ...]]:
+        """Let the host go on for one tick; what it brought and what changed."""
+        tick = self._host.tick()
+        self.time = tick.time
+        return tick, self._take(tick.samples)
+
+    def _take(self, samples: Iterable[Sample]) -> tuple[FactChanged, ...]:
+        self._monitor.accept(samples, self.time)
+        self.scene = self._monitor.scene(self.time)
+        return tuple(self._changes())
+
+    def _changes(self) -> Iterator[FactChanged]:
+        for key, reading in self.scene.readings.items():
+            if key in self._told and self._told[key] == reading.value:
+                continue
+            self._told[key] = reading.value
+            yield FactChanged(
+                t=self.time,
+                branch=key[0],
+                digit=key[1],
+                value=reading.value,
+                reason=reading.reason if reading.value is None else "",
+            )

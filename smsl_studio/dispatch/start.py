@@ -1,0 +1,73 @@
+"""The start of a run: every guard that can refuse it before anything moves (clauses 1, 3, 11)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.goals import goals_of
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.words import all_words, check_words, truth_word
+from smsl_studio.errors import RunRefused
+from smsl_studio.host.protocol import Host
+from smsl_studio.runlog.events import Event, RunStarted, StateChecked
+from smsl_studio.seal.digest import digest_of
+
+BEHAVIOUR = ("initial", "activating", "facts", "sub_sbs", "states")
+
+
+def begin_run(
+    blueprint: Blueprint, host: Host, start: Mapping[str, str], goals: Sequence[Address]
+) -> tuple[Run, tuple[Address, ...]]:
+    """Open the host where the run starts; the run and its goals in order. RunRefused says why not.
+
+    Nothing is opened where the blueprint, the start or the goals already refuse.
+    """
+    hierarchy = Hierarchy(blueprint)
+    if not blueprint.branches:
+        raise RunRefused("the blueprint has no State Branch", advice="Add one and draw its states.")
+    configuration = start_configuration(hierarchy, start)
+    ordered = goals_of(hierarchy, goals)
+    opened = host.open(configuration)
+    if opened.hardware:
+        raise RunRefused(
+            f"{opened.world} is hardware and this blueprint has no inspection record",
+            advice="Run it in a simulated world first.",
+        )
+    return Run(hierarchy, host, opened, configuration), ordered
+
+
+def start_events(run: Run, seed: int, goals: Sequence[Address]) -> tuple[Event, ...]:
+    """The first events of a run; RunRefused where a state check is not true on sensed facts."""
+    changes = run.senses.look()
+    checks = run.checks(run.configuration)
+    failed = [check_words(run.blueprint, check) for check in checks if check.truth is not True]
+    if failed:
+        raise RunRefused("; ".join(failed), advice="Put the world where the start has it.")
+    started = RunStarted(
+        t=run.time,
+        world=run.opened.world,
+        seed=seed,
+        start=dict(run.configuration),
+        goals=tuple(map(str, goals)),
+        behaviour=behaviour_of(run.blueprint),
+    )
+    return (started, *changes, *_checked(run))
+
+
+def _checked(run: Run) -> Iterator[StateChecked]:
+    for check in run.checks(run.configuration):
+        yield StateChecked(
+            t=run.time,
+            address=str(Address(check.branch, check.state)),
+            result=truth_word(check.truth),
+            misses=all_words(run.blueprint, check.misses),
+            unknown=all_words(run.blueprint, check.unknown),
+        )
+
+
+def behaviour_of(blueprint: Blueprint) -> str:
+    """SHA-256 of what runs: SBs, states, operations and headers, with defaults made explicit."""
+    return digest_of([[b.name, {key: b.meaning[key] for key in BEHAVIOUR}] for b in blueprint])
