@@ -91,6 +91,8 @@ PLANTED = [
   "State_0": {"go": "State_1"}, "State_1": {^"Go": "State_0"}}}"""),
     ("R09", "W", "SB/State_O", "only by characters that look alike", """{"SB": {
   "State_0": {"go": "State_O"}, ^"State_O": {"back": "State_0"}}}"""),
+    ("R09", "W", "SB/Statе_1", "the state Statе_1 differs from State_1 only by char", """{"SB": {
+  "State_1": {"go": "Statе_1"}, ^"Statе_1": {"back": "State_1"}}}"""),
     ("R10", "E", "SB/State_2", "no operations lead here from INITIAL, State_0", """{"SB": {
   "State_0": {"a": "State_1"}, ^"State_2": {"b": "State_0"}, "State_1": {"c": "State_0"}}}"""),
     ("R10", "W", "SB/State_x", "it holds a failure value", """{"SB": {
@@ -271,6 +273,27 @@ def test_load_marked_operations_are_not_mixed_and_need_no_way_back() -> None:
         '"State000": {', '"_operations": {"Operation100B": {"subs": "load"}}, "State000": {', 1
     )
     assert not inspect(read(text), ["R14"])
+
+
+def test_a_fall_that_is_loaded_asks_nothing_of_the_sub_sb() -> None:
+    text = (
+        '{"SB": {"HEADER": {"SUB_SBS": {"Sub": 0}}, "State_0": {"a": "State_1"},'
+        ' "State_1": {"b": "State_0"}}, "Sub": {"State_0": {"a": "State_1"}, "State_1": {}}}'
+    )
+    assert [f.rule for f in inspect(read(text), ["R13"])] == ["R13"]
+    loaded = text.replace('"State_0"', '"_operations": {"b": {"subs": "load"}}, "State_0"', 1)
+    assert not inspect(read(loaded), ["R13"])
+
+
+def test_a_dead_end_is_no_trap_but_what_leads_only_there_is() -> None:
+    table = {
+        "State_0": {"a": "State_1", "b": "State_2"},
+        "State_2": {"c": "State_3"},
+        "State_3": {},
+        "State_1": {},
+    }
+    found = inspect(read(json.dumps({"SB": table})), ["R11", "R12"])
+    assert [(f.rule, f.address.state) for f in found] == [("R11", "State_2"), ("R12", "State_3")]
 
 
 def test_costs_and_repeatable_marks_answer_their_notes() -> None:

@@ -14,6 +14,7 @@ from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import counted, fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE
+Facts = tuple[str, ...]
 Effect = tuple[tuple[int, str], ...]
 """(digit, new value) for each digit an edge changes."""
 
@@ -107,36 +108,37 @@ def r16_conditional(blueprint: Blueprint) -> Iterator[Finding]:
     for branch in blueprint:
         if branch.shape.opaque:
             continue
+        facts = {state: branch.facts(state) for state in branch.table}
         slips = {slip.edge for slip in mislabelled(branch)}
         edges: dict[str, list[Operation]] = {}
         for edge in branch.edges():
             if edge.target in branch.table and edge not in slips:
                 edges.setdefault(edge.name, []).append(edge)
         for own in edges.values():
-            facts = [
+            ends = [(facts[edge.source], facts[edge.target]) for edge in own]
+            unsure = [
                 f"{fact_words(branch, digit)} ({outcome})"
                 for digit in range(branch.num_facts)
-                if (outcome := _outcomes(branch, own, digit))
+                if (outcome := _outcomes(ends, digit))
             ]
-            if facts:
+            if unsure:
                 yield Finding.at(
                     blueprint,
                     "R16",
                     NOTE,
                     own[0].address,
-                    f"what {own[0].name} does to {listed(facts)} depends on the state",
+                    f"what {own[0].name} does to {listed(unsure)} depends on the state",
                     advice="if that is not meant, give the operations different names",
                 )
 
 
-def _outcomes(branch: StateBranch, edges: list[Operation], digit: int) -> str:
+def _outcomes(ends: list[tuple[Facts, Facts]], digit: int) -> str:
     """The different ends one operation brings a fact to, or the empty text where it is one end."""
     changed: dict[str, None] = {}
     kept: dict[str, None] = {}
-    for edge in edges:
-        old, new = branch.facts(edge.source)[digit], branch.facts(edge.target)[digit]
-        (changed if new != old else kept)[new] = None
-    if not changed or len({*changed, *kept}) == 1:
+    for before, after in ends:
+        (kept if before[digit] == after[digit] else changed)[after[digit]] = None
+    if not changed:
         return ""
     ways = [f"to {value}" for value in changed]
     if any(value not in changed for value in kept):

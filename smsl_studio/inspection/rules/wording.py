@@ -8,7 +8,7 @@ from difflib import SequenceMatcher, get_close_matches
 from smsl_studio.blueprint.model import StateBranch
 
 _MANY = 400
-"""Above so many known names only those that begin alike are compared, to stay quick."""
+"""Above so many known names only some that begin alike are compared, to stay quick."""
 
 
 def near(name: str, known: Collection[str]) -> str:
@@ -16,7 +16,7 @@ def near(name: str, known: Collection[str]) -> str:
     names = [other for other in known if other != name]
     if len(names) > _MANY:
         half = name[: max(1, len(name) // 2)]
-        names = [other for other in names if other.startswith(half)][:_MANY]
+        names = [other for other in names if other.startswith(half)][: _MANY // 4]
     close = get_close_matches(name, names, n=3, cutoff=0.6)
     if not close:
         return ""

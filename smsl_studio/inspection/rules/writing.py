@@ -55,10 +55,13 @@ def _address(path: tuple[str, ...]) -> Address:
 def r02_unknown_target(blueprint: Blueprint) -> Iterator[Finding]:
     """A target that is no state of the SB."""
     for branch in blueprint:
+        likes: dict[str, str] = {}
         for edge in branch.edges():
             if edge.target in branch.table:
                 continue
-            like = near(edge.target, branch.table)
+            if edge.target not in likes:
+                likes[edge.target] = near(edge.target, branch.table)
+            like = likes[edge.target]
             yield Finding.at(
                 blueprint,
                 "R02",
@@ -89,27 +92,35 @@ def r09_look_alikes(blueprint: Blueprint) -> Iterator[Finding]:
 def _alike(
     blueprint: Blueprint, names: Iterable[tuple[str, Address]], what: str
 ) -> Iterator[Finding]:
-    seen: dict[str, str] = {}
+    by_case: dict[str, str] = {}
+    by_look: dict[str, str] = {}
     for name, address in names:
-        other = seen.setdefault(skeleton(name), name)
-        if other != name:
-            by = "case" if other.casefold() == name.casefold() else "characters that look alike"
-            yield Finding.at(
-                blueprint,
-                "R09",
-                WARNING,
-                address,
-                f"the {what} {name} differs from {other} only by {by}",
-                advice="give one of them another name",
-            )
+        case = by_case.setdefault(name.casefold(), name)
+        look = by_look.setdefault(_look(name), name)
+        if case == look == name:
+            continue
+        other, by = (case, "case") if case != name else (look, "characters that look alike")
+        yield Finding.at(
+            blueprint,
+            "R09",
+            WARNING,
+            address,
+            f"the {what} {name} differs from {other} only by {by}",
+            advice="give one of them another name",
+        )
 
 
-_LOOK = str.maketrans("0оοσ1lіιавсеруxхкмнт", "oooo" + "llli" + "abcepyxxkmht")
+# The Latin letter first, then what looks like it: digits, Cyrillic, Greek.
+_SAME = (
+    *("O0ОΟ", "oоο", "l1IІΙ|", "iі", "aа", "cс", "eе", "pр", "xх", "yу", "sѕ", "jј", "vν"),
+    *("AАΑ", "BВΒ", "CС", "EЕΕ", "HНΗ", "KКΚ", "MМΜ", "NΝ", "PРΡ", "TТΤ", "XХΧ", "YУΥ", "ZΖ"),
+)
+_LOOK = {ord(char): same[0] for same in _SAME for char in same}
 
 
-def skeleton(name: str) -> str:
-    """What a hurried reader sees of a name: no case, one form of every look-alike character."""
-    return unicodedata.normalize("NFKC", name).casefold().translate(_LOOK)
+def _look(name: str) -> str:
+    """What a hurried reader sees of a name: one form of every look-alike character."""
+    return unicodedata.normalize("NFKC", name).translate(_LOOK)
 
 
 def r29_annotations(blueprint: Blueprint) -> Iterator[Finding]:
