@@ -72,7 +72,7 @@ def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, A
 
 
 def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> None:
-    paint = {Severity.ERROR: out.red, Severity.WARNING: out.yellow, Severity.NOTE: str}
+    paint = {Severity.ERROR: out.red, Severity.WARNING: out.yellow, Severity.NOTE: out.plain}
     counts = dict.fromkeys(Severity, 0)
     for finding in findings:
         counts[finding.severity] += 1

@@ -30,6 +30,9 @@ class Output:
         """One JSON object on a line of its own."""
         self.line(json.dumps(value, ensure_ascii=False))
 
+    def plain(self, text: str) -> str:
+        return text
+
     def red(self, text: str) -> str:
         return self._in(_RED, text)
 

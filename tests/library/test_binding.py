@@ -1,0 +1,227 @@
+"""Which code carries out an edge: the order of the bindings, and what does not fit."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import PluginError
+from smsl_studio.library.binding import bind
+from smsl_studio.library.bindings_file import BindingsFile, bindings_beside, read_bindings
+from smsl_studio.library.bound import Bindings
+from smsl_studio.library.loading import Loaded, discover
+from tests.plugin_folder import blueprint_of, write_plugin
+
+PLUGIN = """
+def register(library):
+    @library.world("w", engine="table")
+    def build(world, blueprint, seed): ...
+
+    @library.sensor("eye_{n}", fact="{n}", period=0.5, max_age=2.0)
+    def eye(world, n: int): ...
+
+    @library.sensor("ear")
+    def ear(world): ...
+
+    @library.sensor("sub_{n}", fact="SB2/{n}")
+    def sub(world, n: int): ...
+
+    @library.operation("Op_{disk}{peg}")
+    def move(world, disk: int, peg: str):
+        yield
+
+    @library.operation("Op_{anything}")
+    def anything(world, anything: str):
+        yield
+
+    @library.operation("Op_plain", stop="abort", timeout=3.0)
+    def plain(world):
+        yield
+
+    @library.operation()
+    def by_hand(world, speed: float = 1.0, careful: bool = False, **more):
+        yield
+
+    @library.operation()
+    def strict(world, count: int):
+        yield
+"""
+
+OTHER = """
+def register(library):
+    @library.world("other", engine="table")
+    def build(world, blueprint, seed): ...
+
+    @library.operation("Op_{disk}{peg}")
+    def elsewhere(world, disk: int, peg: str):
+        yield
+"""
+
+GENERAL = """
+def register(library):
+    @library.operation("Wait_{seconds}")
+    def wait(world, seconds: float):
+        yield
+"""
+
+A, B = "State_00", "State_10"
+
+
+def _values(**notes: Any) -> dict[str, Any]:
+    names = ("Op_1b", "Op_xy", "Op_plain", "Wait_2.5", "Else")
+    return {
+        "SB1": {
+            "HEADER": {"SUB_SBS": {"SB2": 1}},
+            **notes,
+            A: dict.fromkeys(names, B),
+            B: {"Op_1b": A},
+        },
+        "SB2": {"HEADER": {}, "State_0": {"Op_1a": "State_1"}, "State_1": {}},
+    }
+
+
+@pytest.fixture
+def loaded(tmp_path: Path) -> Loaded:
+    write_plugin(tmp_path, "p", PLUGIN)
+    write_plugin(tmp_path, "other", OTHER)
+    write_plugin(tmp_path, "general", GENERAL)
+    return discover([tmp_path])
+
+
+def _bind(loaded: Loaded, file: BindingsFile | None = None, **notes: Any) -> Bindings:
+    return bind(blueprint_of(_values(**notes)), loaded, "w", file)
+
+
+def _name(bindings: Bindings, state: str, operation: str) -> tuple[str, Any, bool] | None:
+    bound = bindings.operations.get(Address("SB1", state, operation))
+    return None if bound is None else (bound.name, dict(bound.arguments), bound.exact)
+
+
+def _file(tmp_path: Path, text: str) -> BindingsFile:
+    path = tmp_path / "b.toml"
+    path.write_text(text, "utf-8")
+    return read_bindings(path)
+
+
+def test_names_find_their_functions_and_typed_arguments(loaded: Loaded) -> None:
+    bindings = _bind(loaded)
+    assert _name(bindings, A, "Op_1b") == ("p.move", {"disk": 1, "peg": "b"}, False)
+    assert _name(bindings, A, "Op_xy") == ("p.anything", {"anything": "xy"}, False)
+    assert _name(bindings, A, "Op_plain") == ("p.plain", {}, False)
+    assert _name(bindings, A, "Wait_2.5") == ("general.wait", {"seconds": 2.5}, False)
+    assert _name(bindings, A, "Else") is None
+    assert bindings.faults == ()
+
+
+def test_stop_and_timeout_come_from_the_function_and_the_note(loaded: Loaded) -> None:
+    plain = Address("SB1", A, "Op_plain")
+    bound = _bind(loaded).operations[plain]
+    assert (bound.stop, bound.timeout) == ("abort", 3.0)
+    noted = _bind(loaded, _operations={"Op_plain": {"stop": "finish", "timeout": 9.0}})
+    bound = noted.operations[plain]
+    assert (bound.stop, bound.timeout) == ("finish", 9.0)
+
+
+def test_exact_comes_before_name_before_pattern(loaded: Loaded, tmp_path: Path) -> None:
+    def note(speed: float) -> dict[str, Any]:
+        return {"binding": {"function": "p.by_hand", "arguments": {"speed": speed}}}
+
+    notes = {"Op_1b": note(1), f"{A}/Op_1b": note(2)}
+    by_note = _bind(loaded, _operations=notes)
+    assert _name(by_note, A, "Op_1b") == ("p.by_hand", {"speed": 2.0}, True)
+    assert _name(by_note, B, "Op_1b") == ("p.by_hand", {"speed": 1.0}, False)
+    file = _file(
+        tmp_path,
+        "[world.w.operations]\n"
+        f'"{A}/Op_1b" = {{function="p.by_hand", speed=3}}\n'
+        '"Op_1b" = {function="p.by_hand", speed=4}\n'
+        '"Else" = {function="p.by_hand", mood="calm"}\n'
+        "[world.other.operations]\n"
+        '"Op_xy" = {function="nobody.asks"}\n',
+    )
+    both = _bind(loaded, file, _operations=notes)
+    assert _name(both, A, "Op_1b") == ("p.by_hand", {"speed": 3.0}, True)
+    assert _name(both, B, "Op_1b") == ("p.by_hand", {"speed": 4.0}, False)
+    assert _name(both, A, "Else") == ("p.by_hand", {"mood": "calm"}, False)
+    assert both.faults == ()
+
+
+@pytest.mark.parametrize(
+    ("binding", "words"),
+    [
+        ({"function": "p.strikt"}, "no function 'p.strikt'. Did you mean p.strict?"),
+        ({"function": "other.elsewhere"}, "no function 'other.elsewhere'"),
+        ({"function": "p.strict"}, "'count' is missing"),
+        ({"function": "p.strict", "count": "1"}, "count is '1', not a whole number"),
+        ({"function": "p.strict", "count": True}, "count is True, not a whole number"),
+        ({"function": "p.strict", "count": 1, "cuont": 2}, "no parameter 'cuont'"),
+    ],
+)
+def test_a_binding_that_does_not_fit_is_a_fault_with_its_place(
+    loaded: Loaded, binding: dict[str, Any], words: str
+) -> None:
+    arguments = {k: v for k, v in binding.items() if k != "function"}
+    note = {"binding": {"function": binding["function"], "arguments": arguments}}
+    bindings = _bind(loaded, _operations={f"{A}/Op_1b": note})
+    assert _name(bindings, A, "Op_1b") is None
+    (fault,) = bindings.faults
+    assert words in fault.sentence
+    assert fault.place is not None
+    assert fault.place.line == 9
+
+
+def test_a_bindings_file_that_names_nothing_is_a_fault(loaded: Loaded, tmp_path: Path) -> None:
+    file = _file(
+        tmp_path,
+        '[world.w.operations]\n"Op_1q" = {function="p.by_hand"}\n'
+        '[world.w.facts]\n"SB1/1" = "ear"\n"SB1/0" = "nose"\n',
+    )
+    faults = {fault.subject: fault for fault in _bind(loaded, file).faults}
+    assert faults.keys() == {"'Op_1q'", "'SB1/1'", "fact SB1/0"}
+    assert {fault.place.line for fault in faults.values() if fault.place} == {2, 4, 5}
+
+
+def test_facts_find_their_sensors(loaded: Loaded, tmp_path: Path) -> None:
+    plain = {(s.branch, s.digit): s for s in _bind(loaded).sensors}
+    assert {key: sensor.name for key, sensor in plain.items()} == {
+        ("SB1", 0): "eye_1",
+        ("SB2", 0): "sub_1",
+    }
+    eye = plain["SB1", 0]
+    assert (eye.period, eye.max_age, dict(eye.arguments)) == (0.5, 2.0, {"n": 1})
+    note = {"0": {"sensors": ["ear", "eye_2"], "aggregation": "priority", "max_age": 0.7}}
+    noted = [s for s in _bind(loaded, _facts=note).sensors if s.branch == "SB1"]
+    assert [(s.name, s.aggregation, s.max_age) for s in noted] == [
+        ("ear", "priority", 0.7),
+        ("eye_2", "priority", 0.7),
+    ]
+    file = _file(tmp_path, '[world.w.facts]\n"SB1/0" = "ear"\n')
+    assert [s.name for s in _bind(loaded, file, _facts=note).sensors] == ["ear", "sub_1"]
+
+
+def test_the_file_beside_a_blueprint_is_found(tmp_path: Path) -> None:
+    (tmp_path / "b.toml").write_text('[world.w.operations]\nOp = {function="p.f", x=1}\n')
+    table = bindings_beside(str(tmp_path / "b.json")).of("w")
+    assert table.operations["Op"].arguments == {"x": 1}
+    assert not bindings_beside(str(tmp_path / "c.json")).worlds
+    assert not bindings_beside("<stdin>").worlds
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("[world.w.operations]\nOp = {function=\n", 2),
+        ('\n[world.w.operations]\nOp = {functoin="p.f"}\n', 3),
+        ('[world.w.operations]\nOp = "p.f"\n', 2),
+        ("[worlds.w]\n", 1),
+        ('[world.w.operations]\nOp = {function="p.f"}\n[world.w.fact]\na = "b"\n', 3),
+    ],
+)
+def test_a_broken_bindings_file_names_its_line(tmp_path: Path, text: str, line: int) -> None:
+    with pytest.raises(PluginError) as caught:
+        _file(tmp_path, text)
+    assert caught.value.place is not None
+    assert caught.value.place.line == line
