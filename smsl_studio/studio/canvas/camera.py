@@ -1,0 +1,112 @@
+"""Camera: zoom, pan and fit of a canvas, with the short movements between them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import (
+    QEasingCurve,
+    QObject,
+    QPointF,
+    QRectF,
+    QVariantAnimation,
+    Signal,
+)
+from PySide6.QtGui import QTransform
+from PySide6.QtWidgets import QGraphicsView
+
+LEAST, MOST = 0.02, 4.0
+DURATION = 200
+STEP = 1.2
+"""The factor of one notch of the wheel and of the zoom buttons."""
+
+
+class Camera(QObject):
+    """Where a view looks: the scene point in its middle, and the zoom.
+
+    ``fitted`` stays true until somebody zooms or pans, so that a canvas that grows fits again.
+    """
+
+    zoom_changed = Signal(float)
+
+    def __init__(self, view: QGraphicsView) -> None:
+        super().__init__(view)
+        self._view = view
+        self.motion = True
+        self.fitted = False
+        self._animation = QVariantAnimation(self)
+        self._animation.setDuration(DURATION)
+        self._animation.setEasingCurve(QEasingCurve.Type.OutCubic)
+        self._animation.setStartValue(0.0)
+        self._animation.setEndValue(1.0)
+        self._animation.valueChanged.connect(self._frame)
+        self._from = self._to = (QPointF(), 1.0)
+
+    @property
+    def zoom(self) -> float:
+        return self._view.transform().m11()
+
+    @property
+    def centre(self) -> QPointF:
+        """The scene point in the middle of the view."""
+        return self._view.mapToScene(self._view.viewport().rect()).boundingRect().center()
+
+    def zoom_at(self, factor: float, at: QPointF) -> None:
+        """Zoom by a factor so that what is under a point of the viewport stays there."""
+        self._animation.stop()
+        self.fitted = False
+        zoom = min(max(self.zoom * factor, LEAST), MOST)
+        anchor = self._scene_point(at)
+        middle = QPointF(self._view.viewport().rect().center())
+        self._look(anchor + (middle - at) / zoom, zoom)
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move the picture by pixels."""
+        self._animation.stop()
+        self.fitted = False
+        bars = self._view.horizontalScrollBar(), self._view.verticalScrollBar()
+        bars[0].setValue(bars[0].value() - round(dx))
+        bars[1].setValue(bars[1].value() - round(dy))
+
+    def go(self, centre: QPointF, zoom: float, smooth: bool = True) -> None:
+        """Look at a scene point at a zoom, with a short movement where motion is wanted."""
+        zoom = min(max(zoom, LEAST), MOST)
+        self._animation.stop()
+        if not (smooth and self.motion and self._view.isVisible()):
+            self._look(centre, zoom)
+            return
+        self._from, self._to = (self.centre, self.zoom), (centre, zoom)
+        self._animation.start()
+
+    def finish(self) -> None:
+        """End a movement at once."""
+        if self._animation.state() is QVariantAnimation.State.Running:
+            self._animation.stop()
+            self._look(*self._to)
+
+    def _frame(self, share: float) -> None:
+        (a, za), (b, zb) = self._from, self._to
+        zoom = za * (zb / za) ** share
+        self._look(a + (b - a) * share, zoom)
+
+    def _look(self, centre: QPointF, zoom: float) -> None:
+        # Whole percents where it makes no difference, so that 100 % is exactly 1.
+        if abs(zoom - 1.0) < 0.004:
+            zoom = 1.0
+        view = self._view
+        if zoom != self.zoom:
+            view.setTransform(QTransform.fromScale(zoom, zoom))
+            self.zoom_changed.emit(zoom)
+        view.centerOn(centre)
+
+    def _scene_point(self, at: QPointF) -> QPointF:
+        inverse, _ = self._view.viewportTransform().inverted()
+        return inverse.map(at)
+
+
+def fit_zoom(
+    extent: QRectF, marks: tuple[float, float], room: tuple[float, float], most: float = 1.0
+) -> float:
+    """The zoom at which an extent (scene) and the marks around it (pixels) fill a room (pixels)."""
+    width = max(extent.width(), 1.0)
+    height = max(extent.height(), 1.0)
+    free_w, free_h = max(room[0] - marks[0], 40.0), max(room[1] - marks[1], 40.0)
+    return min(max(min(free_w / width, free_h / height), LEAST), most)

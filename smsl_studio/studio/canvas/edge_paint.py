@@ -1,0 +1,216 @@
+"""How an edge looks: line, arrowhead, label and signs, by what is lit about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPolygonF
+
+from smsl_studio.studio.canvas.ink import (
+    NO_BRUSH,
+    NO_PEN,
+    Ink,
+    draw_barred,
+    draw_finding,
+    draw_sub_mark,
+    draw_unknown,
+    draw_warning,
+    faded,
+    pen,
+)
+from smsl_studio.studio.canvas.shape import EdgeShape, Floats
+
+HEAD, LABEL_HEIGHT = 8.0, 16.0
+MARK_WIDTH = 13.0
+
+
+@dataclass(frozen=True)
+class EdgeLook:
+    """What is lit about an edge; see Marks. ``running`` is the share of time, -1 while unknown."""
+
+    selected: bool = False
+    running: float | None = None
+    trail: bool = False
+    planned: bool = False
+    pruned: bool = False
+    held_back: bool = False
+    risky: bool = False
+    possible: bool = False
+    finding: str = ""
+    hovered: bool = False
+    dimmed: bool = False
+
+    @property
+    def lit(self) -> bool:
+        """Whether the edge is drawn after the others, with its label, at every level."""
+        return bool(
+            self.selected or self.running is not None or self.trail or self.planned or self.pruned
+            or self.held_back or self.risky or self.finding or self.hovered or self.possible
+        )  # fmt: skip
+
+
+PLAIN = EdgeLook()
+
+
+@dataclass(frozen=True)
+class EdgeText:
+    """An edge's label: its words, its sub-SB mark, and whether it is set in the code font."""
+
+    text: str
+    kind: str = ""
+    mono: bool = False
+
+
+def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
+    """The size of a label with its mark, in mark pixels."""
+    type_ = ink.mono_label if text.mono else ink.label
+    width = type_.width(text.text) + (MARK_WIDTH if text.kind else 0.0) + 8.0
+    return width, LABEL_HEIGHT if not text.mono else 14.0
+
+
+def paint_line(painter: QPainter, shape: EdgeShape, look: EdgeLook, ink: Ink, unit: float) -> None:
+    """The line and its arrowhead."""
+    tokens = ink.tokens
+    if look.running is not None:
+        _running(painter, shape, look.running, ink, unit)
+        return
+    colour, width, dashes = _stroke(look, ink)
+    head = HEAD + (1.0 if width > 1.6 else 0.0)
+    body = polyline(shape.cut(0.0, shape.length - (head - 2.0) * unit))
+    painter.setBrush(NO_BRUSH)
+    if look.trail:
+        painter.setPen(pen(faded(tokens.acc, 0.16), 9.0 * unit))
+        painter.drawPolyline(body)
+    painter.setPen(pen(colour, width * unit, tuple(d * unit for d in dashes)))
+    painter.drawPolyline(body)
+    paint_head(painter, shape, colour, head * unit)
+
+
+def _stroke(look: EdgeLook, ink: Ink) -> tuple[QColor, float, tuple[float, ...]]:
+    """Colour, width and dashes, the strongest statement first."""
+    tokens = ink.tokens
+    if look.finding == "E":
+        return tokens.bad, 2.4, ()
+    if look.trail:
+        return tokens.acc, 2.4, ()
+    if look.pruned:
+        return tokens.edge, 1.6, (2.0, 4.0)
+    if look.held_back:
+        return tokens.edge, 1.6, (6.0, 3.0)
+    if look.selected:
+        return tokens.acc, 2.0, ()
+    if look.planned:
+        return tokens.acc, 1.6, (4.0, 4.0)
+    if look.risky:
+        return tokens.risk, 2.0, ()
+    if look.hovered:
+        return tokens.slate, 2.0, ()
+    if look.dimmed and not look.possible:
+        return tokens.dim, 1.3, ()
+    return tokens.edge, 1.5, ()
+
+
+def _running(
+    painter: QPainter, shape: EdgeShape, share: float, ink: Ink, unit: float
+) -> None:
+    tokens = ink.tokens
+    end = shape.length - 11.0 * unit
+    painter.setBrush(NO_BRUSH)
+    painter.setPen(pen(tokens.accl, 5.0 * unit))
+    painter.drawPolyline(polyline(shape.cut(0.0, end)))
+    paint_head(painter, shape, tokens.acc, 12.0 * unit)
+    if share < 0.0:
+        return
+    along = end * min(max(share, 0.0), 1.0)
+    painter.setPen(pen(tokens.acc, 5.0 * unit))
+    painter.setBrush(NO_BRUSH)
+    painter.drawPolyline(polyline(shape.cut(0.0, along)))
+    painter.setPen(pen(tokens.acc, 3.0 * unit))
+    painter.setBrush(tokens.surf)
+    painter.drawEllipse(QPointF(*shape.at(along)), 5.5 * unit, 5.5 * unit)
+
+
+def paint_head(painter: QPainter, shape: EdgeShape, colour: QColor, size: float) -> None:
+    """A filled arrowhead at the end of a line."""
+    painter.setPen(NO_PEN)
+    painter.setBrush(colour)
+    painter.drawPolygon(head_polygon(shape, size))
+
+
+def head_polygon(shape: EdgeShape, size: float) -> QPolygonF:
+    x, y = shape.tip
+    # The direction is taken over the head's own length, so that a curve's head sits on it.
+    bx, by = shape.at(max(shape.length - size, 0.0))
+    dx, dy = x - bx, y - by
+    length = (dx * dx + dy * dy) ** 0.5 or 1.0
+    dx, dy = dx / length, dy / length
+    bx, by, half = x - dx * size, y - dy * size, size * 0.46
+    return QPolygonF(
+        [
+            QPointF(x, y),
+            QPointF(bx - dy * half, by + dx * half),
+            QPointF(bx + dy * half, by - dx * half),
+        ]
+    )
+
+
+def polyline(points: Floats) -> QPolygonF:
+    return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
+
+
+def paint_label(
+    painter: QPainter, text: EdgeText, centre: QPointF, look: EdgeLook, ink: Ink
+) -> None:
+    """A label about ``centre`` in mark pixels: boxed with its sign where there is a finding."""
+    tokens = ink.tokens
+    if look.finding:
+        _boxed(painter, text, centre, look.finding, ink)
+        return
+    width, height = label_size(text, ink)
+    left = centre.x() - width / 2
+    ground = QRectF(left + 1.0, centre.y() - height / 2, width - 2.0, height)
+    painter.fillRect(ground, tokens.canvas)
+    lit = look.selected or look.trail or look.planned or look.running is not None
+    colour = tokens.acc if lit else tokens.risk if look.risky else tokens.tx2
+    if look.dimmed and not look.lit:
+        colour = tokens.tx3
+    x = left + 4.0
+    if text.kind:
+        draw_sub_mark(painter, x + 4.5, centre.y(), text.kind, tokens.acc, tokens.canvas)
+        x += MARK_WIDTH
+    type_ = ink.mono_label if text.mono else ink.label
+    type_.draw_from(painter, x, centre.y(), text.text, colour)
+
+
+def boxed_width(text: EdgeText, ink: Ink) -> float:
+    return ink.boxed.width(text.text) + 26.0
+
+
+def _boxed(painter: QPainter, text: EdgeText, centre: QPointF, letter: str, ink: Ink) -> None:
+    tokens = ink.tokens
+    fill, line = {"E": (tokens.bads, tokens.bad), "W": (tokens.risks, tokens.risk)}.get(
+        letter, (tokens.sunk, tokens.slate)
+    )
+    width = boxed_width(text, ink)
+    rect = QRectF(centre.x() - width / 2, centre.y() - 9.0, width, 18.0)
+    painter.setPen(pen(line, 1.3))
+    painter.setBrush(fill)
+    painter.drawRoundedRect(rect, 4.0, 4.0)
+    draw_finding(painter, rect.left() + 11.0, centre.y(), 11.0, letter, tokens)
+    ink.boxed.draw_from(painter, rect.left() + 20.0, centre.y(), text.text, line)
+
+
+def paint_sign(painter: QPainter, x: float, y: float, look: EdgeLook, ink: Ink) -> bool:
+    """The sign on a line about (x, y) in mark pixels; False where it has none."""
+    if look.pruned:
+        draw_barred(painter, x, y, 7.5, ink.tokens)
+    elif look.held_back:
+        draw_unknown(painter, x, y, 16.0, ink)
+    elif look.risky:
+        painter.setPen(NO_PEN)
+        painter.fillRect(QRectF(x - 10.0, y - 8.0, 20.0, 16.0), ink.tokens.canvas)
+        draw_warning(painter, x, y, 14.0, ink.tokens)
+    else:
+        return False
+    return True

@@ -1,0 +1,155 @@
+"""Labels: a place for each on its line, so that none covers a node or another label.
+
+One that meets another slides along its edge; where no place is left it hides until the edge is
+hovered, selected or lit. Pure geometry; laid out once per layout.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from smsl_studio.studio.canvas.shape import EdgeShape, Floats, Point
+
+Rect = tuple[float, float, float, float]
+"""left, top, right, bottom"""
+SHARES = (0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78)
+LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
+BESIDE_GAP = 6.0
+
+
+class LabelPlaces:
+    """The places taken so far, in a grid of cells; nodes and labels are never covered."""
+
+    def __init__(self, boxes: Floats, unit: float) -> None:
+        self._unit = unit
+        self._cell = 96.0 * unit
+        self._cells: dict[tuple[int, int], list[Rect]] = {}
+        for x, y, w, h in boxes.tolist():
+            self.take((x - w, y - h, x + w, y + h), 2.0)
+
+    def take(self, rect: Rect, margin: float = 1.0) -> None:
+        """Keep a rectangle free of labels from now on."""
+        m = margin * self._unit
+        wide = (rect[0] - m, rect[1] - m, rect[2] + m, rect[3] + m)
+        for cell in self._over(wide):
+            self._cells.setdefault(cell, []).append(wide)
+
+    def is_free(self, rect: Rect) -> bool:
+        left, top, right, bottom = rect
+        return not any(
+            l < right and left < r and t < bottom and top < b
+            for cell in self._over(rect)
+            for l, t, r, b in self._cells.get(cell, ())
+        )
+
+    def _over(self, rect: Rect) -> list[tuple[int, int]]:
+        left, top, right, bottom = (int(v // self._cell) for v in rect)
+        return [(x, y) for x in range(left, right + 1) for y in range(top, bottom + 1)]
+
+
+class Lines:
+    """Every line's pieces in one array, to count the lines a label would cover."""
+
+    def __init__(self, shapes: dict[int, EdgeShape]) -> None:
+        pieces, owners = [], []
+        for edge, shape in shapes.items():
+            pieces.append(np.hstack([shape.points[:-1], shape.points[1:]]))
+            owners.append(np.full(len(shape.points) - 1, edge))
+        self._pieces = np.vstack(pieces) if pieces else np.zeros((0, 4))
+        self._owners = np.concatenate(owners) if owners else np.zeros(0, dtype=int)
+
+    def covered(self, edge: int, rects: Sequence[Rect]) -> list[int]:
+        """How many pieces of other lines each rectangle would cover."""
+        box = np.array(rects)
+        a, b = self._pieces[:, :2], self._pieces[:, 2:]
+        low, high = np.minimum(a, b), np.maximum(a, b)
+        near = (
+            (high[:, 0] > box[:, 0].min())
+            & (low[:, 0] < box[:, 2].max())
+            & (high[:, 1] > box[:, 1].min())
+            & (low[:, 1] < box[:, 3].max())
+            & (self._owners != edge)
+        )
+        if not near.any():
+            return [0] * len(rects)
+        start = a[near][None]
+        step = b[near][None] - start
+        step = np.where(np.abs(step) < 1e-9, 1e-9, step)
+        t1 = (box[:, None, :2] - start) / step
+        t2 = (box[:, None, 2:] - start) / step
+        enter = np.minimum(t1, t2).max(axis=2)
+        leave = np.maximum(t1, t2).min(axis=2)
+        hits = (enter < leave) & (leave > 0.0) & (enter < 1.0)
+        counts: list[int] = hits.sum(axis=1).tolist()
+        return counts
+
+
+def place(
+    edge: int, shape: EdgeShape, size: tuple[float, float], places: LabelPlaces, lines: Lines,
+    unit: float, compact: bool,
+) -> Rect | None:
+    """The best free place of one label, taken; None where there is none."""
+    candidates = _candidates(shape, size, unit, compact)
+    free = [(cost, rect) for cost, rect in candidates if places.is_free(rect)]
+    if not free:
+        return None
+    crossings = lines.covered(edge, [rect for _, rect in free])
+    best = min(range(len(free)), key=lambda i: free[i][0] + crossings[i] * 0.6)
+    places.take(free[best][1])
+    return free[best][1]
+
+
+def _candidates(
+    shape: EdgeShape, size: tuple[float, float], unit: float, compact: bool
+) -> list[tuple[float, Rect]]:
+    """Places with their cost: on the line from its middle outwards, beside it where it is steep."""
+    found: list[tuple[float, Rect]] = []
+    low, high = 0.0, shape.length
+    if shape.way == "lane":
+        low, high = _long_side(shape)
+    beside = shape.side and not compact
+    for order, share in enumerate(LANE_SHARES if shape.way == "lane" else SHARES):
+        along = low + (high - low) * share
+        point = shape.at(along)
+        cost = order * 0.12
+        if beside:
+            found.append((cost, _beside(shape, along, size, unit)))
+        if _fits(shape, along, size, unit):
+            found.append((cost + (1.5 if beside else 0.0), _centred(point, size)))
+    return found
+
+
+def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> bool:
+    """Whether enough of the line stays to be seen, and all of its arrowhead."""
+    dx, dy = shape.direction(along)
+    reach = min(size[0] / 2 / max(abs(dx), 1e-6), size[1] / 2 / max(abs(dy), 1e-6))
+    return along - reach >= -2.0 * unit and along + reach <= shape.length - 7.0 * unit
+
+
+def _centred(point: Point, size: tuple[float, float]) -> Rect:
+    x, y = point
+    w, h = size[0] / 2, size[1] / 2
+    return x - w, y - h, x + w, y + h
+
+
+def _beside(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> Rect:
+    """Beside a steep line, on the side that is turned away from its neighbour."""
+    x, y = shape.at(along)
+    dx, dy = shape.direction(along)
+    # Right of the way as it runs is (-dy, dx), y down.
+    to_right = (-dy if shape.side > 0 else dy) > 0
+    gap = BESIDE_GAP * unit - 4.0 * unit
+    left = x + gap if to_right else x - gap - size[0]
+    return left, y - size[1] / 2, left + size[0], y + size[1] / 2
+
+
+def _long_side(shape: EdgeShape) -> tuple[float, float]:
+    """The middle stretch of a lane, between its corners."""
+    steps = np.diff(shape.lengths)
+    i = int(steps.argmax())
+    inner = steps[1:-1]
+    if len(inner):
+        i = 1 + int(inner.argmax())
+    return float(shape.lengths[i]), float(shape.lengths[i + 1])

@@ -1,0 +1,235 @@
+"""Layers: a few items that paint everything that is not a near node.
+
+Far below a readable size edges and nodes are painted in batches from numpy buffers. Near, edges
+are painted one by one from their shapes; what is lit lies in a layer of its own above the nodes.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen
+from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
+
+from smsl_studio.studio.canvas import batch
+from smsl_studio.studio.canvas.edge_paint import paint_label, paint_line, paint_sign
+from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
+from smsl_studio.studio.canvas.levels import COMPACT_SIZE, Level
+from smsl_studio.studio.canvas.shape import Floats
+from smsl_studio.studio.canvas.sheet import Sheet
+
+MANY_EDGES = 700
+"""Beyond so many edges in view they are painted in a batch."""
+
+
+class Layer(QGraphicsItem):
+    """A layer over the whole sheet; subclasses paint the part that is exposed."""
+
+    def __init__(self, z: float) -> None:
+        super().__init__()
+        self.sheet: Sheet | None = None
+        self._rect = QRectF()
+        self.setZValue(z)
+        self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemUsesExtendedStyleOption)
+        self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
+
+    def cover(self, rect: QRectF) -> None:
+        """Take this rectangle as the layer's extent."""
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
+    ) -> None:
+        if self.sheet is not None and len(self.sheet.picture):
+            exposed = option.exposedRect  # type: ignore[attr-defined]
+            self.paint_sheet(painter, self.sheet, exposed)
+
+    def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        raise NotImplementedError
+
+
+def _edges(rect: QRectF) -> tuple[float, float, float, float]:
+    return rect.left(), rect.top(), rect.right(), rect.bottom()
+
+
+def _cosmetic(pen: QPen) -> QPen:
+    pen.setCosmetic(True)
+    return pen
+
+
+class EdgeLayer(Layer):
+    """All edges that are not lit, below the nodes."""
+
+    def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        edges = sheet.edges_in(*_edges(exposed))
+        if sheet.level >= Level.COMPACT and len(edges) <= MANY_EDGES:
+            self._near(painter, sheet, edges.tolist())
+        elif len(edges):
+            self._far(painter, sheet, edges)
+
+    def _near(self, painter: QPainter, sheet: Sheet, edges: list[int]) -> None:
+        geometry, looks = sheet.geometry, sheet.looks
+        rest = [e for e in edges if not looks.is_lit(e)]
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for edge in rest:
+            paint_line(painter, geometry.shape(edge), looks.edge(edge), sheet.ink, sheet.unit)
+        if looks.marks.dimmed:
+            return
+        unit = sheet.unit
+        painter.save()
+        painter.scale(unit, unit)
+        for edge in rest:
+            rect = geometry.label(edge)
+            if rect is not None:
+                centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
+                paint_label(painter, sheet.text(edge), centre, looks.edge(edge), sheet.ink)
+        painter.restore()
+
+    def _far(self, painter: QPainter, sheet: Sheet, edges: Floats) -> None:
+        """Straight lines; opposite edges lie on each other, heads are two strokes."""
+        tokens = sheet.ink.tokens
+        source, target = sheet.picture.source[edges], sheet.picture.target[edges]
+        keep = (target >= 0) & (source != target)
+        source, target = source[keep], target[keep]
+        colour = tokens.dim if sheet.looks.marks.dimmed else tokens.edge
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, len(source) < 3000)
+        painter.setPen(_cosmetic(QPen(colour, 1.0)))
+        a, b = sheet.at[source], sheet.at[target]
+        if sheet.level is Level.DOT:
+            once = source < target
+            # An edge whose opposite is missing is drawn in either direction.
+            once |= ~_has_opposite(source, target, len(sheet.picture))
+            batch.draw_lines(painter, np.hstack([a[once], b[once]]))
+            return
+        step = b - a
+        length = np.maximum(np.hypot(step[:, 0], step[:, 1]), 1e-6)[:, None]
+        along = step / length
+        across = np.column_stack([-along[:, 1], along[:, 0]])
+        shift = across * 2.5 * sheet.unit
+        half = sheet.halves()[target] if len(target) else step
+        # Where the line meets the target's box.
+        reach = np.minimum(
+            half[:, 0] / np.maximum(np.abs(along[:, 0]), 1e-6),
+            half[:, 1] / np.maximum(np.abs(along[:, 1]), 1e-6),
+        )[:, None]
+        tip = b - along * (reach + sheet.unit) + shift
+        size = 4.0 * sheet.unit
+        batch.draw_lines(
+            painter,
+            np.vstack(
+                [
+                    np.hstack([a + shift, tip]),
+                    np.hstack([tip, tip - along * size + across * size * 0.5]),
+                    np.hstack([tip, tip - along * size - across * size * 0.5]),
+                ]
+            ),
+        )
+
+
+def _has_opposite(source: Floats, target: Floats, count: int) -> Floats:
+    forward = source.astype(np.int64) * count + target
+    back = target.astype(np.int64) * count + source
+    found: Floats = np.isin(back, forward)
+    return found
+
+
+class FarNodeLayer(Layer):
+    """Nodes that are dots, boxes, or too many to be items."""
+
+    def __init__(self, z: float) -> None:
+        super().__init__(z)
+        self.near: frozenset[int] = frozenset()
+        """States that are shown by an item of their own."""
+
+    def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        states = sheet.states_in(*_edges(exposed))
+        if sheet.level is Level.FULL or (sheet.level is Level.COMPACT and self.near >= set(states)):
+            return
+        tokens = sheet.ink.tokens
+        rows = np.array([s for s in states if s not in self.near], dtype=np.int64)
+        if not len(rows):
+            return
+        if sheet.level is Level.DOT:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, len(rows) < 1500)
+            size = 5.0 if len(rows) < 1500 else 4.0 if len(rows) < 20_000 else 3.0
+            dots = QPen(tokens.slate, size)
+            dots.setCapStyle(
+                Qt.PenCapStyle.RoundCap if len(rows) < 1500 else Qt.PenCapStyle.SquareCap
+            )
+            painter.setPen(_cosmetic(dots))
+            batch.draw_points(painter, sheet.at[rows])
+            return
+        half = sheet.halves()[rows]
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, len(rows) < 1500)
+        painter.setPen(_cosmetic(QPen(tokens.nl, 1.2)))
+        painter.setBrush(tokens.surf)
+        batch.draw_rects(painter, np.hstack([sheet.at[rows] - half, half * 2]))
+        if sheet.level is Level.COMPACT:
+            self._texts(painter, sheet, rows.tolist())
+
+    def _texts(self, painter: QPainter, sheet: Sheet, rows: list[int]) -> None:
+        unit, type_ = sheet.unit, sheet.ink.short
+        painter.save()
+        painter.scale(unit, unit)
+        painter.setFont(type_.font)
+        painter.setPen(sheet.ink.tokens.tx)
+        for row in rows:
+            text = type_.elided(sheet.picture.face(row).short, float(sheet.compact_widths[row]) - 8)
+            x, y = sheet.at[row] / unit
+            painter.drawText(QPointF(x - type_.width(text) / 2, y + type_.rise), text)
+        painter.restore()
+
+
+class LitLayer(Layer):
+    """Edges that are selected, hovered, on a route or have a finding: above the nodes."""
+
+    def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        geometry, looks, unit = sheet.geometry, sheet.looks, sheet.unit
+        # Selecting everything in a large SB must not paint 20,000 edges one by one.
+        edges = looks.lit_edges[:2000]
+        order = sorted(edges, key=lambda e: _weight(looks.edge(e)))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for edge in order:
+            paint_line(painter, geometry.shape(edge), looks.edge(edge), sheet.ink, unit)
+        painter.save()
+        painter.scale(unit, unit)
+        for edge in order:
+            look = looks.edge(edge)
+            shape = geometry.shape(edge)
+            place = geometry.label(edge)
+            rect = place or geometry.fallback(edge)
+            x, y = shape.at(shape.length / 2)
+            if look.pruned or look.held_back or look.risky:
+                paint_sign(painter, x / unit, y / unit, look, sheet.ink)
+                if look.pruned:
+                    rect = _below(rect, y, unit)
+                elif place is None:
+                    continue
+            if look.running is None or look.finding:
+                centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
+                paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
+        painter.restore()
+        painter.setPen(NO_PEN)
+        painter.setBrush(NO_BRUSH)
+
+
+def _below(
+    rect: tuple[float, float, float, float], y: float, unit: float
+) -> tuple[float, float, float, float]:
+    shift = y + 16.0 * unit - (rect[1] + rect[3]) / 2
+    return rect[0], rect[1] + shift, rect[2], rect[3] + shift
+
+
+def _weight(look: object) -> int:
+    """What is painted last lies on top."""
+    order = ("possible", "pruned", "held_back", "risky", "planned", "selected", "trail", "finding")
+    weight = max((i + 1 for i, key in enumerate(order) if getattr(look, key)), default=0)
+    return 20 if getattr(look, "running", None) is not None else weight
+
+
+COMPACT_HEIGHT = COMPACT_SIZE[1]

@@ -1,0 +1,85 @@
+"""Self loops: concentric arcs at a corner of their node, their labels stacked beside them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from smsl_studio.studio.canvas.shape import Box, EdgeShape
+
+INNER, STEP = 8.0, 5.0
+CORNERS = ("bottom right", "top right", "bottom left", "top left", "right bottom", "right top")
+
+
+@dataclass(frozen=True, slots=True)
+class Corner:
+    """Where the loops of a node stand: the middle of the arcs, and the side labels go to."""
+
+    name: str
+    x: float
+    y: float
+    radius: float
+    label_x: float
+    label_y: float
+    left: bool
+    up: bool
+
+
+def corner_of(name: str, box: Box, count: int, unit: float) -> Corner:
+    """The place of ``count`` loops at a named corner of a node."""
+    radius = (INNER + STEP * (count - 1)) * unit
+    first, second = name.split()
+    if first == "right":
+        y = box.y + (box.h - radius - 3 * unit) * (1 if second == "bottom" else -1) * 0.35
+        return Corner(
+            name, box.x + box.w + 4 * unit, y, radius, box.x + box.w + radius + 9 * unit, y,
+            False, second == "top",
+        )
+    up, left = first == "top", second == "left"
+    x = box.x + (box.w - radius - 4 * unit) * (-1 if left else 1)
+    y = box.y + (box.h + 5 * unit) * (-1 if up else 1)
+    label_x = x + (radius + 7 * unit) * (-1 if left else 1)
+    return Corner(name, x, y, radius, label_x, y + 8 * unit * (-1 if up else 1), left, up)
+
+
+def arc(corner: Corner, box: Box, rank: int, unit: float) -> EdgeShape:
+    """The ``rank``-th arc at a corner, from border to border, the innermost first."""
+    radius = (INNER + STEP * rank) * unit
+    if corner.name.startswith("right"):
+        gap = corner.x - (box.x + box.w)
+        half = np.pi - np.arccos(min(gap / radius, 1.0)) if radius else np.pi
+        angles = np.linspace(-half, half * 0.86, 22)
+        points = np.column_stack(
+            [corner.x + radius * np.cos(angles), corner.y + radius * np.sin(angles)]
+        )
+        return EdgeShape(points, "loop")
+    away = -1.0 if corner.up else 1.0
+    gap = abs(corner.y - (box.y + box.h * away))
+    half = np.pi - np.arccos(min(gap / radius, 1.0))
+    # From the inner side around to the corner's side; the arrow comes down on the border.
+    angles = np.linspace(-half, half * 0.9, 22)
+    inner = 1.0 if corner.left else -1.0
+    points = np.column_stack(
+        [
+            corner.x - inner * radius * np.sin(angles),
+            corner.y + away * radius * np.cos(angles),
+        ]
+    )
+    return EdgeShape(points, "loop")
+
+
+def label_boxes(
+    corner: Corner, sizes: list[tuple[float, float]], unit: float
+) -> list[tuple[float, float, float, float]]:
+    """Where the labels stand (left, top, right, bottom), outermost loop on top, else below."""
+    pitch = 16.0 * unit
+    boxes = []
+    for i, (width, height) in enumerate(sizes):
+        if corner.name.startswith("right"):
+            y = corner.y + (i - (len(sizes) - 1) / 2) * pitch
+        else:
+            y = corner.label_y + i * pitch * (-1 if corner.up else 1)
+        left = corner.label_x - width if corner.left else corner.label_x
+        boxes.append((left, y - height / 2, left + width, y + height / 2))
+    return boxes

@@ -1,0 +1,129 @@
+"""The breadcrumb: file, base SBs, the SB that is shown; each but the last can be clicked."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QFontMetricsF,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.icons import draw
+from smsl_studio.studio.theme import Tokens, text_font
+
+
+def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
+    """The SBs from a root down to ``branch``, by the first base each names."""
+    found = [branch]
+    while blueprint.bases.get(found[0]):
+        base = blueprint.bases[found[0]][0][0]
+        if base in found:
+            break
+        found.insert(0, base)
+    return tuple(found)
+
+
+class Breadcrumb(QWidget):
+    """Stands at the top left of the canvas; ``clicked`` names the SB to show, empty for the file."""
+
+    clicked = Signal(str)
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._file = ""
+        self._chain: tuple[str, ...] = ()
+        self._note = ""
+        self._under = -1
+        self.setMouseTracking(True)
+        self.setAccessibleName("Path")
+
+    def show_branch(self, blueprint: Blueprint, branch: str) -> None:
+        """Show where an SB stands."""
+        self._file = blueprint.file.replace("\\", "/").rpartition("/")[2]
+        self._chain = chain(blueprint, branch) if branch in blueprint.branches else ()
+        self._note = ""
+        if self._chain:
+            shown = blueprint[branch]
+            states, operations = len(shown.table), shown.edge_count
+            self._note = (
+                f"{states:,} state{'' if states == 1 else 's'}, "
+                f"{operations:,} operation{'' if operations == 1 else 's'}"
+            )
+        self.setAccessibleDescription(" > ".join((self._file, *self._chain)))
+        self.resize(self.sizeHint())
+        self.update()
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What is shown, from the file on."""
+        return (self._file, *self._chain)
+
+    def place_of(self, part: int) -> QRectF:
+        """Where a part stands in the widget; part 0 is the file."""
+        return self._places()[part]
+
+    def _places(self) -> list[QRectF]:
+        x, places = 22.0, []
+        for i, text in enumerate(self.words):
+            bold = i == len(self._chain) and bool(self._chain)
+            width = QFontMetricsF(text_font(13, 600 if bold else 400)).horizontalAdvance(text)
+            places.append(QRectF(x, 0.0, width, 26.0))
+            x += width + 22.0
+        return places
+
+    def sizeHint(self) -> QSize:
+        last = self._places()[-1].right()
+        note = QFontMetricsF(text_font(13)).horizontalAdvance(self._note)
+        return QSize(int(last + 12 + note + 8), 26)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at = event.position()
+        found = (i for i, rect in enumerate(self._places()) if rect.contains(at))
+        under = next(found, -1)
+        under = under if under < len(self._chain) else -1
+        if under != self._under:
+            self._under = under
+            if under >= 0:
+                self.setCursor(Qt.CursorShape.PointingHandCursor)
+            else:
+                self.unsetCursor()
+            self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._under = -1
+        self.update()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        for i, rect in enumerate(self._places()):
+            if rect.contains(event.position()) and i < len(self._chain):
+                self.clicked.emit(self._chain[i - 1] if i else "")
+                return
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens = self.tokens
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        draw(painter, "file", QRectF(0, 5.5, 15, 15), tokens.tx2, tokens.canvas)
+        places = self._places()
+        for i, (text, rect) in enumerate(zip(self.words, places, strict=True)):
+            last = i == len(self._chain) and bool(self._chain)
+            font = text_font(13, 600 if last else 400)
+            font.setUnderline(i == self._under)
+            painter.setFont(font)
+            painter.setPen(tokens.tx if last else tokens.acc if i == self._under else tokens.tx2)
+            baseline = QPointF(rect.left(), 13.0 + QFontMetricsF(font).capHeight() / 2)
+            painter.drawText(baseline, text)
+            if not last and i < len(places) - 1:
+                box = QRectF(rect.right() + 5.0, 8.0, 11.0, 11.0)
+                draw(painter, "chevron-right", box, tokens.tx3, tokens.canvas)
+        if self._note:
+            painter.setFont(text_font(13))
+            painter.setPen(tokens.tx3)
+            base = 13.0 + QFontMetricsF(text_font(13)).capHeight() / 2
+            painter.drawText(QPointF(places[-1].right() + 12.0, base), self._note)
+        painter.end()

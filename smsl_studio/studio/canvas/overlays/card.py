@@ -1,0 +1,87 @@
+"""Card and IconButton: the ground and the buttons of what floats on the canvas."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QWidget
+
+from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN, faded
+from smsl_studio.studio.icons import draw
+from smsl_studio.studio.theme import RADIUS_CONTROL, Tokens, text_font
+
+
+class Card(QWidget):
+    """A floating ground with a thin line and rounded corners."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens, radius: float = RADIUS_CONTROL) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self.radius = radius
+        self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.tokens = tokens
+        for child in self.findChildren(IconButton):
+            child.tokens = tokens
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.tokens.line, 1.0))
+        painter.setBrush(self.tokens.surf)
+        rect = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+        painter.drawRoundedRect(rect, self.radius, self.radius)
+        painter.end()
+
+
+class IconButton(QAbstractButton):
+    """A button with a line icon, or with words; its name is its tooltip too."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens, icon: str, name: str) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._icon = icon
+        self.accent = False
+        self._inside = False
+        self.setToolTip(name)
+        self.setAccessibleName(name)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def sizeHint(self) -> QSize:
+        return QSize(30, 30)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        self._inside = True
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._inside = False
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens = self.tokens
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        rect = QRectF(self.rect())
+        if self._inside or self.isDown():
+            painter.setPen(NO_PEN)
+            painter.setBrush(tokens.sunk if not self.isDown() else tokens.accs)
+            painter.drawRoundedRect(rect.adjusted(2, 2, -2, -2), 5, 5)
+        colour = tokens.acc if self.accent else tokens.tx2
+        if not self.isEnabled():
+            colour = faded(colour, 0.4)
+        painter.setBrush(NO_BRUSH)
+        if self.text():
+            painter.setFont(text_font(13, 500))
+            painter.setPen(colour)
+            painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, self.text())
+        else:
+            side = 16.0
+            box = QRectF(0, 0, side, side)
+            box.moveCenter(rect.center())
+            draw(painter, self._icon, box, colour, tokens.surf)
+        painter.end()

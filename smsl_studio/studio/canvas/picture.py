@@ -1,0 +1,161 @@
+"""Picture: one SB as arrays, the drawing model of the canvas. It knows no position and no Qt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.studio.canvas.prefix import shared_prefix
+from smsl_studio.studio.sub_marks import sub_mark
+
+Ints = NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class Chip:
+    """One fact on a node: its value, ``on``, ``off`` or ``value``, and the sub-SB under it."""
+
+    text: str
+    kind: str
+    sub: str = ""
+
+
+@dataclass(frozen=True)
+class Face:
+    """What a node shows: name, facts, the text of the compact form, and its role."""
+
+    name: str
+    title: str
+    chips: tuple[Chip, ...]
+    short: str
+    initial: bool
+    activating: bool
+
+
+class Picture:
+    """States and operations of one SB as integer arrays; faces and labels are made when asked.
+
+    ``source`` and ``target`` give each edge's states by number. Edges whose target does not stand
+    in the SB (rule R02) are kept with target -1: they are drawn as a stub.
+    """
+
+    def __init__(self, blueprint: Blueprint, branch: str) -> None:
+        self.blueprint = blueprint
+        self.branch: StateBranch = blueprint[branch]
+        self.names = tuple(self.branch.table)
+        self.index = {name: i for i, name in enumerate(self.names)}
+        source: list[int] = []
+        target: list[int] = []
+        operations: list[str] = []
+        for i, edges in enumerate(self.branch.table.values()):
+            source.extend([i] * len(edges))
+            operations.extend(edges)
+            target.extend(self.index.get(name, -1) for name in edges.values())
+        self.source: Ints = np.array(source, dtype=np.int32)
+        self.target: Ints = np.array(target, dtype=np.int32)
+        self.operations = tuple(operations)
+        self.prefix = shared_prefix(set(operations))
+        self._faces: dict[int, Face] = {}
+        self._kinds: dict[int, str] = {}
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    @cached_property
+    def edge_index(self) -> dict[tuple[str, str], int]:
+        """The number of each edge by (state, operation)."""
+        names = self.names
+        pairs = zip(self.source.tolist(), self.operations, strict=True)
+        return {(names[i], op): e for e, (i, op) in enumerate(pairs)}
+
+    @cached_property
+    def incident(self) -> tuple[Ints, Ints]:
+        """Edges by state in two arrays: offsets and edge numbers (both ends count)."""
+        edges = np.arange(len(self.source), dtype=np.int32)
+        ends = np.concatenate([self.source, self.target])
+        both = np.concatenate([edges, edges])
+        keep = ends >= 0
+        order = np.argsort(ends[keep], kind="stable")
+        starts = np.searchsorted(ends[keep][order], np.arange(len(self) + 1))
+        return starts.astype(np.int32), both[keep][order]
+
+    def edges_of(self, state: int) -> list[int]:
+        """The edges that leave or enter a state, by number."""
+        starts, edges = self.incident
+        return list(dict.fromkeys(edges[starts[state] : starts[state + 1]].tolist()))
+
+    def address(self, edge: int) -> Address:
+        return Address(self.branch.name, self.names[self.source[edge]], self.operations[edge])
+
+    def edge(self, address: Address) -> int:
+        """The number of an edge by its address, -1 where it does not stand here."""
+        if address.branch != self.branch.name or not address.operation:
+            return -1
+        return self.edge_index.get((address.state, address.operation), -1)
+
+    def node(self, address: Address) -> int:
+        """The number of a state by its address, -1 where it is no state of this SB."""
+        if address.branch != self.branch.name or address.operation:
+            return -1
+        return self.index.get(address.state, -1)
+
+    def label(self, edge: int) -> str:
+        """An edge's label: the operation's name without the prefix all of them share."""
+        return self.operations[edge][len(self.prefix) :]
+
+    def kind(self, edge: int) -> str:
+        """``rise``, ``fall``, ``mixed`` or, where no sub-SB's fact changes, the empty text."""
+        found = self._kinds.get(edge)
+        if found is None:
+            found = self._kinds[edge] = self._kind_of(edge)
+        return found
+
+    def _kind_of(self, edge: int) -> str:
+        if not self.branch.subs or self.target[edge] < 0:
+            return ""
+        source = self.names[self.source[edge]]
+        return sub_mark(self.branch, self.branch.operation(source, self.operations[edge]))
+
+    def face(self, state: int) -> Face:
+        """What the node of a state shows."""
+        found = self._faces.get(state)
+        if found is None:
+            found = self._faces[state] = self._face_of(self.names[state])
+        return found
+
+    @cached_property
+    def _binary(self) -> tuple[bool, ...]:
+        branch = self.branch
+        if branch.shape.opaque or not branch.table:
+            return ()
+        return tuple(set(values) <= {"0", "1"} for values in branch.alphabet)
+
+    def _face_of(self, name: str) -> Face:
+        branch = self.branch
+        note = branch.state_note(name)
+        chips: tuple[Chip, ...] = ()
+        short = name
+        if not branch.shape.opaque:
+            facts = branch.facts(name)
+            chips = tuple(self._chip(name, d, value) for d, value in enumerate(facts))
+            short = "".join(facts) if branch.shape.width else " ".join(facts)
+        return Face(
+            name=name,
+            title=note.title if note else "",
+            chips=chips,
+            short=short,
+            initial=name == branch.initial,
+            activating=name == branch.activating,
+        )
+
+    def _chip(self, state: str, digit: int, value: str) -> Chip:
+        sub = self.branch.subs.get(digit, "")
+        two_valued = digit < len(self._binary) and (self._binary[digit] or bool(sub))
+        if not two_valued:
+            return Chip(value, "value", sub)
+        return Chip(value, "on" if self.branch.is_on(state, digit) else "off", sub)

@@ -1,0 +1,23 @@
+"""The prefix that all operations of an SB share and that the canvas leaves out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from os.path import commonprefix
+
+SEPARATORS = "_-"
+
+
+def shared_prefix(names: Iterable[str]) -> str:
+    """The longest shared start that ends in ``_`` or ``-`` and leaves something of every name.
+
+    ``Op_1a`` and ``Op_2b`` share ``Op_``; ``Operation100A`` and ``Operation000`` share nothing
+    that may be left out, since what remains would not read as a name.
+    """
+    found = sorted(set(names))
+    if len(found) < 2:
+        return ""
+    common = commonprefix([found[0], found[-1]])
+    while common and (common[-1] not in SEPARATORS or common in found):
+        common = common[:-1]
+    return common

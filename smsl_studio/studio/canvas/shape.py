@@ -1,0 +1,144 @@
+"""EdgeShape: the line of one edge, as a row of points with lengths along it. Pure geometry."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeShape:
+    """The line of an edge from the border of its source to the tip of its arrowhead.
+
+    ``points`` is an (n, 2) array, n >= 2. ``way`` says how it was drawn: ``line``, ``curve``,
+    ``lane``, ``loop`` or ``stub``. ``side`` is where a label may stand beside the line: -1 left of
+    it as it runs, 1 right of it, 0 on it.
+    """
+
+    points: Floats
+    way: str = "line"
+    side: int = 0
+
+    @cached_property
+    def lengths(self) -> Floats:
+        """The length from the start to each point."""
+        steps = np.hypot(*(self.points[1:] - self.points[:-1]).T)
+        return np.concatenate([[0.0], np.cumsum(steps)])
+
+    @property
+    def length(self) -> float:
+        return float(self.lengths[-1])
+
+    @property
+    def tip(self) -> Point:
+        return float(self.points[-1, 0]), float(self.points[-1, 1])
+
+    @cached_property
+    def heading(self) -> Point:
+        """The direction of the arrowhead, of length 1."""
+        return self.direction(self.length)
+
+    def at(self, along: float) -> Point:
+        """The point at a length along the line."""
+        x = np.interp(along, self.lengths, self.points[:, 0])
+        y = np.interp(along, self.lengths, self.points[:, 1])
+        return float(x), float(y)
+
+    def direction(self, along: float) -> Point:
+        """The direction at a length along the line, of length 1."""
+        reach = max(self.length * 0.02, 1e-6)
+        low, high = max(along - reach, 0.0), min(along + reach, self.length)
+        (ax, ay), (bx, by) = self.at(low), self.at(high)
+        size = float(np.hypot(bx - ax, by - ay)) or 1.0
+        return (bx - ax) / size, (by - ay) / size
+
+    def cut(self, start: float, end: float) -> Floats:
+        """The part of the line between two lengths along it."""
+        start, end = max(start, 0.0), min(end, self.length)
+        inside = self.points[(self.lengths > start) & (self.lengths < end)]
+        return np.vstack([[self.at(start)], inside, [self.at(max(end, start))]])
+
+    @cached_property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """left, top, right, bottom"""
+        low, high = self.points.min(axis=0), self.points.max(axis=0)
+        return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+
+    def distance(self, x: float, y: float) -> float:
+        """How far a point lies from the line."""
+        start, step = self.points[:-1], self.points[1:] - self.points[:-1]
+        size = (step**2).sum(axis=1)
+        size[size == 0.0] = 1.0
+        share = np.clip((((x, y) - start) * step).sum(axis=1) / size, 0.0, 1.0)
+        near = start + step * share[:, None]
+        return float(np.hypot(near[:, 0] - x, near[:, 1] - y).min())
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A node as an obstacle: its centre and half its size."""
+
+    x: float
+    y: float
+    w: float
+    h: float
+    radius: float = 8.0
+
+    def depth(self, points: Floats) -> Floats:
+        """The distance of each point from the rounded border; negative inside."""
+        dx = np.abs(points[:, 0] - self.x) - (self.w - self.radius)
+        dy = np.abs(points[:, 1] - self.y) - (self.h - self.radius)
+        outside = np.hypot(np.maximum(dx, 0.0), np.maximum(dy, 0.0))
+        depth: Floats = outside + np.minimum(np.maximum(dx, dy), 0.0) - self.radius
+        return depth
+
+
+def between(points: Floats, source: Box, target: Box, start_gap: float, end_gap: float) -> Floats:
+    """A line cut where it leaves ``source`` and reaches ``target``, with a gap to each border."""
+    first = source.depth(points) - start_gap
+    last = target.depth(points) - end_gap
+    inside = np.nonzero(first <= 0.0)[0]
+    begin = int(inside[-1]) if len(inside) else 0
+    reached = np.nonzero(last[begin:] <= 0.0)[0]
+    end = begin + int(reached[0]) if len(reached) else len(points) - 1
+    if begin >= len(points) - 1 or end <= begin:
+        return points[[0, -1]]
+    head = _crossing(points, first, begin) if len(inside) else points[begin]
+    tail = _crossing(points, last, end - 1) if len(reached) else points[end]
+    return np.vstack([[head], points[begin + 1 : end], [tail]])
+
+
+def _crossing(points: Floats, depth: Floats, i: int) -> Floats:
+    a, b = depth[i], depth[i + 1]
+    share = a / (a - b) if a != b else 0.0
+    crossing: Floats = points[i] + (points[i + 1] - points[i]) * share
+    return crossing
+
+
+def rounded(corners: list[Point], radius: float) -> Floats:
+    """A line through ``corners`` whose inner corners are rounded."""
+    points: list[Point] = [corners[0]]
+    for before, corner, after in zip(corners, corners[1:], corners[2:], strict=False):
+        r = min(radius, _far(before, corner) / 2, _far(corner, after) / 2)
+        start, end = _towards(corner, before, r), _towards(corner, after, r)
+        for share in (0.0, 0.25, 0.5, 0.75, 1.0):
+            a, b, c = (1 - share) ** 2, 2 * share * (1 - share), share**2
+            x = a * start[0] + b * corner[0] + c * end[0]
+            points.append((x, a * start[1] + b * corner[1] + c * end[1]))
+    points.append(corners[-1])
+    return np.array(points)
+
+
+def _far(a: Point, b: Point) -> float:
+    return float(np.hypot(b[0] - a[0], b[1] - a[1]))
+
+
+def _towards(a: Point, b: Point, length: float) -> Point:
+    size = _far(a, b) or 1.0
+    return a[0] + (b[0] - a[0]) * length / size, a[1] + (b[1] - a[1]) * length / size
