@@ -42,6 +42,7 @@ class Header:
     unknown: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
     fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
     present: bool = True
+    subs_as_written: Json = None
 
 
 @dataclass(frozen=True, slots=True)

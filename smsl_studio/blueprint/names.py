@@ -28,11 +28,10 @@ def fresh_state_name(branch: StateBranch) -> str:
         return _numbered("State", branch.table)
     last = next(reversed(branch.table))
     prefix = last[: len(last) - len(fact_string(last, shape.written))]
-    filler = "0" * shape.width
-    columns = [sorted({filler, *column}) for column in branch.alphabet]
-    if shape.width == 1:
-        columns = [sorted({*column, "0", "1"}) if _binary(column) else column for column in columns]
-    for tries, digits in enumerate(product(*columns)):
+    values = sorted({value for column in branch.alphabet for value in column})
+    if set(values) <= {"0", "1"}:
+        values = ["0", "1"]
+    for tries, digits in enumerate(product(values, repeat=shape.num_facts)):
         name = prefix + "".join(digits)
         if name not in branch.table:
             return name
@@ -53,10 +52,6 @@ def fresh_operation_name(branch: StateBranch, state: str) -> str:
         if plain + letter not in taken:
             return plain + letter
     return _numbered(plain, taken)
-
-
-def _binary(column: list[str]) -> bool:
-    return set(column) <= {"0", "1"}
 
 
 def _numbered(prefix: str, taken: Container[str]) -> str:

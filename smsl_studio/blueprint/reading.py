@@ -103,6 +103,7 @@ def _header(document: Document, branch: str, value: Mapping[str, Json]) -> Heade
         num_states=get("NUM_STATES", int, "a whole number"),
         unknown=unknown or EMPTY,
         fields=fields or EMPTY,
+        subs_as_written=value.get("SUB_SBS"),
     )
 
 

@@ -44,17 +44,22 @@ def _header(header: Header) -> dict[str, Json]:
         "INITIAL": header.initial,
         "ACTIVATING": header.activating,
         "NUM_FACTS": header.num_facts,
-        "SUB_SBS": _subs(header.sub_sbs) or None,
+        "SUB_SBS": _subs(header),
         "NUM_STATES": header.num_states,
     }
     values = {key: value for key, value in known.items() if value is not None}
     return {**values, **_plain(header.unknown), **_plain(header.fields)}
 
 
-def _subs(pairs: tuple[tuple[str, int], ...]) -> Json:
-    """A map, or a list of one-key maps where one sub-SB is named twice."""
+def _subs(header: Header) -> Json:
+    """SUB_SBS as it was written; else a map, or a list where one sub-SB is named twice."""
+    written, pairs = header.subs_as_written, header.sub_sbs
+    maps = written if isinstance(written, list) else [written or {}]
+    told = [item for inner in maps for item in inner.items() if item[0][:1] != "_"]
+    if written is not None and tuple(told) == pairs:
+        return written
     if len({sub for sub, _ in pairs}) == len(pairs):
-        return dict(pairs)
+        return dict(pairs) or None
     return [{sub: digit} for sub, digit in pairs]
 
 

@@ -1,9 +1,10 @@
 """The one text edit: make a text read to other values by changing only what differs.
 
 Object by object: ``_`` keys and a branch's HEADER keep their slot, other keys follow the order of
-the new values, a key that goes and one that comes in the same gap are a rename (the key is
-spliced, then its value is reconciled). What is equal keeps its text to the character, and what is
-new takes the separators and indentation of its neighbours.
+the new values (but for those in a HEADER, whose order means nothing). A key that goes and one that
+comes in the same gap are a rename: the key is spliced, then its value is reconciled. What is equal
+keeps its text to the character, and what is new takes the separators and indentation of its
+neighbours.
 
 A key that is written twice stays written twice: its last, winning value is the one that changes;
 where it is removed, renamed or moved all its occurrences are.
@@ -98,16 +99,21 @@ class _Splicer:
         return style_of(self._document)
 
     def container(
-        self, start: int, old: dict[str, Json], new: dict[str, Json], depth: int
+        self, start: int, old: dict[str, Json], new: dict[str, Json], depth: int, free: bool = False
     ) -> tuple[str, dict[str, Json]]:
-        """The text of the object (or list) at ``start`` for the new values, and these in order."""
+        """The text of the object (or list) at ``start`` for the new values, and these in order.
+
+        Where the order of an object's keys is ``free``, they stay in that of the text.
+        """
         members = self._document.scan(start)
         end = self._document.end_of(start) - 1
         kept = _kept(old, new, depth)
         slots = self._old_slots(members, kept)
-        _permute(slots, new, depth)
         lead, trail, gap = self._frame(start, end, members, depth)
-        slots = _with_new(slots, kept, new, depth, gap)
+        if [slot.key for slot in slots] != list(new):
+            if not free:
+                _permute(slots, new, depth)
+            slots = _with_new(slots, kept, new, depth, gap)
         below = lead.rpartition(self._document.newline)[2]
         indent = below if self._document.newline in lead else self._indent(start)
         pieces, merged = [self._text[start]], {}
@@ -145,7 +151,8 @@ class _Splicer:
         if not slot.wins or same(former, value):
             return former, self._text[member.value_start : member.value_end]
         if isinstance(former, dict) and isinstance(value, dict):
-            text, merged = self.container(member.value_start, former, value, depth + 1)
+            free = depth == 1 and slot.key == "HEADER"
+            text, merged = self.container(member.value_start, former, value, depth + 1, free)
             return merged, text
         if isinstance(former, list) and isinstance(value, list):
             return value, self._list(member.value_start, former, value, depth + 1)

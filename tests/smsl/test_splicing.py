@@ -24,12 +24,15 @@ def after(text: str, values: Json) -> str:
     return document.text
 
 
-def movable(values: Json, depth: int = 0) -> Json:
+def movable(values: Json, depth: int = 0, free: bool = False) -> Json:
     """The values with the order of the keys that the text has to follow made part of them."""
     if isinstance(values, dict):
         keys = [k for k in values if not k.startswith("_") and not (k == "HEADER" and depth == 1)]
-        inner = {key: movable(value, depth + 1) for key, value in values.items()}
-        return keys, inner
+        inner = {
+            key: movable(value, depth + 1, key == "HEADER" and depth == 1)
+            for key, value in values.items()
+        }
+        return sorted(keys) if free else keys, inner
     return [movable(item, depth + 1) for item in values] if isinstance(values, list) else values
 
 

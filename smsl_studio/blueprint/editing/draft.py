@@ -104,7 +104,9 @@ def existing(blueprint: Blueprint, address: Address) -> Address:
     except AddressError as error:
         raise EditRefused(error.sentence, error.place, error.advice) from None
     if found != address:
-        raise EditRefused(f"nothing stands at {address}", advice=f"Do you mean {found}?")
+        raise EditRefused(
+            f"there is no State Branch {address.branch!r}", advice=f"Do you mean {found}?"
+        )
     return found
 
 

@@ -1,0 +1,166 @@
+"""Any sequence of edits, on any blueprint in any layout, keeps text and meaning together."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import random
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from smsl_studio.blueprint import editing as edit
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.names import fresh_branch_name, fresh_operation_name, fresh_state_name
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.writing import values_of
+from smsl_studio.errors import EditRefused
+from smsl_studio.generate.rules import hanoi
+from smsl_studio.smsl.json_form import parse_json, write_json
+from smsl_studio.smsl.splicing import reconcile
+from tests.smsl.texts import texts
+
+ODD_NAMES = ["State0", "a/b", "~", "é", "Op_1b", "x y", '"', "S\\", "State_ab", "HEADER ", "", "_n"]
+
+
+def some(chance: random.Random, blueprint: Blueprint) -> Address:
+    """The address of something in the blueprint."""
+    branch = blueprint[chance.choice(list(blueprint.branches))]
+    kind = chance.randrange(3)
+    if kind == 0 or not branch.table:
+        return branch.address
+    state = chance.choice(list(branch.table))
+    if kind == 1 or not branch.table[state]:
+        return Address(branch.name, state)
+    return Address(branch.name, state, chance.choice(list(branch.table[state])))
+
+
+def random_edit(chance: random.Random, blueprint: Blueprint) -> Blueprint:
+    """What one edit, chosen by chance, makes of a blueprint; EditRefused where it is nonsense."""
+    if not blueprint.branches:
+        return edit.add_branch(blueprint, fresh_branch_name(blueprint))
+    at, other = some(chance, blueprint), some(chance, blueprint)
+    name = chance.choice(ODD_NAMES)
+    where = (chance.uniform(-9, 9), float(chance.randrange(99)))
+    notes: list[dict[str, Any] | None] = [
+        {"title": name},
+        {"cost": 1.5},
+        {"name": name, "on": "1"},
+        None,
+        {"facts": ["a"]},
+    ]
+    table = chance.choice(["_facts", "_states", "_operations"])
+    key = chance.choice(["0", at.state, at.operation])
+    header = chance.choice(["INITIAL", "ACTIVATING", "NUM_FACTS", "NUM_STATES"])
+    value = chance.choice([other.state, None, 1, 2, 3])
+    edits: list[Callable[[], Blueprint]] = [
+        lambda: edit.add_branch(blueprint, name or fresh_branch_name(blueprint)),
+        lambda: edit.add_state(blueprint, at.branch, name, chance.choice([None, where])),
+        lambda: edit.add_state(blueprint, at.branch, fresh_state_name(blueprint[at.branch])),
+        lambda: edit.add_operation(blueprint, at.branch, at.state, name, other.state),
+        lambda: edit.add_operation(
+            blueprint,
+            at.branch,
+            at.state,
+            fresh_operation_name(blueprint[at.branch], at.state),
+            at.state,
+        ),
+        lambda: edit.rename(blueprint, at, name, chance.random() < 0.5),
+        lambda: edit.delete(blueprint, [at, other][: chance.randrange(1, 3)]),
+        lambda: edit.retarget(blueprint, at, other.state),
+        lambda: edit.reorder(blueprint, at, chance.randrange(4)),
+        lambda: edit.set_header(blueprint, at.branch, header, value),
+        lambda: edit.attach_sub(blueprint, at.branch, chance.randrange(2), other.branch),
+        lambda: edit.detach_sub(blueprint, at.branch, other.branch),
+        lambda: edit.set_layout(blueprint, at.branch, {at.state: where}),
+        lambda: edit.set_note(blueprint, at.branch, table, key, chance.choice(notes)),
+    ]
+    return chance.choice(edits)()
+
+
+def whole(blueprint: Blueprint) -> Any:
+    """Everything a blueprint holds, order included."""
+    return json.dumps(
+        [
+            blueprint.meaning,
+            dict(blueprint.fields),
+            [
+                [branch.name, branch.table, dict(branch.fields), dict(branch.state_fields)]
+                for branch in blueprint
+            ],
+            [
+                [h.initial, h.activating, h.num_facts, h.sub_sbs, h.num_states, dict(h.unknown)]
+                for h in (branch.header for branch in blueprint)
+            ],
+        ]
+    )
+
+
+@settings(max_examples=300)
+@given(texts(), st.integers(0, 10**6))
+def test_after_every_edit_the_text_reads_to_the_blueprint(text: str, seed: int) -> None:
+    chance = random.Random(seed)
+    blueprint = read_blueprint(parse_json(text, "f.json"))
+    for _ in range(8):
+        before = blueprint.document.text
+        try:
+            after = random_edit(chance, blueprint)
+        except EditRefused:
+            continue
+        assert blueprint.document.text == before
+        again = read_blueprint(parse_json(after.document.text, "f.json"))
+        assert whole(again) == whole(after)
+        assert again == after
+        blueprint = after
+
+
+@settings(max_examples=200)
+@given(texts())
+def test_the_values_of_a_blueprint_change_nothing_in_its_text(text: str) -> None:
+    document = parse_json(text, "f.json")
+    blueprint = read_blueprint(document)
+    plain = read_blueprint(parse_json(write_json(values_of(blueprint)), "f.json"))
+    assert plain == blueprint
+    assert values_of(plain) == values_of(blueprint)
+    assert reconcile(document, values_of(blueprint)).text == text
+
+
+@settings(max_examples=150)
+@given(st.integers(0, 10**6))
+def test_an_edit_touches_no_line_that_does_not_name_its_element(seed: int) -> None:
+    chance = random.Random(seed)
+    text = write_json(values_of(hanoi(2))).replace("\n", chance.choice(["\n", "\r\n"]))
+    before = read_blueprint(parse_json(text, "f.json"))
+    table = before["SB1"].table
+    state = chance.choice(list(table))
+    operation, target = chance.choice(list(table[state].items()))
+    edge = Address("SB1", state, operation)
+    kind = chance.randrange(5)
+    names: tuple[str, ...]
+    if kind == 0:
+        after, names = edit.rename(before, edge, "New"), (operation, "New")
+    elif kind == 1:
+        other = chance.choice([name for name in table if name != target])
+        after, names = edit.retarget(before, edge, other), (operation,)
+    elif kind == 2:
+        after, names = edit.delete(before, [edge]), (operation,)
+    elif kind == 3:
+        after, names = edit.rename(before, Address("SB1", state), "New"), (state, "New")
+    else:
+        after, names = edit.add_operation(before, "SB1", state, "New", state), ("New",)
+    touched = touched_lines(before.document.text, after.document.text)
+    assert touched
+    assert all(any(f'"{name}"' in line for name in names) for line in touched)
+
+
+def touched_lines(before: str, after: str) -> list[str]:
+    """The lines that differ, but for those where only the comma to a neighbour does."""
+    lines = list(difflib.unified_diff(before.split("\n"), after.split("\n"), n=0))[2:]
+    gone, come = (
+        Counter(line[1:].rstrip(",\r") for line in lines if line[0] == sign) for sign in "-+"
+    )
+    return [*(gone - come), *(come - gone)]
