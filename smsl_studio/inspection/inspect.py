@@ -38,7 +38,7 @@ ALL = (
     Rule("R11", "a trap", reach.r11_traps),
     Rule("R12", "a dead end", reach.r12_dead_ends),
     Rule("R13", "a sub-SB that cannot serve", levels.r13_sub_cannot_serve),
-    Rule("R14", "a sub-SB's fact changed with others", levels.r14_mixed),
+    Rule("R14", "a base and its sub-SB at odds", levels.r14_mixed),
     Rule("R15", "a mislabelled operation", effects.r15_mislabelled),
     Rule("R16", "a conditional effect", effects.r16_conditional),
     Rule("R17", "a self loop not marked as repeatable", effects.r17_self_loops),

@@ -123,6 +123,12 @@ PLANTED = [
   "SB": {"HEADER": {"SUB_SBS": {^"Sub": 0}}, "_facts": {"0": {"name": "Clamp"}},
     "State_00": {"a": "State_11"}, "State_11": {"b": "State_00"}},
   "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R14", "W", "Second", "Second starts with fact 1 on, while First starts with Sub off", """{
+  "First": {"HEADER": {"SUB_SBS": {"Sub": 0}},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Second": {"HEADER": {"SUB_SBS": {^"Sub": 0}, "INITIAL": "State_1"},
+    "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R16", "I", "SB/State_00/go", "what go does to fact 2 (to 1 or to 0) depends", """{"SB": {
   "State_00": {^"go": "State_11", "x": "State_01"}, "State_01": {"up": "State_00"},
   "State_10": {"y": "State_00"}, "State_11": {"z": "State_10", "go": "State_10"}}}"""),

@@ -196,7 +196,9 @@ def _first_fall(blueprint: Blueprint, sub: str) -> Operation | None:
 
 
 def r14_mixed(blueprint: Blueprint) -> Iterator[Finding]:
-    """Base edges that change a sub-SB's fact together with others."""
+    """Base edges that change a sub-SB's fact together with others; bases of one sub-SB whose
+    INITIAL states cannot hold together."""
+    yield from _disagreeing(blueprint)
     for branch in blueprint:
         for digit, sub in branch.subs.items():
             if not 0 <= digit < branch.num_facts or sub not in blueprint.branches:
@@ -204,6 +206,29 @@ def r14_mixed(blueprint: Blueprint) -> Iterator[Finding]:
             mixed = [edge for edge in branch.edges() if _is_mixed(branch, edge, digit)]
             if mixed:
                 yield _mixed(blueprint, branch, digit, mixed)
+
+
+def _disagreeing(blueprint: Blueprint) -> Iterator[Finding]:
+    for sub, bases in blueprint.bases.items():
+        starts = [
+            (branch, digit, branch.is_on(branch.initial, digit))
+            for branch, digit in ((blueprint[base], digit) for base, digit in bases)
+            if 0 <= digit < branch.num_facts and branch.initial in branch.table
+        ]
+        for branch, digit, on in starts[1:]:
+            first, _, wanted = starts[0]
+            if on != wanted:
+                yield _entry(
+                    blueprint,
+                    branch,
+                    sub,
+                    f"{branch.name} starts with {fact_words(branch, digit)} "
+                    f"{'on' if on else 'off'}, while {first.name} starts with {sub} "
+                    f"{'on' if wanted else 'off'}",
+                    "choose INITIAL states that agree, or start the run elsewhere",
+                    rule="R14",
+                    severity=WARNING,
+                )
 
 
 def _is_mixed(branch: StateBranch, edge: Operation, digit: int) -> bool:
