@@ -224,13 +224,24 @@ def _sorted_columns(
     for sweep in range(6):
         order = range(1, len(columns)) if sweep % 2 == 0 else range(len(columns) - 2, -1, -1)
         height = {i: slot - (len(c) - 1) / 2 for c in columns for slot, i in enumerate(c)}
-        for column in order:
-            others = {i: [height[j] for j in near[i] if j in height] for i in columns[column]}
-            mean = {i: sum(hs) / len(hs) if hs else height[i] for i, hs in others.items()}
-            columns[column].sort(key=lambda i, mean=mean: (round(mean[i], 6), i < 0, i))  # type: ignore[misc]
-            for slot, i in enumerate(columns[column]):
-                height[i] = slot - (len(columns[column]) - 1) / 2
+        for number in order:
+            columns[number] = _by_neighbours(columns[number], near, height)
+            for slot, i in enumerate(columns[number]):
+                height[i] = slot - (len(columns[number]) - 1) / 2
     return columns
+
+
+def _by_neighbours(
+    column: list[int], near: dict[int, list[int]], height: dict[int, float]
+) -> list[int]:
+    """The column sorted by the mean height of what each node is joined with."""
+
+    def key(state: int) -> tuple[float, bool, int]:
+        heights = [height[other] for other in near[state] if other in height]
+        mean = sum(heights) / len(heights) if heights else height[state]
+        return round(mean, 6), state < 0, state
+
+    return sorted(column, key=key)
 
 
 def _column_places(

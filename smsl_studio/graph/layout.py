@@ -8,7 +8,7 @@ pure functions of the branch: the same branch is always drawn the same way.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import graph_of
@@ -87,9 +87,9 @@ def _beside(near: list[Point], places: Mapping[str, Point]) -> Point:
 class _Grid:
     """Places that are taken, so that a free one near a wish is found quickly."""
 
-    def __init__(self, points: object) -> None:
+    def __init__(self, points: Iterable[Point]) -> None:
         self._cells: dict[tuple[int, int], list[Point]] = {}
-        for point in points:  # type: ignore[attr-defined]
+        for point in points:
             self._take(point)
 
     def free(self, wanted: Point) -> Point:

@@ -14,7 +14,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 EDGE = 190.0
 """Pixels between neighbours, on average."""
 CELL_X, CELL_Y = 150.0, 90.0
-_PIVOTS, _ROUNDS = 48, 12
+_PIVOTS, _ROUNDS = 32, 8
 
 
 def by_distance(branch: StateBranch) -> dict[str, tuple[float, float]]:
