@@ -5,7 +5,7 @@ A fact is pointed at by ``FactKey``: the SB's name and the digit, counted from 0
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
@@ -78,23 +78,34 @@ class CheckResult:
         return tuple(term for term in self.terms if term.truth is None)
 
 
+IN_TRANSIT = "in transit"
+"""Why a digit is unknown while a crossing below it is pending (clause 6)."""
+
+
 def state_check(
-    blueprint: Blueprint, branch: str, state: str, scene: Scene, believed: Mapping[str, str]
+    blueprint: Blueprint,
+    branch: str,
+    state: str,
+    scene: Scene,
+    believed: Mapping[str, str],
+    transit: Collection[FactKey] = (),
 ) -> CheckResult:
     """C_state(s): whether ``state`` holds in the scene, fact by fact.
 
     A digit expanded by a sub-SB is the sub's state check in ACTIVATING, recursively: itself where
     the state wants the digit on, its three-valued negation where it wants it off. A fact nobody
     senses is believed from ``believed`` (SB -> state); a fact that is sensed but not known makes
-    the check unknown. The SUB_SBS must have no cycle.
+    the check unknown, and so does a digit in ``transit``. The SUB_SBS must have no cycle.
     """
     own = blueprint.branches[branch]
-    wanted = own.facts(state)
     terms = []
-    for digit, value in enumerate(wanted):
+    for digit, value in enumerate(own.facts(state)):
         sub = own.subs.get(digit)
-        if sub is not None and sub in blueprint.branches:
-            inner = state_check(blueprint, sub, blueprint.branches[sub].activating, scene, believed)
+        if (branch, digit) in transit:
+            terms.append(Term((branch, digit), value, None, None, IN_TRANSIT))
+        elif sub is not None and sub in blueprint.branches:
+            goal = blueprint.branches[sub].activating
+            inner = state_check(blueprint, sub, goal, scene, believed, transit)
             terms.append(_sub_term(own, digit, value, inner))
         else:
             terms.append(_term(own, digit, value, scene, believed))
@@ -120,8 +131,10 @@ def _term(
 def _sub_term(base: StateBranch, digit: int, wanted: str, inner: CheckResult) -> Term:
     key, on, truth = (base.name, digit), base.on_value(digit), inner.truth
     if truth is None:
-        unknown = ", ".join(f"{term.fact[0]}/{term.fact[1]}" for term in inner.unknown)
-        return Term(key, wanted, None, None, f"{unknown} in {inner.branch} is unknown")
+        unknown = [term for term in inner.unknown if term.reason != IN_TRANSIT]
+        names = ", ".join(f"{term.fact[0]}/{term.fact[1]}" for term in unknown)
+        reason = f"{names} in {inner.branch} is unknown" if unknown else IN_TRANSIT
+        return Term(key, wanted, None, None, reason)
     reading = on if truth else off_value(base, digit)
     return Term(key, wanted, reading, truth == (wanted == on), f"the check of {inner.branch}")
 

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Mapping
 
-from smsl_studio.blueprint.check import CheckResult, FactKey, Term, state_check
+from smsl_studio.blueprint.check import (
+    IN_TRANSIT,
+    CheckResult,
+    FactKey,
+    Term,
+    state_check,
+)
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.dispatch.senses import Senses
 from smsl_studio.host.protocol import Host, Opened
@@ -48,13 +54,16 @@ class Run:
         """Read every sensor now."""
         self.emit(*self.senses.look())
 
-    def check(self, branch: str, state: str, without: Collection[FactKey] = ()) -> CheckResult:
-        """The state check of a state on the scene, without the digits in transit."""
+    def check(
+        self, branch: str, state: str, transit: Collection[FactKey] = frozenset()
+    ) -> CheckResult:
+        """The state check of a state on the scene, without what hangs on digits in transit."""
         believed = {**self.configuration, **self.pending, branch: state}
-        result = state_check(self.blueprint, branch, state, self.senses.scene, believed)
-        if not without:
+        scene = self.senses.scene
+        result = state_check(self.blueprint, branch, state, scene, believed, transit)
+        if not transit:
             return result
-        kept = tuple(term for term in result.terms if term.fact not in without)
+        kept = tuple(term for term in result.terms if term.reason != IN_TRANSIT)
         return CheckResult(branch, state, kept)
 
     def checks(self, configuration: Mapping[str, str]) -> tuple[CheckResult, ...]:
@@ -66,12 +75,13 @@ class Run:
 
     def broken(self) -> tuple[Term, ...]:
         """Integrity (clause 9): the sensed facts that differ from the flags, transit left out."""
-        believed = self.believed
+        believed, scene = self.believed, self.senses.scene
         return tuple(
             term
             for name, state in believed.items()
-            for term in _state_terms(self, name, state, believed)
-            if term.truth is False and term.fact not in self.transit
+            for term in state_check(
+                self.blueprint, name, state, scene, believed, self.transit
+            ).misses
         )
 
     def drop_pending(self) -> None:
@@ -85,7 +95,3 @@ class Run:
         self.pending = {
             name: state for name, state in self.pending.items() if self.configuration[name] != state
         }
-
-
-def _state_terms(run: Run, name: str, state: str, believed: Mapping[str, str]) -> Iterable[Term]:
-    return state_check(run.blueprint, name, state, run.senses.scene, believed).terms
