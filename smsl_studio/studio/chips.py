@@ -24,7 +24,7 @@ def kind_of(branch: StateBranch, state: str, digit: int) -> str:
 
 
 def paint_chip(
-    painter: QPainter, rect: QRectF, text: str, kind: str, tokens: Tokens, sub: bool = False
+    painter: QPainter, rect: QRectF, text: str, kind: str, tokens: Tokens, *, sub: bool = False
 ) -> None:
     """Paint one chip; ``sub`` adds the accent bar of a sub-SB below it."""
     painter.save()
@@ -63,8 +63,7 @@ class Chips(QWidget):
             for digit, value in enumerate(branch.facts(state))
         )
         said = [
-            f"{branch.fact_name(digit)}: {value}"
-            for digit, value in enumerate(branch.facts(state))
+            f"{branch.fact_name(digit)}: {value}" for digit, value in enumerate(branch.facts(state))
         ]
         self.setToolTip("\n".join(said))
         self.setAccessibleName(", ".join(said))
@@ -78,10 +77,10 @@ class Chips(QWidget):
         metrics = self.fontMetrics()
         x = 0.0
         for text, kind, sub in self._chips:
-            wide = max(CHIP, metrics.horizontalAdvance(text) + 8)
-            wide = min(wide, self.width() - x)
+            natural = max(CHIP, metrics.horizontalAdvance(text) + 8)
+            wide = min(float(natural), self.width() - x)
             shown = metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, int(wide))
-            paint_chip(painter, QRectF(x, 5, wide, CHIP), shown, kind, self._tokens, sub)
+            paint_chip(painter, QRectF(x, 5, wide, CHIP), shown, kind, self._tokens, sub=sub)
             x += wide + GAP
             if x > self.width() - CHIP:
                 break

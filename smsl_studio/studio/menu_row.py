@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
@@ -20,7 +20,9 @@ Fill = Callable[[QMenu], None]
 class MenuRow(QWidget):
     """Menus come from the table of actions; ``submenus`` are filled each time they open."""
 
-    def __init__(self, actions: Actions, tokens: Tokens, submenus: dict[str, tuple[str, Fill]]) -> None:
+    def __init__(
+        self, actions: Actions, tokens: Tokens, submenus: Mapping[str, tuple[str, Fill]]
+    ) -> None:
         super().__init__()
         self.setObjectName("menu_row")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -38,7 +40,7 @@ class MenuRow(QWidget):
         layout.setSpacing(8)
         layout.addWidget(self._logo)
         layout.addSpacing(4)
-        layout.addWidget(self.menus)
+        layout.addWidget(self.menus, 0, Qt.AlignmentFlag.AlignVCenter)
         layout.addStretch(1)
         layout.addWidget(self.badge)
         self._fill(actions, submenus)
@@ -71,7 +73,7 @@ class MenuRow(QWidget):
         at = max(left, min((self.width() - wide) // 2, right - wide))
         self._title.setGeometry(at, 0, wide, self.height() - 1)
 
-    def _fill(self, actions: Actions, submenus: dict[str, tuple[str, Fill]]) -> None:
+    def _fill(self, actions: Actions, submenus: Mapping[str, tuple[str, Fill]]) -> None:
         for name in MENUS:
             menu = self.menus.addMenu(name)
             menu.setToolTipsVisible(False)

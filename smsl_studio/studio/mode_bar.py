@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen
+from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
@@ -40,7 +40,7 @@ class ModeBar(QToolBar):
         self.setFloatable(False)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self._actions = actions
-        self.left_button = _tool(actions["left_panel"], "", icon_only=True)
+        self.left_button = _tool(actions["left_panel"], icon_only=True)
         self.left_button.hide()
         self.segments = Segments([(actions[name], actions.table[name].short) for name in MODES])
         self.search = SearchBox(tokens)
@@ -50,8 +50,12 @@ class ModeBar(QToolBar):
         self.run.setFixedHeight(32)
         self.run.setToolTip(actions.table["run_play"].hint)
         self.run.clicked.connect(actions["run_play"].trigger)
-        self._stop_place = QHBoxLayout()
-        self._stop_place.setContentsMargins(0, 0, 0, 0)
+        self.stop = QPushButton("Stop  F8")
+        self.stop.setProperty("role", "stop")
+        self.stop.setFixedSize(136, 40)
+        self.stop.setToolTip(actions.table["run_stop"].hint)
+        self.stop.clicked.connect(actions["run_stop"].trigger)
+        self.stop.hide()
         self._draw_tools = self._make_draw_tools(actions)
         self._middle = QStackedWidget()
         self._middle.addWidget(self._draw_tools)
@@ -69,15 +73,17 @@ class ModeBar(QToolBar):
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
+        self.stop.setIcon(icon("stop", tokens, 14, QColor("white")))
         self.search.set_tokens(tokens)
 
     def add_transport(self, transport: QWidget) -> None:
         """The row that Run mode shows in the bar's place."""
         self._middle.addWidget(transport)
 
-    def add_stop(self, stop: QWidget) -> None:
-        """A Stop that stays visible beside the drawing tools while a run exists."""
-        self._stop_place.addWidget(stop)
+    def show_stop(self, shown: bool) -> None:
+        """Stop stays visible beside the drawing tools while a run exists."""
+        self.stop.setVisible(shown)
+        self.run.setVisible(not shown)
 
     def show_mode(self, mode: str) -> None:
         running = mode == "run" and self._middle.count() > 1
@@ -93,13 +99,12 @@ class ModeBar(QToolBar):
                 layout.addWidget(rule(vertical=True, length=24))
                 layout.addSpacing(8)
             for name in group:
-                short = actions.table[name].short
-                layout.addWidget(_tool(actions[name], short, icon_only=not short))
+                layout.addWidget(_tool(actions[name], icon_only=not actions.table[name].short))
         layout.addStretch(1)
         layout.addWidget(self.search)
         layout.addSpacing(4)
         layout.addWidget(self.run)
-        layout.addLayout(self._stop_place)
+        layout.addWidget(self.stop)
         tools.setLayout(layout)
         return tools
 
@@ -116,7 +121,6 @@ class Segments(QFrame):
         for action, words in modes:
             button = QToolButton()
             button.setDefaultAction(action)
-            button.setText(words)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             button.setFixedHeight(30)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -154,7 +158,9 @@ class SearchBox(QAbstractButton):
         draw(painter, "search", QRectF(10, 9, 14, 14), tokens.tx2, tokens.surf)
         painter.setPen(tokens.tx2)
         painter.setFont(text_font(13))
-        painter.drawText(self.rect().adjusted(33, 0, -60, 0), Qt.AlignmentFlag.AlignVCenter, self.text())
+        painter.drawText(
+            self.rect().adjusted(33, 0, -60, 0), Qt.AlignmentFlag.AlignVCenter, self.text()
+        )
         key = QRectF(self.width() - 51, 7, 42, 18)
         painter.setPen(QPen(tokens.line, 1))
         painter.setBrush(tokens.win)
@@ -164,13 +170,14 @@ class SearchBox(QAbstractButton):
         painter.drawText(key, Qt.AlignmentFlag.AlignCenter, "Ctrl K")
 
 
-def _tool(action: QAction, words: str, icon_only: bool = False) -> QToolButton:
+def _tool(action: QAction, icon_only: bool = False) -> QToolButton:
     button = QToolButton()
     button.setDefaultAction(action)
     button.setProperty("role", "tool")
     style = Qt.ToolButtonStyle
-    button.setToolButtonStyle(style.ToolButtonIconOnly if icon_only else style.ToolButtonTextBesideIcon)
-    button.setText(words or action.text())
+    button.setToolButtonStyle(
+        style.ToolButtonIconOnly if icon_only else style.ToolButtonTextBesideIcon
+    )
     button.setAccessibleName(action.text().rstrip("…"))
     button.setFixedHeight(32)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)

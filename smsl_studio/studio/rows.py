@@ -94,8 +94,8 @@ class RowsDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         row: Row = index.data(Qt.ItemDataRole.UserRole)
-        tokens, rect = self.tokens, QRectF(option.rect)  # type: ignore[attr-defined]
-        state = option.state  # type: ignore[attr-defined]
+        tokens, rect = self.tokens, QRectF(option.rect)
+        state = option.state
         painter.save()
         if state & QStyle.StateFlag.State_Selected:
             painter.fillRect(rect, tokens.accs)
@@ -105,7 +105,7 @@ class RowsDelegate(QStyledItemDelegate):
         if row.kind == LINE:
             self._line(painter, inner, row)
         else:
-            paint_text(painter, inner, row.text, tokens.tx2, 12, 400)
+            paint_text(painter, inner, row.text, Ink(tokens.tx2, 12))
         painter.restore()
 
     def _line(self, painter: QPainter, inner: QRectF, row: Row) -> None:
@@ -118,7 +118,9 @@ class RowsDelegate(QStyledItemDelegate):
         left = inner.adjusted(23, 0, 0, 0)
         right = inner.right()
         if row.right:
-            wide = paint_text(painter, inner, row.right, tokens.tx2, 12, 400, right=True, mono=row.mono)
+            wide = paint_text(
+                painter, inner, row.right, Ink(tokens.tx2, 12, mono=row.mono), right=True
+            )
             right -= wide + 8
         if row.severity:
             box = QRectF(right - 15, inner.center().y() - 7, 14, 14)
@@ -126,10 +128,10 @@ class RowsDelegate(QStyledItemDelegate):
             draw(painter, SEVERITY_ICON[row.severity], box, colour, tokens.surf)
             right -= 22
         left.setRight(right)
-        used = paint_text(painter, left, row.text, tokens.tx2 if row.pale else tokens.tx, 13, 400)
+        used = paint_text(painter, left, row.text, Ink(tokens.tx2 if row.pale else tokens.tx))
         if row.beside and used + 16 < left.width():
             beside = left.adjusted(used + 8, 0, 0, 0)
-            paint_text(painter, beside, row.beside, tokens.tx2, 12, 400)
+            paint_text(painter, beside, row.beside, Ink(tokens.tx2, 12))
 
 
 class RowsView(QListView):
@@ -166,24 +168,31 @@ class RowsView(QListView):
         return sum(ROW if row.kind == LINE else SECTION for row in self.rows.rows)
 
 
+@dataclass(frozen=True)
+class Ink:
+    """How a piece of text is written."""
+
+    colour: QColor
+    size: int = 13
+    weight: int = 400
+    mono: bool = False
+
+
 def paint_text(
     painter: QPainter,
     rect: QRectF,
     text: str,
-    colour: QColor,
-    size: int,
-    weight: int,
+    ink: Ink,
+    *,
     right: bool = False,
-    mono: bool = False,
+    elide: Qt.TextElideMode = Qt.TextElideMode.ElideMiddle,
 ) -> float:
-    """Paint one line, elided in the middle where it does not fit; its width in pixels."""
-    font = mono_font(size, weight) if mono else text_font(size, weight)
+    """Paint one line, elided where it does not fit; its width in pixels."""
+    font = mono_font(ink.size, ink.weight) if ink.mono else text_font(ink.size, ink.weight)
     metrics = QFontMetricsF(font)
-    shown = metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, rect.width())
+    shown = metrics.elidedText(text, elide, rect.width())
     side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
     painter.setFont(font)
-    painter.setPen(colour)
+    painter.setPen(ink.colour)
     painter.drawText(rect, Qt.AlignmentFlag.AlignVCenter | side, shown)
     return metrics.horizontalAdvance(shown)
-
-

@@ -56,6 +56,10 @@ class Toast(QWidget):
         """Say something that went well."""
         self._show(sentence, "", False, SAID_MS)
 
+    def warn(self, sentence: str) -> None:
+        """Say something that went wrong and is no refusal."""
+        self._show(sentence, "", True, REFUSED_MS)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self._over and event.type() == QEvent.Type.Resize and not self.isHidden():
             self._place()
@@ -91,6 +95,8 @@ class Toast(QWidget):
         wide = max(160, min(wide, max(natural, other)))
         layout = self.layout()
         assert layout is not None
-        high = layout.heightForWidth(wide) if layout.hasHeightForWidth() else self.sizeHint().height()
+        high = (
+            layout.heightForWidth(wide) if layout.hasHeightForWidth() else self.sizeHint().height()
+        )
         left = (self._over.width() - wide) // 2
         self.setGeometry(left, self._over.height() - high - 64, wide, high)

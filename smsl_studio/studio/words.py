@@ -30,4 +30,3 @@ def capital(sentence: str) -> str:
     """The sentence with a capital letter and a full stop."""
     said = sentence[:1].upper() + sentence[1:]
     return said if said.endswith((".", "?", ":")) or not said else f"{said}."
-

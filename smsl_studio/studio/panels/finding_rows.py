@@ -23,13 +23,14 @@ from PySide6.QtWidgets import QListView, QStyle, QStyledItemDelegate, QStyleOpti
 
 from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
-from smsl_studio.studio.rows import paint_text
+from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.words import capital
 
 Index = QModelIndex | QPersistentModelIndex
 LOW, HIGH, BUTTON = 35, 52, 26
 MARK_X, RULE_X, TEXT_X, ADDRESS = 13, 37, 84, 186
+RIGHT = Qt.TextElideMode.ElideRight
 WORDS = {"E": "Error", "W": "Warning", "I": "Note"}
 
 
@@ -116,14 +117,16 @@ class FindingDelegate(QStyledItemDelegate):
             return QRect()
         wide = QFontMetricsF(text_font(12, 500)).horizontalAdvance(finding.fix.words) + 22
         wide = min(wide, rect.width() / 2)
-        return QRectF(rect.right() - 12 - wide, rect.center().y() - BUTTON / 2, wide, BUTTON).toRect()
+        return QRectF(
+            rect.right() - 12 - wide, rect.center().y() - BUTTON / 2, wide, BUTTON
+        ).toRect()
 
     def editorEvent(
         self, event: QEvent, model: Any, option: QStyleOptionViewItem, index: Index
     ) -> bool:
         if isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonRelease:
             finding: Finding = index.data(Qt.ItemDataRole.UserRole)
-            box = self.button(QRectF(option.rect), finding)  # type: ignore[attr-defined]
+            box = self.button(QRectF(option.rect), finding)
             if event.button() is Qt.MouseButton.LeftButton and box.contains(event.pos()):
                 self.pressed.emit(finding)
                 return True
@@ -131,8 +134,8 @@ class FindingDelegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
-        tokens, rect = self.tokens, QRectF(option.rect)  # type: ignore[attr-defined]
-        state = option.state  # type: ignore[attr-defined]
+        tokens, rect = self.tokens, QRectF(option.rect)
+        state = option.state
         chosen = bool(state & QStyle.StateFlag.State_Selected)
         painter.save()
         if chosen:
@@ -144,7 +147,7 @@ class FindingDelegate(QStyledItemDelegate):
         mark = QRectF(rect.left() + MARK_X, rect.center().y() - 7.5, 15, 15)
         draw(painter, SEVERITY_ICON[letter], mark, severity_colour(letter, tokens), tokens.surf)
         rule = rect.adjusted(RULE_X, 0, 0, 0)
-        paint_text(painter, rule, finding.rule, tokens.tx2, 12, 400, mono=True)
+        paint_text(painter, rule, finding.rule, Ink(tokens.tx2, 12, mono=True))
         box = QRectF(self.button(rect, finding))
         right = (box.left() if finding.fix else rect.right()) - 12
         if finding.severity is Severity.ERROR:
@@ -161,24 +164,28 @@ class FindingDelegate(QStyledItemDelegate):
         used = 0.0
         if finding.address.operation and finding.address.operation not in finding.message:
             name = f"{finding.address.operation} "
-            used = paint_text(painter, upper, name, tokens.tx, 13, 600)
+            used = paint_text(painter, upper, name, Ink(tokens.tx, 13, 600))
             text = sentence(finding)
             text = text[:1].lower() + text[1:]
         else:
             text = sentence(finding)
-        paint_text(painter, upper.adjusted(used, 0, 0, 0), text, tokens.tx, 13, 400)
+        room = upper.adjusted(used, 0, 0, 0)
+        paint_text(painter, room, text, Ink(tokens.tx), elide=RIGHT)
         where = "  ·  ".join((_path(finding, " / ", True), place_of(finding)))
-        paint_text(painter, upper.translated(0, 18), where, tokens.tx2, 12, 400)
+        paint_text(painter, upper.translated(0, 18), where, Ink(tokens.tx2, 12))
 
     def _low(self, painter: QPainter, rect: QRectF, finding: Finding, right: float) -> None:
         tokens = self.tokens
         wide = ADDRESS if rect.width() > 620 else ADDRESS * 0.7
         address = QRectF(rect.left() + TEXT_X, rect.top(), wide - 12, rect.height())
-        paint_text(painter, address, _path(finding, " / ", False), tokens.tx2, 13, 400)
+        paint_text(painter, address, _path(finding, " / ", False), Ink(tokens.tx2))
         text = QRectF(
-            rect.left() + TEXT_X + wide, rect.top(), right - rect.left() - TEXT_X - wide, rect.height()
+            rect.left() + TEXT_X + wide,
+            rect.top(),
+            right - rect.left() - TEXT_X - wide,
+            rect.height(),
         )
-        paint_text(painter, text, sentence(finding), tokens.tx, 13, 400)
+        paint_text(painter, text, sentence(finding), Ink(tokens.tx), elide=RIGHT)
 
     def _button(self, painter: QPainter, box: QRectF, words: str, primary: bool) -> None:
         tokens = self.tokens
@@ -187,7 +194,7 @@ class FindingDelegate(QStyledItemDelegate):
         painter.setBrush(tokens.acc if primary else tokens.accs)
         painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
         ink = tokens.onacc if primary else tokens.acc
-        paint_text(painter, box.adjusted(11, 0, -6, 0), words, ink, 12, 500)
+        paint_text(painter, box.adjusted(11, 0, -6, 0), words, Ink(ink, 12, 500))
 
 
 def sentence(finding: Finding) -> str:

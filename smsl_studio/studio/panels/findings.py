@@ -66,7 +66,7 @@ class Findings(Panel):
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Show the findings of the blueprint as it is now."""
-        self._findings = tuple(findings)
+        self._findings = tuple(sorted(findings, key=_gravest_first))
         self.list.show_findings(self._findings)
         errors = sum(f.severity is Severity.ERROR for f in findings)
         self.summary.setText(
@@ -123,6 +123,9 @@ class Findings(Panel):
         self._session.jump(finding.address)
 
 
+def _gravest_first(finding: Finding) -> int:
+    return "EWI".index(finding.severity.value)
+
+
 def _one_after_the_other(fixes: Sequence[Fix]) -> Callable[[Blueprint], Blueprint]:
     return lambda blueprint: reduce(lambda so_far, fix: fix.apply(so_far), fixes, blueprint)
-

@@ -1,19 +1,18 @@
-"""The header of the SB that is shown: INITIAL, ACTIVATING, NUM_FACTS, and a sub-SB for each fact."""
+"""The header of the SB that is shown: INITIAL, ACTIVATING, NUM_FACTS, a sub-SB for each fact."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.chips import VALUE
 from smsl_studio.studio.controls import Combo, Field, label, row
 from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.note_edits import set_note_field
+from smsl_studio.studio.panels.note_edits import Spot, set_note_value
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
@@ -211,7 +210,9 @@ class HeaderForm(Panel):
             text = field.text().strip()
             self._try(
                 f"Name fact {digit} “{text}”" if text else f"Leave fact {digit} without a name",
-                lambda bp: set_note_field(bp, name, "_facts", str(digit), "name", text or None),
+                lambda bp: set_note_value(
+                    bp, Spot(name, "_facts", str(digit), "name"), text or None
+                ),
             )
 
     def _try(self, words: str, change: Any) -> bool:
@@ -261,5 +262,3 @@ def _explanation(blueprint: Blueprint, branch: StateBranch) -> str:
         else:
             said.append(f"{sub} is no State Branch of this blueprint.")
     return "\n".join(said)
-
-

@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint
 
 
-def set_note_field(
-    blueprint: Blueprint, branch: str, table: str, key: str, name: str, value: Any
-) -> Blueprint:
+class Spot(NamedTuple):
+    """One value of one note: the SB, the table, the note's key in it, the value's name."""
+
+    branch: str
+    table: str
+    key: str
+    name: str
+
+
+def set_note_value(blueprint: Blueprint, spot: Spot, value: Any) -> Blueprint:
     """Set one value of a note, or take it out (None); an empty note goes."""
+    branch, table, key, name = spot
     notes = blueprint[branch].fields.get(table)
     note = notes.get(key) if isinstance(notes, dict) else None
     changed = dict(note) if isinstance(note, dict) else {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QWidget
 
@@ -12,12 +12,11 @@ from smsl_studio.blueprint.annotations import OperationNote
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.controls import Combo, Field, Switch, label, row
 from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.note_edits import set_note_field
+from smsl_studio.studio.panels.note_edits import Spot, set_note_value
 from smsl_studio.studio.panels.state_form import labelled
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.sub_marks import sub_mark
-from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
 
 NOT_SAID, VARIOUS = "Not said", "Various"
@@ -33,7 +32,7 @@ class OperationForm(Panel):
     are written for this edge alone: the choice under the heading says which.
     """
 
-    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__("Operation", parent)
         self._session = session
         self._edges: tuple[Address, ...] = ()
@@ -224,8 +223,8 @@ class OperationForm(Panel):
             for edge in dict.fromkeys(self._edges):
                 here = note_key(edge.operation, edge.state)
                 where = here if self._only_here else note_key(edge.operation)
-                blueprint = set_note_field(
-                    blueprint, edge.branch, "_operations", where, key, value
+                blueprint = set_note_value(
+                    blueprint, Spot(edge.branch, "_operations", where, key), value
                 )
             return blueprint
 
@@ -273,7 +272,7 @@ def _settle(field: Field, values: set[str], default: str = "") -> None:
 def _choose(
     combo: Combo,
     choices: tuple[tuple[str, str], ...],
-    values: set[str | None] | set[str],
+    values: Collection[str | None],
     optional: bool = True,
 ) -> None:
     combo.clear()

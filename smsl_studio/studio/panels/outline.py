@@ -1,4 +1,4 @@
-"""Outline: the State Branches by level, their facts as chips, sub-SBs below the fact they expand."""
+"""Outline: the State Branches by level, their facts as chips, sub-SBs below their fact."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import QAction, QKeySequence, QPainter
+from PySide6.QtGui import QAction, QKeySequence, QMouseEvent, QPainter
 from PySide6.QtWidgets import (
     QLineEdit,
     QMenu,
@@ -36,11 +36,11 @@ from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.chips import VALUE, paint_chip
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, icon, severity_colour
 from smsl_studio.studio.panels.frame import Heading, Panel
-from smsl_studio.studio.rows import paint_text
+from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 
-ROW, INDENT = 28, 14
+ROW, INDENT = 28, 13
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -66,7 +66,7 @@ class Outline(Panel):
         self._heading = Heading("Outline", "Level")
         self.column.addWidget(self._heading)
         self.add_button = QToolButton(self._heading)
-        self.add_button.setProperty("role", "tool")
+        self.add_button.setProperty("role", "small")
         self.add_button.setFixedSize(24, 24)
         self.add_button.setToolTip("Add a State Branch")
         self.add_button.setAccessibleName("Add a State Branch")
@@ -169,7 +169,7 @@ class Outline(Panel):
         worst = _worst(self._findings)
         blueprint = self._session.blueprint
         for name in _tops(blueprint):
-            self._add(self.tree.invisibleRootItem(), blueprint, name, 0, worst, ())
+            self._add(self.tree.invisibleRootItem(), blueprint, name, worst)
         for item in _items(self.tree):
             line = _line(item)
             item.setExpanded((line.branch, line.digit) not in closed_keys or not item.childCount())
@@ -181,14 +181,13 @@ class Outline(Panel):
         above: QTreeWidgetItem,
         blueprint: Blueprint,
         name: str,
-        level: int,
         worst: Mapping[str, str],
-        path: tuple[str, ...],
+        path: tuple[str, ...] = (),
     ) -> None:
         branch = blueprint.branches.get(name)
         if branch is None or name in path:
             return
-        line = Line(name, None, name, str(level), severity=worst.get(name, ""))
+        line = Line(name, None, name, str(len(path)), severity=worst.get(name, ""))
         item = _new_item(above, line)
         item.setFlags(item.flags() | Qt.ItemFlag.ItemIsEditable)
         for digit in _digits(branch):
@@ -198,7 +197,7 @@ class Outline(Panel):
             text = branch.fact_name(digit)
             fact = _new_item(item, Line(name, digit, text, right, sub is not None))
             if sub is not None:
-                self._add(fact, blueprint, sub, level + 1, worst, (*path, name))
+                self._add(fact, blueprint, sub, worst, (*path, name))
 
     def _mark(self) -> None:
         """Put the current row on the SB that is shown."""
@@ -236,9 +235,20 @@ class _Tree(QTreeWidget):
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
         if not self.model().hasChildren(index):
             return
+        if self.selectionModel().isSelected(index):
+            painter.fillRect(rect, self._tokens.accs)
         name = "chevron-down" if self.isExpanded(index) else "chevron-right"
-        box = QRectF(rect.right() - 11, rect.center().y() - 5, 11, 11)
+        box = QRectF(self.visualRect(index).left() - 5, rect.center().y() - 4.5, 11, 11)
         draw(painter, name, box, self._tokens.tx2, self._tokens.surf)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """A click on the chevron opens and closes; it stands where the branch's own row begins."""
+        index = self.indexAt(event.position().toPoint())
+        near = index.isValid() and self.model().hasChildren(index)
+        if near and event.position().x() < self.visualRect(index).left() + 9:
+            self.setExpanded(index, not self.isExpanded(index))
+            return
+        super().mousePressEvent(event)
 
 
 class _Delegate(QStyledItemDelegate):
@@ -251,9 +261,11 @@ class _Delegate(QStyledItemDelegate):
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         line: Line = index.data(Qt.ItemDataRole.UserRole)
-        rect = QRectF(option.rect)  # type: ignore[attr-defined]
-        chosen = bool(option.state & QStyle.StateFlag.State_Selected)  # type: ignore[attr-defined]
+        rect = QRectF(option.rect)
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
         painter.save()
+        if chosen:
+            painter.fillRect(rect, self.tokens.accs)
         if line.digit is None:
             self._branch(painter, rect, line, chosen)
         else:
@@ -269,36 +281,36 @@ class _Delegate(QStyledItemDelegate):
         painter.setBrush(tokens.sunk)
         painter.drawRoundedRect(badge, 4, 4)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, tokens.tx2, 11, 500)
+        paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, Ink(tokens.tx2, 11, 500))
         right = badge.left() - 6
         if line.severity:
             box = QRectF(right - 15, mid - 7, 14, 14)
             colour = severity_colour(line.severity, tokens)
             draw(painter, SEVERITY_ICON[line.severity], box, colour, tokens.surf)
             right -= 21
-        box = QRectF(rect.left() + 7, mid - 7, 14, 14)
+        box = QRectF(rect.left() + 14, mid - 7.5, 15, 15)
         draw(painter, "layers", box, tokens.acc if chosen else tokens.tx2, tokens.surf)
-        room = QRectF(rect.left() + 29, rect.top(), right - rect.left() - 29, rect.height())
-        paint_text(painter, room, line.text, tokens.tx, 13, 600)
+        room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
+        paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
 
     def _fact(self, painter: QPainter, rect: QRectF, line: Line) -> None:
         tokens = self.tokens
-        chip = QRectF(rect.left() + 6, rect.center().y() - 9, 18, 18)
-        paint_chip(painter, chip, str(line.digit), VALUE, tokens, line.sub)
+        chip = QRectF(rect.left() + 15, rect.center().y() - 9, 18, 18)
+        paint_chip(painter, chip, str(line.digit), VALUE, tokens, sub=line.sub)
         right = rect.right() - 12
         if line.right:
             room = rect.adjusted(rect.width() / 2, 0, -12, 0)
             right -= paint_text(
-                painter, room, line.right, tokens.tx2, 12, 400, right=True, mono=True
+                painter, room, line.right, Ink(tokens.tx2, 12, mono=True), right=True
             )
-        room = QRectF(rect.left() + 32, rect.top(), right - rect.left() - 38, rect.height())
-        paint_text(painter, room, line.text, tokens.tx, 13, 400)
+        room = QRectF(rect.left() + 41, rect.top(), right - rect.left() - 47, rect.height())
+        paint_text(painter, room, line.text, Ink(tokens.tx))
 
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        rect: QRect = option.rect  # type: ignore[attr-defined]
-        editor.setGeometry(rect.adjusted(24, 0, -4, 0))
+        rect: QRect = option.rect
+        editor.setGeometry(rect.adjusted(33, 0, -4, 0))
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         editor = QLineEdit(parent)

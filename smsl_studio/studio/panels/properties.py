@@ -30,7 +30,7 @@ class Properties(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         inner = Panel("Properties")
         self.state = StateForm(session, tokens)
-        self.operation = OperationForm(session, tokens)
+        self.operation = OperationForm(session)
         self.several = _Several(session)
         self.header = HeaderForm(session, tokens)
         self._rule = rule()
@@ -43,8 +43,8 @@ class Properties(QScrollArea):
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        for form in (self.state, self.operation, self.header):
-            form.set_tokens(tokens)
+        self.state.set_tokens(tokens)
+        self.header.set_tokens(tokens)
 
     def _show(self) -> None:
         blueprint, selection = self._session.blueprint, self._session.selection

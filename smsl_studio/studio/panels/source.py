@@ -34,7 +34,7 @@ MAX_SQUIGGLES = 400
 
 
 class Source(QPlainTextEdit):
-    """Read-only. Follows the selection while it is visible, and is patched, never reset, on edits."""
+    """Read-only. Follows the selection while it is visible; patched, never reset, on edits."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,6 +52,7 @@ class Source(QPlainTextEdit):
         )
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.setFont(mono_font(12))
+        self.document().setDocumentMargin(2)
         self._gutter = _Gutter(self)
         self._colours: _Colours | None = None
         self.blockCountChanged.connect(self._place_gutter)
@@ -150,7 +151,8 @@ class Source(QPlainTextEdit):
         block = self.document().findBlockByNumber(line)
         cursor = QTextCursor(block)
         self.setTextCursor(cursor)
-        shown = range(self.firstVisibleBlock().blockNumber(), self._last_visible())
+        first = self.firstVisibleBlock().blockNumber()
+        shown = range(first + 2 if first else 0, self._last_visible() - 2)
         if line not in shown:
             self.centerCursor()
 
@@ -177,9 +179,9 @@ class Source(QPlainTextEdit):
 
     def _band(self, line: int) -> QTextEdit.ExtraSelection:
         mark = QTextEdit.ExtraSelection()
-        mark.format.setBackground(self._tokens.accs)  # type: ignore[attr-defined]
-        mark.format.setProperty(QTextFormat.Property.FullWidthSelection, True)  # type: ignore[attr-defined]
-        mark.cursor = QTextCursor(self.document().findBlockByNumber(line))  # type: ignore[attr-defined]
+        mark.format.setBackground(self._tokens.accs)
+        mark.format.setProperty(QTextFormat.Property.FullWidthSelection, True)
+        mark.cursor = QTextCursor(self.document().findBlockByNumber(line))
         return mark
 
     def _squiggle(self, finding: Finding) -> list[QTextEdit.ExtraSelection]:
@@ -193,9 +195,9 @@ class Source(QPlainTextEdit):
         cursor.setPosition(block.position() + match.start())
         cursor.setPosition(block.position() + match.end(), QTextCursor.MoveMode.KeepAnchor)
         mark = QTextEdit.ExtraSelection()
-        mark.format.setUnderlineStyle(QTextCharFormat.UnderlineStyle.WaveUnderline)  # type: ignore[attr-defined]
-        mark.format.setUnderlineColor(severity_colour(finding.severity.value, self._tokens))  # type: ignore[attr-defined]
-        mark.cursor = cursor  # type: ignore[attr-defined]
+        mark.format.setUnderlineStyle(QTextCharFormat.UnderlineStyle.WaveUnderline)
+        mark.format.setUnderlineColor(severity_colour(finding.severity.value, self._tokens))
+        mark.cursor = cursor
         return [mark]
 
     # The gutter.
@@ -263,7 +265,9 @@ class _Gutter(QWidget):
 
 
 _KEY = re.compile(r'"(?:[^"\\]|\\.)*"')
-_TOKEN = re.compile(r'("(?:[^"\\]|\\.)*")(\s*:)?(\s*\{)?|(-?\d[\d.eE+-]*|\btrue\b|\bfalse\b|\bnull\b)')
+_TOKEN = re.compile(
+    r'("(?:[^"\\]|\\.)*")(\s*:)?(\s*\{)?|(-?\d[\d.eE+-]*|\btrue\b|\bfalse\b|\bnull\b)'
+)
 
 
 class _Colours(QSyntaxHighlighter):
@@ -295,5 +299,3 @@ def _utf16(text: str, at: int) -> int:
     """Qt counts in UTF-16 units."""
     part = text[:at]
     return at if part.isascii() else len(part.encode("utf-16-le", "surrogatepass")) // 2
-
-

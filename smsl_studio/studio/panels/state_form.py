@@ -12,7 +12,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.chips import Chips
 from smsl_studio.studio.controls import Field, Switch, label, row
 from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.note_edits import set_note_field
+from smsl_studio.studio.panels.note_edits import Spot, set_note_value
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.rows import Row, RowsView
 from smsl_studio.studio.session import Session
@@ -128,7 +128,7 @@ class StateForm(Panel):
         try_edit(
             self._session,
             words,
-            lambda bp: set_note_field(bp, at.branch, "_states", at.state, name, value),
+            lambda bp: set_note_value(bp, Spot(at.branch, "_states", at.state, name), value),
             self.refusal,
         )
 

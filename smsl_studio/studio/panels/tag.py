@@ -29,4 +29,4 @@ class Tag(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         chip = QRectF(1, 4, 18, 18)
-        paint_chip(QPainter(self), chip, self._text, self._kind, self._tokens, self._sub)
+        paint_chip(QPainter(self), chip, self._text, self._kind, self._tokens, sub=self._sub)

@@ -1,0 +1,85 @@
+"""The window's door: one application, a window for each file."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.shipped import resources_dir
+from smsl_studio.studio.recovery import crash_hook, keep_work
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.style import dress, tokens_of
+from smsl_studio.studio.window import Window
+
+
+def open_window(paths: Sequence[str], mode: str = "draw") -> int:
+    """Show a window for each file (an empty one for none) until they are closed; exit status."""
+    application = make_application(sys.argv)
+    settings = Settings()
+    dress(application, tokens_of(settings.theme, application))
+    windows = [make_window(application, settings, path, mode) for path in paths or [""]]
+    sys.excepthook = crash_hook(lambda: _kept(windows, settings), windows[0].toast.warn)
+    stop = _let_interrupts_through(application)
+    try:
+        return application.exec()
+    finally:
+        stop.stop()
+        sys.excepthook = sys.__excepthook__
+
+
+def make_application(argv: Sequence[str]) -> QApplication:
+    """The one application of this process, named."""
+    present = QApplication.instance()
+    application = present if isinstance(present, QApplication) else QApplication(list(argv[:1]))
+    application.setApplicationName("smsl-studio")
+    application.setApplicationDisplayName("SMSL Studio")
+    application.setDesktopFileName("smsl-studio")
+    application.setWindowIcon(QIcon(str(resources_dir() / "smsl-studio.svg")))
+    return application
+
+
+def make_window(
+    application: QApplication, settings: Settings, path: str = "", mode: str = "draw"
+) -> Window:
+    """A window that shows a file; where it cannot be read the window says why."""
+    window = Window(application, settings)
+    window.show()
+    if path:
+        window.files.open(Path(path))
+    if mode != "draw":
+        window.set_mode(mode)
+    return window
+
+
+def main(argv: Sequence[str]) -> int:
+    """``open``: file arguments and ``--mode``."""
+    parser = argparse.ArgumentParser(prog="smsl-studio open", description="Open the window.")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
+    parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
+    given = parser.parse_args(list(argv))
+    return open_window(given.files, given.mode)
+
+
+def _kept(windows: Sequence[Window], settings: Settings) -> list[Path]:
+    kept = (
+        keep_work(window.session, window.files.name, settings.folder)
+        for window in windows
+        if window.session.edited
+    )
+    return [path for path in kept if path is not None]
+
+
+def _let_interrupts_through(application: QApplication) -> QTimer:
+    """Ctrl+C in the terminal closes the windows: Python sees it only while it runs."""
+    signal.signal(signal.SIGINT, lambda *_: application.quit())
+    timer = QTimer()
+    timer.timeout.connect(lambda: None)
+    timer.start(300)
+    return timer

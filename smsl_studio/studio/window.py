@@ -1,0 +1,320 @@
+"""The window: a shell around canvas, panels and run. It knows no verb of the domain."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QStackedWidget
+
+from smsl_studio.inspection.finding import Finding
+from smsl_studio.shipped import samples_dir
+from smsl_studio.studio import commands
+from smsl_studio.studio.actions import Actions
+from smsl_studio.studio.canvas.canvas import Canvas
+from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.dialogs import Dialogs
+from smsl_studio.studio.docks import Docks
+from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.files import Files, empty_blueprint
+from smsl_studio.studio.help import about_dialog, shortcuts_dialog
+from smsl_studio.studio.inspector import Inspector
+from smsl_studio.studio.menu_row import MenuRow
+from smsl_studio.studio.mode_bar import ModeBar
+from smsl_studio.studio.palette import Palette
+from smsl_studio.studio.panels.findings import Findings
+from smsl_studio.studio.panels.history import History
+from smsl_studio.studio.panels.library import Library
+from smsl_studio.studio.panels.outline import Outline
+from smsl_studio.studio.panels.properties import Properties
+from smsl_studio.studio.panels.source import Source
+from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.status_line import StatusLine
+from smsl_studio.studio.style import dress, tokens_of
+from smsl_studio.studio.toast import Toast
+from smsl_studio.studio.words import tally
+
+SIZE, SMALLEST = (1440, 900), (900, 560)
+
+
+class Window(QMainWindow):
+    """One window on one blueprint."""
+
+    def __init__(self, application: QApplication, settings: Settings) -> None:
+        super().__init__()
+        self._application, self._settings = application, settings
+        self._mode = "draw"
+        self.tokens = tokens_of(settings.theme, application)
+        self.setWindowTitle("SMSL Studio")
+        self.setMinimumSize(*SMALLEST)
+        self.setAcceptDrops(True)
+        self.session = Session(empty_blueprint(), self)
+        self.files = Files(self.session, settings, Dialogs(self), self)
+        self.inspector = Inspector(self.session, self)
+        self._build_panels()
+        self._build_actions()
+        self._build_frame()
+        self._connect()
+        self._restore()
+        self._show_blueprint()
+        self._show_title()
+
+    # Building.
+
+    def _build_panels(self) -> None:
+        session, tokens = self.session, self.tokens
+        self.canvas = Canvas(tokens)
+        self.editor = CanvasEditor(session, self.canvas)
+        self.drawing = Drawing(session, self.canvas)
+        self.run_pane = RunPane(session, tokens)
+        self.outline, self.library = Outline(session, tokens), Library(session, tokens)
+        self.properties, self.source = Properties(session, tokens), Source(session, tokens)
+        self.findings = Findings(session, tokens, self.inspector.rules)
+        self.history = History(session, tokens)
+        self.body = QStackedWidget()
+        self.body.addWidget(self.canvas)
+        self.body.addWidget(self.run_pane)
+        self.setCentralWidget(self.body)
+        self.toast = Toast(tokens, self.body)
+        self.docks = Docks(self, self.outline, self.library)
+        self.docks.right_tabs.add("Properties", self.properties)
+        self.docks.right_tabs.add("Source", self.source)
+        self.docks.bottom_tabs.add("Findings", self.findings, self.findings.tools)
+        self.docks.bottom_tabs.add("History", self.history)
+
+    def _build_actions(self) -> None:
+        files, session, drawing = self.files, self.session, self.drawing
+        table = (
+            *commands.file_actions(files, session, self),
+            *commands.edit_actions(session, drawing, self),
+            *commands.view_actions(drawing, self),
+            *commands.blueprint_actions(drawing, self.findings, self),
+            *commands.run_actions(self.run_pane, self),
+            *commands.help_actions(self),
+        )
+        self.actions_table = Actions(table, self, self.tokens)
+
+    def _build_frame(self) -> None:
+        actions, tokens = self.actions_table, self.tokens
+        submenus = {
+            "open": ("Open recent", self._fill_recent),
+            "new": ("Open sample", self._fill_samples),
+        }
+        self.menu_row = MenuRow(actions, tokens, submenus)
+        self.setMenuWidget(self.menu_row)
+        self.mode_bar = ModeBar(actions, tokens)
+        self.mode_bar.add_transport(self.run_pane.transport)
+        self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
+        self.status_line = StatusLine()
+        self.setStatusBar(self.status_line)
+        self.command_palette = Palette(self.session, actions, tokens, self)
+
+    def _connect(self) -> None:
+        session, actions = self.session, self.actions_table
+        session.blueprint_changed.connect(lambda *_: self._show_blueprint())
+        session.selection_changed.connect(lambda *_: self._show_place())
+        session.branch_changed.connect(lambda *_: self._show_place())
+        session.edited_changed.connect(lambda *_: self._show_title())
+        for signal in (session.blueprint_changed, session.selection_changed,
+                       session.branch_changed, session.history.indexChanged):  # fmt: skip
+            signal.connect(lambda *_: actions.refresh())
+        session.refused.connect(self.toast.refuse)
+        self.files.refused.connect(self.toast.refuse)
+        self.files.said.connect(self.toast.say)
+        self.files.changed.connect(self._show_title)
+        self.inspector.started.connect(self._checking)
+        self.inspector.found.connect(self._found)
+        self.findings.count_changed.connect(
+            lambda count: self.docks.bottom_tabs.set_count("Findings", count)
+        )
+        self.docks.changed.connect(actions.refresh)
+        self.mode_bar.search_wanted.connect(self.open_palette)
+        self.run_pane.run_exists.connect(self._run_exists)
+        self.run_pane.said.connect(self.status_line.show_run)
+        self._application.styleHints().colorSchemeChanged.connect(
+            lambda *_: self.set_theme("system") if self.theme == "system" else None
+        )
+
+    # What the actions ask of the shell.
+
+    @property
+    def mode(self) -> str:
+        return self._mode
+
+    def set_mode(self, mode: str) -> None:
+        """Show Draw or Run; each remembers its panels."""
+        if mode == self._mode:
+            self.actions_table.refresh()
+            return
+        self._settings.store(f"panels/{self._mode}", self.docks.save())
+        self._mode = mode
+        self.body.setCurrentWidget(self.canvas if mode == "draw" else self.run_pane)
+        self.mode_bar.show_mode(mode)
+        self.docks.show_mode(mode)
+        if mode == "draw":
+            self.docks.restore(self._settings.bytes_of("panels/draw"))
+            self.docks.fit_width(self.width())
+        self.mode_bar.show()
+        self.actions_table.refresh()
+
+    @property
+    def theme(self) -> str:
+        return self._settings.theme
+
+    def set_theme(self, theme: str) -> None:
+        """Dress everything in light, dark, or what the desktop asks for; remembered."""
+        self._settings.theme = theme
+        self.tokens = tokens_of(theme, self._application)
+        dress(self._application, self.tokens)
+        for part in (self.canvas, self.run_pane, self.outline, self.library, self.properties,
+                     self.source, self.findings, self.history, self.menu_row, self.mode_bar,
+                     self.command_palette, self.toast, self.actions_table):  # fmt: skip
+            part.set_tokens(self.tokens)
+        self.actions_table.refresh()
+
+    def open_palette(self) -> None:
+        box = self.mode_bar.search
+        corner = QPoint(self.width() - 12, self.body.y() + 8)
+        if box.isVisible():
+            corner = box.mapTo(self, QPoint(box.width(), box.height() + 4))
+        self.command_palette.open(corner)
+
+    def choose_sub_sb(self) -> None:
+        """A menu of the facts, and of the SBs that could expand each."""
+        blueprint = self.session.blueprint
+        branch = blueprint[self.session.branch]
+        menu = QMenu(self)
+        for digit in range(branch.num_facts):
+            inner = menu.addMenu(f"{digit}  {branch.fact_name(digit)}")
+            taken = branch.subs.get(digit)
+            if taken is not None:
+                inner.addAction(f"Expanded by {taken}").setEnabled(False)
+                continue
+            for name in blueprint.branches:
+                if name != branch.name and name not in branch.subs.values():
+                    inner.addAction(name, partial(self.drawing.attach, digit, name))
+            inner.addAction("New State Branch", partial(self.drawing.attach, digit, None))
+        menu.popup(self.mode_bar.mapToGlobal(QPoint(self.mode_bar.search.x() // 2, 44)))
+
+    def left_shown(self) -> bool:
+        return self.docks.left_shown()
+
+    def toggle_left(self) -> None:
+        self.docks.toggle_left()
+
+    def right_shown(self) -> bool:
+        return self.docks.right.isVisible()
+
+    def toggle_right(self) -> None:
+        self.docks.toggle(self.docks.right)
+
+    def bottom_shown(self) -> bool:
+        return self.docks.bottom.isVisible()
+
+    def toggle_bottom(self) -> None:
+        self.docks.toggle(self.docks.bottom)
+
+    def show_tab(self, name: str) -> None:
+        self.docks.show_tab(name)
+
+    def show_shortcuts(self) -> None:
+        shortcuts_dialog(self.actions_table, self).open()
+
+    def show_about(self) -> None:
+        about_dialog(self).open()
+
+    # What is shown.
+
+    def _show_blueprint(self) -> None:
+        self.status_line.show_blueprint(self.session.blueprint)
+        self._show_place()
+
+    def _show_place(self) -> None:
+        session = self.session
+        chosen = session.selection[:1]
+        below = chosen[0].path if chosen else ((session.branch,) if session.branch else ())
+        place = session.blueprint.document.place(below)
+        self.status_line.show_place(place.line, place.column)
+
+    def _show_title(self) -> None:
+        name, edited = self.files.name, self.session.edited
+        self.menu_row.show_title(name, edited)
+        self.setWindowTitle(f"{name}{' (edited)' if edited else ''} · SMSL Studio")
+        self.setWindowModified(edited)
+
+    def _checking(self) -> None:
+        self.findings.set_checking()
+
+    def _found(self, findings: tuple[Finding, ...]) -> None:
+        for panel in (self.findings, self.outline, self.library, self.source, self.editor):
+            panel.set_findings(findings)
+        self.status_line.show_findings(tally(findings) or "no findings")
+        self.actions_table.refresh()
+
+    def _run_exists(self, exists: bool) -> None:
+        self.mode_bar.show_stop(exists)
+        if exists:
+            self._application.installEventFilter(self)
+        else:
+            self._application.removeEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """While a run exists, F8 stops it from anywhere, also in a dialog."""
+        pressed = event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent)
+        if pressed and event.key() == Qt.Key.Key_F8:  # type: ignore[attr-defined]
+            self.run_pane.stop()
+            return True
+        return super().eventFilter(watched, event)
+
+    def _fill_recent(self, menu: QMenu) -> None:
+        menu.clear()
+        for path in self.files.recent:
+            menu.addAction(path.name, partial(self.files.open, path)).setToolTip(str(path))
+        menu.setToolTipsVisible(True)
+        if menu.isEmpty():
+            menu.addAction("No file was opened yet").setEnabled(False)
+
+    def _fill_samples(self, menu: QMenu) -> None:
+        menu.clear()
+        for path in sorted(samples_dir().glob("*.json")):
+            menu.addAction(path.name, partial(self.files.open_copy, path))
+
+    # Qt's events.
+
+    def _restore(self) -> None:
+        self.resize(*SIZE)
+        self.restoreGeometry(self._settings.bytes_of("window"))
+        if not self.docks.restore(self._settings.bytes_of("panels/draw")):
+            self.docks.set_first_sizes()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._mode == "draw":
+            self.mode_bar.left_button.setVisible(self.docks.fit_width(self.width()))
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            QTimer.singleShot(0, lambda: self.files.open(paths[0]))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.files.may_leave():
+            event.ignore()
+            return
+        self._settings.store("window", self.saveGeometry())
+        if self._mode == "draw":
+            self._settings.store("panels/draw", self.docks.save())
+        self._settings.sync()
+        self._application.removeEventFilter(self)
+        self.run_pane.shut()
+        self.inspector.stop()
+        event.accept()
