@@ -18,9 +18,19 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from smsl_studio.front import Run, inspect, open_run, plan_route, read, refusals, run, sweep
+    from smsl_studio.front import (
+        Run,
+        inspect,
+        open_run,
+        plan_route,
+        read,
+        refusals,
+        run,
+        sweep,
+        worlds,
+    )
 
-__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep"]
+__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep", "worlds"]
 
 
 def __getattr__(name: str) -> Any:

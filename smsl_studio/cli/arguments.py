@@ -62,6 +62,19 @@ def add_world(parser: Parser, required: bool) -> None:
     )
 
 
+def add_seed_and_host(parser: Parser) -> None:
+    """``--seed N`` and ``--host local|process``."""
+    parser.add_argument(
+        "--seed", type=int, default=0, metavar="N", help="draws the jitter of the world (default 0)"
+    )
+    parser.add_argument(
+        "--host",
+        choices=("local", "process"),
+        default="local",
+        help="run the world in this process (default) or in a child of it",
+    )
+
+
 def overview() -> str:
     """The help of the program."""
     width = max(map(len, COMMANDS))

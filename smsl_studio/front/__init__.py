@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from smsl_studio.front.reading import inspect, read, refusals
     from smsl_studio.front.routes import plan_route
-    from smsl_studio.front.running import Run, open_run, run
+    from smsl_studio.front.running import Run, open_run, run, worlds
     from smsl_studio.front.sweeping import sweep
 
-__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep"]
+__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep", "worlds"]
 
 _HOMES = {
     "read": "reading",
@@ -24,6 +24,7 @@ _HOMES = {
     "Run": "running",
     "run": "running",
     "open_run": "running",
+    "worlds": "running",
     "sweep": "sweeping",
 }
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.errors import RunRefused
 from smsl_studio.front.addresses import Written, operations_at, state_at
 from smsl_studio.graph.routing import Route, cheapest
 
@@ -38,13 +39,17 @@ def plan_route(
 def _joint_route(
     blueprint: Blueprint, start: Address, goal: Address, avoid: Iterable[Address]
 ) -> Route | None:
-    from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+    from smsl_studio.blueprint.configuration import Hierarchy
     from smsl_studio.blueprint.stepper import Terms
     from smsl_studio.dispatch.planner import Planner
+    from smsl_studio.front.starts import starts_for
 
     hierarchy = Hierarchy(blueprint)
+    configuration = next(starts_for(hierarchy, start.branch, start.state), None)
+    if configuration is None:
+        raise RunRefused(f"no configuration agrees with {start}")
     planner = Planner(hierarchy, Terms(shut=dict.fromkeys(avoid, "avoided")))
-    legs = planner.legs(start_configuration(hierarchy, {start.branch: start.state}), [goal])
+    legs = planner.legs(configuration, [goal])
     if legs is None:
         return None
     own = tuple(edge for leg in legs for edge in leg.operations if edge.branch == goal.branch)

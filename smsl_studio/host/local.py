@@ -15,7 +15,7 @@ from typing import Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import HostError, StudioError, WorldError
+from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.call import Call, words_of
 from smsl_studio.host.engines import make_engine
 from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
@@ -64,7 +64,8 @@ class LocalHost:
         """Build the world and put it into ``start`` (SB -> state).
 
         Opened again, it starts from time zero in the new place. WorldError where the world is
-        unknown, cannot be built or cannot stand there; PluginError where a binding file is broken.
+        unknown or does not suit the blueprint, RunRefused where it cannot stand at the start,
+        HostError where its code breaks, PluginError where the bindings file is broken.
         """
         with _prints_aside():
             engine, bindings = self._engine or self._build(), self._bind()
@@ -112,7 +113,7 @@ class LocalHost:
                 engine.step()
             except Exception as error:
                 words = words_of(error, self._location)
-                raise HostError(f"the world {self._name!r} broke: {words}") from error
+                raise HostError(f"the world {self._name!r} broke: {words}") from None
             self._ticks += 1
             time = self._ticks * engine.tick
             samples = self._sensing.due(self._subject, self._ticks, time)
@@ -183,7 +184,7 @@ class LocalHost:
         except Exception as error:
             engine.close()
             words = words_of(error, plugin.location)
-            raise WorldError(f"the world {self._name!r} cannot be built: {words}") from error
+            raise HostError(f"the world {self._name!r} broke while it was built: {words}") from None
         self._engine, self._subject = engine, engine if built is None else built
         return engine
 
@@ -201,13 +202,11 @@ class LocalHost:
             return
         try:
             arranger(self._subject, facts)
-        except StudioError:
-            raise
+        except StudioError as error:
+            raise RunRefused(error.sentence, error.place, error.advice) from None
         except Exception as error:
             words = words_of(error, plugin.location)
-            raise WorldError(
-                f"the world {self._name!r} cannot stand at the start: {words}"
-            ) from error
+            raise HostError(f"the world {self._name!r} broke at the start: {words}") from None
 
 
 def _prints_aside() -> contextlib.AbstractContextManager[object]:

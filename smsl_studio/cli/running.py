@@ -1,0 +1,113 @@
+"""``run``: a blueprint in a world, headless. Exit status 0 where every goal was reached."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import signal
+import threading
+from collections.abc import Callable, Iterator
+
+from smsl_studio.cli.arguments import Parser, add_format, add_seed_and_host, add_world
+from smsl_studio.cli.output import Output, note
+from smsl_studio.cli.reading import read_argument
+from smsl_studio.cli.story import line_of
+from smsl_studio.errors import UsageError
+from smsl_studio.runlog.events import Event
+
+UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; simulation only"
+
+
+def add_arguments(parser: Parser) -> None:
+    parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
+    add_world(parser, required=True)
+    _several(parser, "--goal", "SB/State", "where to go; one an SB (default: ACTIVATING of roots)")
+    _several(parser, "--start", "SB/State", "where to begin; one an SB (default: INITIAL)")
+    _several(parser, "--avoid", "ADDRESS", "an operation not to use")
+    add_seed_and_host(parser)
+    parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
+    parser.add_argument(
+        "--speed", default="max", metavar="X|max", help="times real time; max is as fast as it goes"
+    )
+    parser.add_argument(
+        "--on-mismatch",
+        choices=("hold", "adopt"),
+        default="hold",
+        help="where facts and beliefs differ: hold (default), or adopt the only state that agrees",
+    )
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    from smsl_studio.front.running import run
+
+    speed = _speed(options.speed)
+    blueprint = read_argument(options.file)
+    told: list[str] = []
+
+    def tell(event: Event) -> None:
+        if not told:
+            told.append(UNINSPECTED)
+            note(UNINSPECTED)
+        out.line(event.line() if options.format == "json" else line_of(event))
+
+    with stop_asked() as stop:
+        done = run(
+            blueprint,
+            options.world,
+            options.goal,
+            options.start,
+            seed=options.seed,
+            host=options.host,
+            speed=speed,
+            avoid=options.avoid,
+            on_mismatch=options.on_mismatch,
+            log=options.log,
+            on_event=tell,
+            stop_when=stop,
+        )
+    if options.format == "json" and done.reason != "goal_reached":
+        note(f"{done.reason}: {done.sentence}")
+    return 0 if done.reason == "goal_reached" else 1
+
+
+@contextlib.contextmanager
+def stop_asked() -> Iterator[Callable[[], bool]]:
+    """Whether Ctrl-C or a termination was asked for: the run then ends in order, braked.
+
+    A second Ctrl-C ends the program at once.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield lambda: False
+        return
+    asked: list[int] = []
+
+    def hear(number: int, frame: object) -> None:
+        if asked:
+            raise KeyboardInterrupt
+        asked.append(number)
+
+    kept = {number: signal.signal(number, hear) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield lambda: bool(asked)
+    finally:
+        for number, handler in kept.items():
+            signal.signal(number, handler)
+
+
+def _several(parser: Parser, name: str, metavar: str, words: str) -> None:
+    parser.add_argument(
+        name, action="append", default=[], metavar=metavar, help=f"{words}; may be repeated"
+    )
+
+
+def _speed(text: str) -> float | None:
+    if text == "max":
+        return None
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = 0.0
+    if not 0 < speed < float("inf"):
+        raise UsageError(f"the speed is {text!r}", advice="Give a number above 0, or max.")
+    return speed

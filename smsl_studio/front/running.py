@@ -1,0 +1,271 @@
+"""Running a blueprint: the dispatcher, a host and a log, wired once; the headless loop."""
+
+from __future__ import annotations
+
+import platform
+import sys
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from os import getpid
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.start import behaviour_of
+from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
+from smsl_studio.front.addresses import Written, operations_at, states_at
+from smsl_studio.front.reading import refusals
+from smsl_studio.host.protocol import Host
+from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.operation_library import TABLE
+from smsl_studio.runlog.events import Event, RunFinished
+from smsl_studio.runlog.log import RunLog
+from smsl_studio.seal.digest import sha256_hex
+
+HOSTS = ("local", "process")
+Several = Written | Iterable[Written] | None
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run that is over: why it ended, in one word and one sentence, and everything it said."""
+
+    reason: str
+    sentence: str
+    events: tuple[Event, ...]
+
+
+def open_run(
+    blueprint: Blueprint,
+    world: str = TABLE,
+    *,
+    goal: Several = None,
+    start: Several = None,
+    seed: int = 0,
+    host: str = "process",
+    avoid: Iterable[Written] = (),
+    on_mismatch: str = "hold",
+    automatic: bool = True,
+    attended: bool | None = None,
+    plugin_paths: Sequence[Path] = (),
+    loaded: Loaded | None = None,
+) -> Dispatcher:
+    """A dispatcher that is ready to ``open``; the caller ticks it and closes it.
+
+    Several starts or goals may be given, one an SB. AddressError and UsageError for what makes no
+    sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
+    """
+    _one_of(host, HOSTS, "host")
+    _one_of(on_mismatch, ("hold", "adopt"), "on_mismatch")
+    starts = {at.branch: at.state for at in states_at(blueprint, start, "start")}
+    goals = states_at(blueprint, goal, "goal")
+    shut = operations_at(blueprint, avoid)
+    _refuse_nonsense(blueprint)
+    return Dispatcher(
+        blueprint,
+        make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded),
+        start=starts,
+        goals=goals,
+        seed=seed,
+        avoid=shut,
+        on_mismatch=on_mismatch,
+        automatic=automatic,
+        attended=attended,
+    )
+
+
+def run(
+    blueprint: Blueprint,
+    world: str = TABLE,
+    goal: Several = None,
+    start: Several = None,
+    *,
+    seed: int = 0,
+    host: str = "local",
+    speed: float | None = None,
+    avoid: Iterable[Written] = (),
+    on_mismatch: str = "hold",
+    log: Path | str | None = None,
+    on_event: Callable[[Event], None] | None = None,
+    stop_when: Callable[[], bool] | None = None,
+    plugin_paths: Sequence[Path] = (),
+) -> Run:
+    """Run a blueprint headless to its end, and tell what happened.
+
+    ``speed`` paces it against wall time (1.0: as fast as real), None runs as fast as it goes.
+    ``log`` is written line by line as the run goes; ``on_event`` hears each event after that.
+    ``stop_when`` is asked before every tick. AddressError, UsageError and WorldError for what does
+    not exist; whatever else goes wrong is the reason of the run.
+    """
+    loaded = known_world(world, plugin_paths)
+    story = _Story(on_event)
+    try:
+        dispatcher = open_run(
+            blueprint,
+            world,
+            goal=goal,
+            start=start,
+            seed=seed,
+            host=host,
+            avoid=avoid,
+            on_mismatch=on_mismatch,
+            plugin_paths=plugin_paths,
+            loaded=loaded,
+        )
+    except RunRefused as refused:
+        return story.refused(refused)
+    try:
+        if log is not None:
+            header = log_header(blueprint, world, seed, host, loaded)
+            story.log = RunLog(Path(log), header)
+        story.tell(dispatcher.open())
+        _loop(dispatcher, story, speed, stop_when)
+    except (SaveError, WorldError) as error:
+        failed = "failed" if story.events else "refused"
+        story.end(failed, str(error), dispatcher)
+    finally:
+        dispatcher.close()
+        story.close()
+    return story.run()
+
+
+def make_host(
+    blueprint: Blueprint,
+    world: str,
+    seed: int,
+    host: str,
+    *,
+    plugin_paths: Sequence[Path] = (),
+    loaded: Loaded | None = None,
+) -> Host:
+    """A local or a process host; ``loaded`` spares the local one looking for plugins again."""
+    if host == "local":
+        from smsl_studio.host.local import LocalHost
+
+        return LocalHost(blueprint, world, seed, plugin_paths, loaded)
+    from smsl_studio.host.process import ProcessHost
+
+    return ProcessHost(blueprint, world, seed, plugin_paths)
+
+
+def known_world(world: str, plugin_paths: Sequence[Path] = ()) -> Loaded | None:
+    """The plugins, if the world needs any; WorldError with a near name where there is none."""
+    if world == TABLE:
+        return None
+    loaded = discover(plugin_paths)
+    loaded.world(world)
+    return loaded
+
+
+def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
+    """The names of the worlds there are, ``table`` first."""
+    return discover(plugin_paths).worlds
+
+
+def log_header(
+    blueprint: Blueprint, world: str, seed: int, host: str, loaded: Loaded | None
+) -> Mapping[str, Any]:
+    """What a log's first line says: all that the events must not."""
+    plugins = loaded.plugins if loaded else ()
+    return {
+        "wall_time": datetime.now(UTC).isoformat(timespec="milliseconds"),
+        "node": platform.node(),
+        "process": getpid(),
+        "host": host,
+        "world": world,
+        "seed": seed,
+        "file": str(Path(blueprint.file).absolute()),
+        "digests": {
+            "file": sha256_hex(blueprint.document.encoded()),
+            "behaviour": behaviour_of(blueprint),
+        },
+        "versions": {
+            "python": sys.version.split()[0],
+            **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
+        },
+    }
+
+
+class _Story:
+    """What a run has said so far, written to its log and told on."""
+
+    def __init__(self, on_event: Callable[[Event], None] | None) -> None:
+        self.events: list[Event] = []
+        self.log: RunLog | None = None
+        self._on_event = on_event
+
+    def tell(self, events: Iterable[Event]) -> None:
+        """Log first, then hand on: nobody hears what the log does not have."""
+        for event in events:
+            if self.log is not None:
+                self.log.write([event])
+            self._add(event)
+
+    def _add(self, event: Event) -> None:
+        self.events.append(event)
+        if self._on_event is not None:
+            self._on_event(event)
+
+    def refused(self, refused: RunRefused) -> Run:
+        self.end("refused", f"{refused.sentence}. {refused.advice}".strip(), None)
+        return self.run()
+
+    def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
+        """The end of a run that its dispatcher cannot tell."""
+        status = dispatcher.status if dispatcher is not None else None
+        self._add(
+            RunFinished(
+                t=status.time if status else 0.0,
+                reason=reason,
+                sentence=sentence,
+                operations=status.operations if status else 0,
+                configuration=dict(status.configuration) if status else {},
+            )
+        )
+
+    def close(self) -> None:
+        if self.log is not None:
+            self.log.close()
+
+    def run(self) -> Run:
+        last = self.events[-1]
+        assert isinstance(last, RunFinished), "the last event of a run is run_finished"
+        return Run(last.reason, last.sentence, tuple(self.events))
+
+
+def _loop(
+    dispatcher: Dispatcher,
+    story: _Story,
+    speed: float | None,
+    stop_when: Callable[[], bool] | None,
+) -> None:
+    began = time.monotonic()
+    stopping = False
+    while not dispatcher.finished:
+        if not stopping and stop_when is not None and stop_when():
+            dispatcher.stop()
+            stopping = True
+        story.tell(dispatcher.tick())
+        if speed is not None and not stopping:
+            ahead = dispatcher.time / speed - (time.monotonic() - began)
+            if ahead > 0:
+                time.sleep(ahead)
+
+
+def _refuse_nonsense(blueprint: Blueprint) -> None:
+    found = refusals(blueprint)
+    if found:
+        more = f" (and {len(found) - 1} more findings like it)" if len(found) > 1 else ""
+        raise RunRefused(
+            f"{found[0].rule} {found[0].address}: {found[0].message}{more}",
+            found[0].place,
+            "Check the file and mend what it says.",
+        )
+
+
+def _one_of(value: str, known: Sequence[str], what: str) -> None:
+    if value not in known:
+        raise UsageError(f"{what} is {value!r}, not one of {', '.join(known)}")

@@ -1,0 +1,75 @@
+"""Where a run must start so that an SB stands in a given state and an edge of it can be asked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import islice, product
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.errors import RunRefused
+
+TRIES = 2000
+"""Shared sub-SBs can make a start hard to find: after so many tries there is none."""
+
+
+def starts_for(hierarchy: Hierarchy, branch: str, state: str) -> Iterator[dict[str, str]]:
+    """Configurations in which ``branch`` stands in ``state``, INITIAL states of roots first.
+
+    Its subs stand as clause 3 says, its bases in whatever state agrees.
+    """
+    for above in islice(_above(hierarchy, branch, state), TRIES):
+        others = [root for root in hierarchy.roots if root not in above]
+        for states in islice(product(*(_states(hierarchy, root) for root in others)), TRIES):
+            given = {**above, **dict(zip(others, states, strict=True))}
+            try:
+                yield start_configuration(hierarchy, given)
+            except RunRefused:
+                continue
+            break
+
+
+def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | None:
+    """A configuration from which an edge can be asked, else one in its source, else None.
+
+    An operation of a sub that enters or leaves ACTIVATING can only be asked where each base has a
+    rise or fall to go along (clause 10).
+    """
+    stepper = Stepper(hierarchy)
+    known = stepper.edges.get(edge)
+    first = None
+    for configuration in islice(starts_for(hierarchy, edge.branch, edge.state), TRIES):
+        first = first or configuration
+        if known is None or isinstance(stepper.step(configuration, known), JointStep):
+            return configuration
+    return first
+
+
+def _above(hierarchy: Hierarchy, branch: str, state: str) -> Iterator[dict[str, str]]:
+    """The SB in its state, and every SB above it in states that agree."""
+    bases = hierarchy.bases[branch]
+    if not bases:
+        yield {branch: state}
+        return
+    on = state == hierarchy.blueprint[branch].activating
+    ways = []
+    for base, digit in bases:
+        own = hierarchy.blueprint[base]
+        states = [s for s in _states(hierarchy, base) if own.is_on(s, digit) == on]
+        ways.append([found for s in states for found in islice(_above(hierarchy, base, s), TRIES)])
+    for combination in product(*ways):
+        merged: dict[str, str] = {branch: state}
+        if all(_merge(merged, found) for found in combination):
+            yield merged
+
+
+def _merge(into: dict[str, str], found: Mapping[str, str]) -> bool:
+    return all(into.setdefault(name, state) == state for name, state in found.items())
+
+
+def _states(hierarchy: Hierarchy, branch: str) -> list[str]:
+    """Every state of an SB, INITIAL first."""
+    own = hierarchy.blueprint[branch]
+    return sorted(own.table, key=lambda state: state != own.initial)
