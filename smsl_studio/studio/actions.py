@@ -70,7 +70,7 @@ class Actions(QObject):
             made.setObjectName(action.id)
             made.setCheckable(action.checked is not None)
             made.setShortcuts([QKeySequence(key) for key in action.keys])
-            made.setIconText(action.short or action.words.rstrip("…"))
+            made.setIconText(f" {action.short or action.words.rstrip('…')}")
             made.setToolTip(action.hint)
             made.setStatusTip(action.tip)
             made.triggered.connect(self._caller(action))

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from PySide6.QtCore import QPointF
+
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.names import fresh_branch_name, fresh_operation_name, fresh_state_name
+from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.graph.layout import place_states
-from smsl_studio.studio.canvas.canvas import Canvas
+from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.words import counted
 
 GAP = 218.0
 """Pixels between a new state and the rightmost one."""
@@ -20,8 +21,8 @@ GAP = 218.0
 class Drawing:
     """Verbs on the SB that is shown and on the selection."""
 
-    def __init__(self, session: Session, canvas: Canvas) -> None:
-        self._session, self.canvas = session, canvas
+    def __init__(self, session: Session, editor: CanvasEditor) -> None:
+        self._session, self._editor, self.canvas = session, editor, editor.canvas
 
     # What can be done now.
 
@@ -51,11 +52,10 @@ class Drawing:
     # Doing it.
 
     def add_state(self) -> None:
-        """Add a state beside the others and start naming it."""
-        name = fresh_state_name(self._branch)
-        branch, at = self._session.branch, self._free_place()
-        if self._edit(f"Add {name}", lambda bp: editing.add_state(bp, branch, name, at)):
-            self._name(Address(branch, name))
+        """Name a new state beside the others."""
+        self.canvas.setFocus()
+        at = QPointF(*self._free_place())
+        self._editor.add_state_at(at)
 
     def add_branch(self) -> None:
         """Add an SB and show it."""
@@ -64,21 +64,9 @@ class Drawing:
             self._session.show_branch(name)
 
     def connect(self) -> None:
-        """Two states: an operation from the first to the second; one: ask where to."""
-        states = self._states()
-        if len(states) == 1:
-            self._session.select(states)
-            self.canvas.setFocus()
-            self.canvas.quick_add_wanted.emit()
-            return
-        source, target = states[:2]
-        name = fresh_operation_name(self._branch, source.state)
-        branch = source.branch
-        if self._edit(
-            f"Connect {source.state} to {target.state}",
-            lambda bp: editing.add_operation(bp, branch, source.state, name, target.state),
-        ):
-            self._name(Address(branch, source.state, name))
+        """An operation from the selected state; of two, from the first to the second."""
+        self.canvas.setFocus()
+        self._editor.quick_add()
 
     def attach(self, digit: int, sub: str | None) -> None:
         """Let an SB (a new one, where ``sub`` is None) expand a fact of the SB that is shown."""
@@ -96,12 +84,11 @@ class Drawing:
         """Edit the name of the selected element in place."""
         if self.can_rename():
             self.canvas.setFocus()
-            self.canvas.rename_wanted.emit(self._session.selection[0])
+            self.canvas.reveal(self._session.selection[0])
+            self._editor.rename(self._session.selection[0])
 
     def delete(self) -> None:
-        chosen = self._session.selection
-        words = chosen[0].path[-1] if len(chosen) == 1 else counted(len(chosen), "element")
-        self._edit(f"Delete {words}", lambda bp: editing.delete(bp, chosen))
+        self._editor.delete_selected()
 
     def select_all(self) -> None:
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
@@ -124,9 +111,7 @@ class Drawing:
 
     def leave(self) -> None:
         """Show the base SB."""
-        bases = self._session.blueprint.bases.get(self._session.branch)
-        if bases:
-            self._session.show_branch(bases[0][0])
+        self._editor.leave()
 
     @property
     def _branch(self) -> StateBranch:
@@ -146,12 +131,6 @@ class Drawing:
         while any(abs(x + GAP - ox) < 120 and abs(y - oy) < 60 for ox, oy in taken):
             x += GAP
         return x + GAP, y
-
-    def _name(self, address: Address) -> None:
-        self._session.select((address,))
-        self.canvas.reveal(address)
-        self.canvas.setFocus()
-        self.canvas.rename_wanted.emit(address)
 
     def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
         return self._session.edit(words, change)

@@ -36,7 +36,7 @@ from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.status_line import StatusLine
 from smsl_studio.studio.style import dress, tokens_of
 from smsl_studio.studio.toast import Toast
-from smsl_studio.studio.words import tally
+from smsl_studio.studio.words import tally, worst
 
 SIZE, SMALLEST = (1440, 900), (900, 560)
 
@@ -69,7 +69,7 @@ class Window(QMainWindow):
         session, tokens = self.session, self.tokens
         self.canvas = Canvas(tokens)
         self.editor = CanvasEditor(session, self.canvas)
-        self.drawing = Drawing(session, self.canvas)
+        self.drawing = Drawing(session, self.editor)
         self.run_pane = RunPane(session, tokens)
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
@@ -250,8 +250,9 @@ class Window(QMainWindow):
         self.findings.set_checking()
 
     def _found(self, findings: tuple[Finding, ...]) -> None:
-        for panel in (self.findings, self.outline, self.library, self.source, self.editor):
+        for panel in (self.findings, self.outline, self.library, self.source):
             panel.set_findings(findings)
+        self.editor.set_findings(worst(findings))
         self.status_line.show_findings(tally(findings) or "no findings")
         self.actions_table.refresh()
 

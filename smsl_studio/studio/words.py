@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.finding import Finding, Severity
 
 
@@ -24,6 +25,15 @@ def tally(findings: Iterable[Finding]) -> str:
         )
     )
     return ", ".join(counted(number, word) for number, word in parts if number)
+
+
+def worst(findings: Iterable[Finding]) -> dict[Address, str]:
+    """The gravest letter (E or W) at every address; a note is no mark on a drawing."""
+    found: dict[Address, str] = {}
+    for finding in findings:
+        if finding.severity is not Severity.NOTE and found.get(finding.address) != "E":
+            found[finding.address] = finding.severity.value
+    return found
 
 
 def capital(sentence: str) -> str:

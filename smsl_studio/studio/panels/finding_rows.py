@@ -29,7 +29,7 @@ from smsl_studio.studio.words import capital
 
 Index = QModelIndex | QPersistentModelIndex
 LOW, HIGH, BUTTON = 35, 52, 26
-MARK_X, RULE_X, TEXT_X, ADDRESS = 13, 37, 84, 186
+MARK_X, RULE_X, TEXT_X, ADDRESS = 13, 37, 84, 216
 RIGHT = Qt.TextElideMode.ElideRight
 WORDS = {"E": "Error", "W": "Warning", "I": "Note"}
 

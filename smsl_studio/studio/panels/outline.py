@@ -233,13 +233,16 @@ class _Tree(QTreeWidget):
         self.viewport().update()
 
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
-        if not self.model().hasChildren(index):
-            return
         if self.selectionModel().isSelected(index):
             painter.fillRect(rect, self._tokens.accs)
-        name = "chevron-down" if self.isExpanded(index) else "chevron-right"
-        box = QRectF(self.visualRect(index).left() - 5, rect.center().y() - 4.5, 11, 11)
-        draw(painter, name, box, self._tokens.tx2, self._tokens.surf)
+
+    def drawRow(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        super().drawRow(painter, option, index)
+        if self.model().hasChildren(index):
+            row = self.visualRect(index)
+            name = "chevron-down" if self.isExpanded(index) else "chevron-right"
+            box = QRectF(row.left() - 5, row.center().y() - 4.5, 11, 11)
+            draw(painter, name, box, self._tokens.tx2, self._tokens.surf)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """A click on the chevron opens and closes; it stands where the branch's own row begins."""
