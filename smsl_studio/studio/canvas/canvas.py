@@ -162,6 +162,20 @@ class Canvas(QGraphicsView):
         self.scene().update()
         self._describe()
 
+    def show_places(
+        self, blueprint: Blueprint, branch: str, positions: Mapping[str, Position]
+    ) -> None:
+        """Show the same states and operations at other places, after a move or its undo."""
+        if self._sheet is None or branch != self._sheet.picture.branch.name:
+            self.show_branch(blueprint, branch, positions, keep_view=True)
+            return
+        self._sheet.picture.blueprint = blueprint
+        self._sheet.picture.branch = blueprint[branch]
+        index = self._sheet.picture.index
+        self._sheet.move({index[n]: at for n, at in positions.items() if n in index})
+        self.settle()
+        self.hand.show_grip()
+
     @property
     def sheet(self) -> Sheet | None:
         """What is shown now, None for nothing."""

@@ -30,6 +30,8 @@ class EdgeLook:
     """What is lit about an edge; see Marks. ``running`` is the share of time, -1 while unknown."""
 
     selected: bool = False
+    out: bool = False
+    """Whether it leaves the one selected state."""
     running: float | None = None
     trail: bool = False
     planned: bool = False
@@ -45,7 +47,7 @@ class EdgeLook:
     def lit(self) -> bool:
         """Whether the edge is drawn after the others, with its label, at every level."""
         return bool(
-            self.selected or self.running is not None or self.trail or self.planned or self.pruned
+            self.selected or self.out or self.running is not None or self.trail or self.planned or self.pruned
             or self.held_back or self.risky or self.finding or self.hovered or self.possible
         )  # fmt: skip
 
@@ -69,14 +71,21 @@ def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
     return width, LABEL_HEIGHT if not text.mono else 14.0
 
 
-def paint_line(painter: QPainter, shape: EdgeShape, look: EdgeLook, ink: Ink, unit: float) -> None:
-    """The line and its arrowhead."""
+def paint_line(
+    painter: QPainter,
+    shape: EdgeShape,
+    look: EdgeLook,
+    ink: Ink,
+    unit: float,
+    compact: bool = False,
+) -> None:
+    """The line and its arrowhead; compact edges have a smaller one."""
     tokens = ink.tokens
     if look.running is not None:
         _running(painter, shape, look.running, ink, unit)
         return
-    colour, width, dashes = _stroke(look, ink)
-    head = HEAD + (1.0 if width > 1.6 else 0.0)
+    colour, width, dashes = _stroke(look, ink, compact)
+    head = HEAD + (1.0 if width > 1.6 else -1.0 if compact else 0.0)
     body = polyline(shape.cut(0.0, shape.length - (head - 2.0) * unit))
     painter.setBrush(NO_BRUSH)
     if look.trail:
@@ -87,7 +96,9 @@ def paint_line(painter: QPainter, shape: EdgeShape, look: EdgeLook, ink: Ink, un
     paint_head(painter, shape, colour, head * unit)
 
 
-def _stroke(look: EdgeLook, ink: Ink) -> tuple[QColor, float, tuple[float, ...]]:
+def _stroke(
+    look: EdgeLook, ink: Ink, compact: bool
+) -> tuple[QColor, float, tuple[float, ...]]:
     """Colour, width and dashes, the strongest statement first."""
     tokens = ink.tokens
     if look.finding == "E":
@@ -98,7 +109,7 @@ def _stroke(look: EdgeLook, ink: Ink) -> tuple[QColor, float, tuple[float, ...]]
         return tokens.edge, 1.6, (2.0, 4.0)
     if look.held_back:
         return tokens.edge, 1.6, (6.0, 3.0)
-    if look.selected:
+    if look.selected or (look.out and not compact):
         return tokens.acc, 2.0, ()
     if look.planned:
         return tokens.acc, 1.6, (4.0, 4.0)
@@ -160,7 +171,12 @@ def polyline(points: Floats) -> QPolygonF:
 
 
 def paint_label(
-    painter: QPainter, text: EdgeText, centre: QPointF, look: EdgeLook, ink: Ink
+    painter: QPainter,
+    text: EdgeText,
+    centre: QPointF,
+    look: EdgeLook,
+    ink: Ink,
+    ground: bool = True,
 ) -> None:
     """A label about ``centre`` in mark pixels: boxed with its sign where there is a finding."""
     tokens = ink.tokens
@@ -169,9 +185,10 @@ def paint_label(
         return
     width, height = label_size(text, ink)
     left = centre.x() - width / 2
-    ground = QRectF(left + 1.0, centre.y() - height / 2, width - 2.0, height)
-    painter.fillRect(ground, tokens.canvas)
-    lit = look.selected or look.trail or look.planned or look.running is not None
+    if ground:
+        area = QRectF(left + 1.0, centre.y() - height / 2, width - 2.0, height)
+        painter.fillRect(area, tokens.canvas)
+    lit = look.selected or (look.out and not text.mono) or look.trail or look.planned or look.running is not None
     colour = tokens.acc if lit else tokens.risk if look.risky else tokens.tx2
     if look.dimmed and not look.lit:
         colour = tokens.tx3
@@ -181,6 +198,24 @@ def paint_label(
         x += MARK_WIDTH
     type_ = ink.mono_label if text.mono else ink.label
     type_.draw_from(painter, x, centre.y(), text.text, colour)
+
+
+def paint_pill(painter: QPainter, name: str, words: str, left: QPointF, ink: Ink) -> None:
+    """What runs and for how long, filled accent, from its left middle on (mark pixels)."""
+    tokens = ink.tokens
+    rect = QRectF(left.x(), left.y() - 13.0, pill_width(name, words, ink), 26.0)
+    painter.setPen(NO_PEN)
+    painter.setBrush(tokens.acc)
+    painter.drawRoundedRect(rect, 4.0, 4.0)
+    x = rect.left() + 10.0
+    ink.strong.draw_from(painter, x, left.y(), name, tokens.onacc)
+    x += ink.strong.width(name) + 6.0
+    ink.plain.draw_from(painter, x, left.y(), words, tokens.onacc)
+
+
+def pill_width(name: str, words: str, ink: Ink) -> float:
+    # Room for a digit more, so that the pill does not twitch while the time runs.
+    return ink.strong.width(name) + 6.0 + ink.plain.width(words) + 28.0
 
 
 def boxed_width(text: EdgeText, ink: Ink) -> float:

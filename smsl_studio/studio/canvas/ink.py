@@ -61,10 +61,17 @@ class Ink:
         self.tokens = tokens
         self.name = Type(text_font(12, 600))
         self.label = Type(text_font(11, 500))
+        self.plain = Type(text_font(12))
+        self.strong = Type(text_font(12, 600))
         self.chip = Type(mono_font(12, 500))
-        self.short = Type(mono_font(12, 600))
+        self.short = Type(_spaced(mono_font(12, 600), 0.6))
         self.mono_label = Type(mono_font(11, 500))
         self.boxed = Type(mono_font(11, 700))
+
+
+def _spaced(font: QFont, pixels: float) -> QFont:
+    font.setLetterSpacing(QFont.SpacingType.AbsoluteSpacing, pixels)
+    return font
 
 
 def faded(colour: QColor, alpha: float) -> QColor:

@@ -15,6 +15,8 @@ from smsl_studio.studio.canvas.shape import EdgeShape, Floats, Point
 Rect = tuple[float, float, float, float]
 """left, top, right, bottom"""
 SHARES = (0.5, 0.43, 0.57, 0.36, 0.64, 0.29, 0.71, 0.22, 0.78)
+EARLY_SHARES = (0.4, 0.34, 0.46, 0.28, 0.52, 0.58, 0.22, 0.64, 0.7)
+"""Compact edges come in opposite pairs: labels near the start do not meet."""
 LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
 BESIDE_GAP = 6.0
 
@@ -110,22 +112,45 @@ def _candidates(
     if shape.way == "lane":
         low, high = _long_side(shape)
     beside = shape.side and not compact
-    for order, share in enumerate(LANE_SHARES if shape.way == "lane" else SHARES):
+    shares = LANE_SHARES if shape.way == "lane" else EARLY_SHARES if compact else SHARES
+    for order, share in enumerate(shares):
         along = low + (high - low) * share
-        point = shape.at(along)
         cost = order * 0.12
         if beside:
             found.append((cost, _beside(shape, along, size, unit)))
         if _fits(shape, along, size, unit):
-            found.append((cost + (1.5 if beside else 0.0), _centred(point, size)))
+            found.append((cost + (1.5 if beside else 0.0), _centred(shape.at(along), size)))
+        elif shape.way == "curve":
+            found.append((cost + 2.0, outside(shape, along, size, unit)))
+    if shape.way in ("line", "curve"):
+        # What hardly fits stands in the middle of what the arrowhead leaves.
+        along = (shape.length - 8.0 * unit) / 2
+        if _fits(shape, along, size, unit):
+            found.append((0.3, _centred(shape.at(along), size)))
+        if shape.way == "curve":
+            found += [
+                (2.2 + i * 0.2, outside(shape, shape.length * share, size, unit))
+                for i, share in enumerate((0.5, 0.4, 0.6, 0.3, 0.7))
+            ]
     return found
 
 
 def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> bool:
     """Whether enough of the line stays to be seen, and all of its arrowhead."""
     dx, dy = shape.direction(along)
-    reach = min(size[0] / 2 / max(abs(dx), 1e-6), size[1] / 2 / max(abs(dy), 1e-6))
+    # The words themselves are 4 pixels narrower on either side.
+    half = size[0] / 2 - 3.0 * unit
+    reach = min(half / max(abs(dx), 1e-6), size[1] / 2 / max(abs(dy), 1e-6))
     return along - reach >= -2.0 * unit and along + reach <= shape.length - 7.0 * unit
+
+
+def outside(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> Rect:
+    """Beside a line on its outer side, touching it."""
+    x, y = shape.at(along)
+    dx, dy = shape.direction(along)
+    nx, ny = -dy * shape.out, dx * shape.out
+    reach = abs(nx) * size[0] / 2 + abs(ny) * size[1] / 2 + unit
+    return _centred((x + nx * reach, y + ny * reach), size)
 
 
 def _centred(point: Point, size: tuple[float, float]) -> Rect:

@@ -12,9 +12,17 @@ from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.studio.canvas import batch
-from smsl_studio.studio.canvas.edge_paint import paint_label, paint_line, paint_sign
+from smsl_studio.studio.canvas.edge_paint import (
+    EdgeText,
+    paint_label,
+    paint_line,
+    paint_pill,
+    paint_sign,
+    pill_width,
+)
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
-from smsl_studio.studio.canvas.levels import COMPACT_SIZE, Level
+from smsl_studio.studio.canvas.labels import Rect
+from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.shape import Floats
 from smsl_studio.studio.canvas.sheet import Sheet
 
@@ -77,7 +85,8 @@ class EdgeLayer(Layer):
         rest = [e for e in edges if not looks.is_lit(e)]
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for edge in rest:
-            paint_line(painter, geometry.shape(edge), looks.edge(edge), sheet.ink, sheet.unit)
+            look, shape = looks.edge(edge), geometry.shape(edge)
+            paint_line(painter, shape, look, sheet.ink, sheet.unit, sheet.compact)
         if looks.marks.dimmed:
             return
         unit = sheet.unit
@@ -195,41 +204,68 @@ class LitLayer(Layer):
         order = sorted(edges, key=lambda e: _weight(looks.edge(e)))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for edge in order:
-            paint_line(painter, geometry.shape(edge), looks.edge(edge), sheet.ink, unit)
+            shape = geometry.shape(edge)
+            paint_line(painter, shape, looks.edge(edge), sheet.ink, unit, sheet.compact)
         painter.save()
         painter.scale(unit, unit)
         for edge in order:
-            look = looks.edge(edge)
-            shape = geometry.shape(edge)
-            place = geometry.label(edge)
-            rect = place or geometry.fallback(edge)
-            x, y = shape.at(shape.length / 2)
-            if look.pruned or look.held_back or look.risky:
-                paint_sign(painter, x / unit, y / unit, look, sheet.ink)
-                if look.pruned:
-                    rect = _below(rect, y, unit)
-                elif place is None:
-                    continue
-            if look.running is None or look.finding:
-                centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
-                paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
+            self._words(painter, sheet, edge)
         painter.restore()
         painter.setPen(NO_PEN)
         painter.setBrush(NO_BRUSH)
 
+    def _words(self, painter: QPainter, sheet: Sheet, edge: int) -> None:
+        """Sign and label of a lit edge."""
+        geometry, unit = sheet.geometry, sheet.unit
+        look, shape, text = sheet.looks.edge(edge), geometry.shape(edge), sheet.text(edge)
+        if look.running is not None and not look.finding:
+            self._pill(painter, sheet, edge)
+            return
+        place = geometry.label(edge)
+        rect = place or geometry.fallback(edge)
+        ground = True
+        x, y = shape.at(shape.length / 2)
+        if look.pruned or look.held_back or look.risky:
+            paint_sign(painter, x / unit, y / unit, look, sheet.ink)
+            rect = _below(rect, x, y, unit)
+            if look.pruned:
+                text = EdgeText(f"{text.text} pruned", text.kind)
+        elif sheet.compact and (look.trail or look.planned or look.possible):
+            # Short lines would vanish below their label: it stands beside them.
+            rect, ground = geometry.beside(edge), False
+        centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
+        paint_label(painter, text, centre, look, sheet.ink, ground)
 
-def _below(
-    rect: tuple[float, float, float, float], y: float, unit: float
-) -> tuple[float, float, float, float]:
-    shift = y + 16.0 * unit - (rect[1] + rect[3]) / 2
-    return rect[0], rect[1] + shift, rect[2], rect[3] + shift
+    def _pill(self, painter: QPainter, sheet: Sheet, edge: int) -> None:
+        """What runs, beside the line, where it covers no node."""
+        unit, shape = sheet.unit, sheet.geometry.shape(edge)
+        name, words = sheet.picture.operations[edge], sheet.looks.marks.running_words
+        words = words.removeprefix(name).strip()
+        width = pill_width(name, words, sheet.ink) * unit
+        x, y = shape.at(shape.length / 2)
+        gap, half = 20.0 * unit, 13.0 * unit
+        places = [
+            (x + gap, y - 6.0 * unit),
+            (x - gap - width, y - 6.0 * unit),
+            (x + gap, y + 26.0 * unit),
+            (x + gap, y - 36.0 * unit),
+            (x - gap - width, y + 26.0 * unit),
+        ]
+        free = [p for p in places if not sheet.states_in(p[0], p[1] - half, p[0] + width, p[1] + half)]
+        left, middle = (free or places)[0]
+        paint_pill(painter, name, words, QPointF(left / unit, middle / unit), sheet.ink)
+
+
+def _below(rect: Rect, x: float, y: float, unit: float) -> Rect:
+    """A label below the sign on its line."""
+    half_w, half_h = (rect[2] - rect[0]) / 2, (rect[3] - rect[1]) / 2
+    middle = y + 17.0 * unit
+    return x - half_w, middle - half_h, x + half_w, middle + half_h
 
 
 def _weight(look: object) -> int:
     """What is painted last lies on top."""
-    order = ("possible", "pruned", "held_back", "risky", "planned", "selected", "trail", "finding")
+    order = ("possible", "out", "pruned", "held_back", "risky", "planned", "selected", "trail", "finding")
     weight = max((i + 1 for i, key in enumerate(order) if getattr(look, key)), default=0)
     return 20 if getattr(look, "running", None) is not None else weight
 
-
-COMPACT_HEIGHT = COMPACT_SIZE[1]

@@ -67,8 +67,12 @@ class Looks:
         self._read_run(marks, nodes, edges)
         for address in marks.selection:
             self._note(address, "selected", True, nodes, edges)
+        if len(marks.selection) == 1 and not marks.dimmed:
+            self._light_out(marks.selection[0], edges)
         for address, letter in marks.findings.items():
             self._note(address, "finding", letter, nodes, edges)
+        if marks.dimmed:
+            self._near(nodes, edges)
         self._nodes = {
             i: NodeLook(dimmed=marks.dimmed, **given)  # type: ignore[arg-type]
             for i, given in nodes.items()
@@ -109,6 +113,24 @@ class Looks:
         if marks.running is not None:
             address, share = marks.running
             self._note(address, "running", -1.0 if share is None else share, {}, edges)
+
+    def _light_out(self, address: Address, edges: dict[int, dict[str, object]]) -> None:
+        """The operations out of the one selected state are lit with it."""
+        state = self._picture.node(address)
+        if state < 0:
+            return
+        for operation in self._picture.branch.table[address.state]:
+            edge = self._picture.edge_index[address.state, operation]
+            edges.setdefault(edge, {})["out"] = True
+
+    def _near(
+        self, nodes: dict[int, dict[str, object]], edges: dict[int, dict[str, object]]
+    ) -> None:
+        """States that a planned, pruned or running operation touches do not step back."""
+        for edge, given in edges.items():
+            if given.keys() & {"planned", "pruned", "running", "risky", "held_back"}:
+                for end in (self._picture.source[edge], self._picture.target[edge]):
+                    nodes.setdefault(int(end), {})["near"] = True
 
     def _note(
         self,

@@ -73,7 +73,7 @@ def label_boxes(
     corner: Corner, sizes: list[tuple[float, float]], unit: float
 ) -> list[tuple[float, float, float, float]]:
     """Where the labels stand (left, top, right, bottom), outermost loop on top, else below."""
-    pitch = 16.0 * unit
+    pitch = 17.0 * unit
     boxes = []
     for i, (width, height) in enumerate(sizes):
         if corner.name.startswith("right"):

@@ -24,6 +24,7 @@ from smsl_studio.studio.canvas.picture import Chip, Face
 from smsl_studio.studio.theme import RADIUS_CHIP, RADIUS_NODE
 
 CHIP, GAP, CHIP_TOP = 18.0, 4.0, 27.0
+GLOW = (4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 19.0, 22.0)
 MARGIN = 30.0
 """How far marks reach beyond a node's border: glow, ring, initial dot, finding."""
 
@@ -39,6 +40,8 @@ class NodeLook:
     dimmed: bool = False
     hovered: bool = False
     goal: bool = False
+    near: bool = False
+    """Whether an operation that is lit touches it, so that it does not step back."""
     finding: str = ""
     facts: tuple[tuple[int, str], ...] = field(default=())
 
@@ -87,7 +90,7 @@ def paint_node(
     height = COMPACT_SIZE[1] if compact else FULL_SIZE[1]
     rect = QRectF(-width / 2, -height / 2, width, height)
     radius = 6.0 if compact else float(RADIUS_NODE)
-    dimmed = look.dimmed and not (look.active or look.visited or look.next or look.selected)
+    dimmed = look.dimmed and not (look.lit or look.goal or look.near)
     _surroundings(painter, rect, radius, look, ink)
     if dimmed:
         painter.setPen(NO_PEN)
@@ -108,7 +111,7 @@ def paint_node(
         size = 13.0 if compact else 15.0
         draw_finding(painter, rect.right() - 1, rect.top() + 1, size, look.finding, ink.tokens)
     if look.goal:
-        ink.label.draw(painter, 0.0, rect.bottom() + 15.0, "goal", ink.tokens.tx2)
+        ink.plain.draw(painter, 0.0, rect.bottom() + 15.0, "goal", ink.tokens.tx2)
 
 
 def _surroundings(
@@ -117,8 +120,10 @@ def _surroundings(
     tokens = ink.tokens
     painter.setBrush(NO_BRUSH)
     if look.active:
-        for spread, alpha in ((18.0, 0.05), (13.0, 0.07), (8.5, 0.11), (5.0, 0.17)):
-            painter.setPen(pen(faded(tokens.acc, alpha), spread * 2))
+        # Strokes of one low alpha add up to a soft edge, without an effect that blurs.
+        painter.setBrush(NO_BRUSH)
+        for reach in GLOW:
+            painter.setPen(pen(faded(tokens.acc, 0.036), reach * 2))
             painter.drawRoundedRect(rect.adjusted(-2, -2, 2, 2), radius + 2, radius + 2)
         painter.setPen(pen(tokens.acc, 1.5))
         painter.setBrush(tokens.accl)
@@ -126,7 +131,7 @@ def _surroundings(
     if look.selected:
         out = 8.5 if look.active else 4.0
         painter.setPen(pen(tokens.acc, 2.0))
-        painter.setBrush(NO_BRUSH if look.active else tokens.canvas)
+        painter.setBrush(NO_BRUSH)
         painter.drawRoundedRect(rect.adjusted(-out, -out, out, out), radius + out, radius + out)
     elif look.hovered and not look.active:
         painter.setPen(pen(tokens.accl, 2.0))

@@ -103,14 +103,15 @@ def _straight(
     ends = np.array([[source.x + dx, source.y + dy], [target.x + dx, target.y + dy]])
     line = ends[0] + (ends[1] - ends[0]) * _SHARES[:, None]
     cut = between(line, source, target, START_GAP * style.unit, TIP_GAP * style.unit)
-    return EdgeShape(cut[[0, -1]], "line", _label_side(ends, offset, normal))
+    out = _outer_side(ends, offset, normal)
+    return EdgeShape(cut[[0, -1]], "line", _label_side(ends, offset, normal), out)
 
 
 def curve(
     source: Box, target: Box, offset: float, bow: float, normal: Point, style: Style
 ) -> EdgeShape:
     """A line that leaves beside the middle, bends by ``bow`` and arrives beside the middle."""
-    near = offset * (0.62 if style.compact else 0.8)
+    near = offset * (0.5 if style.compact else 0.8)
     start = (source.x + normal[0] * near, source.y + normal[1] * near)
     end = (target.x + normal[0] * near, target.y + normal[1] * near)
     # The control point of a quadratic curve bends its middle by half.
@@ -121,7 +122,8 @@ def curve(
     )
     line = _quadratic(start, middle, end)
     cut = between(line, source, target, START_GAP * style.unit, TIP_GAP * style.unit)
-    return EdgeShape(cut, "curve", _label_side(cut, offset, normal))
+    out = _outer_side(cut, offset or bow, normal)
+    return EdgeShape(cut, "curve", _label_side(cut, offset, normal), out)
 
 
 def _quadratic(a: Point, b: Point, c: Point) -> Floats:
@@ -144,9 +146,14 @@ def _label_side(line: Floats, offset: float, normal: Point) -> int:
     dx, dy = line[-1] - line[0]
     if abs(dx) > 0.35 * abs(dy) or offset == 0.0:
         return 0
-    across = normal[0] * offset
-    right = -dy * across
-    return 1 if right > 0 else -1
+    return _outer_side(line, offset, normal)
+
+
+def _outer_side(line: Floats, offset: float, normal: Point) -> int:
+    """The side of a line (1 right, -1 left as it runs) on which its offset lies."""
+    dx, dy = line[-1] - line[0]
+    right = -dy * normal[0] + dx * normal[1]
+    return 1 if right * offset >= 0.0 else -1
 
 
 def is_clear(source: Box, target: Box, boxes: Floats, skip: Sequence[int], gap: float) -> bool:

@@ -17,13 +17,15 @@ class EdgeShape:
     """The line of an edge from the border of its source to the tip of its arrowhead.
 
     ``points`` is an (n, 2) array, n >= 2. ``way`` says how it was drawn: ``line``, ``curve``,
-    ``lane``, ``loop`` or ``stub``. ``side`` is where a label may stand beside the line: -1 left of
-    it as it runs, 1 right of it, 0 on it.
+    ``lane``, ``loop`` or ``stub``. ``side`` is where the label of a steep line may stand: -1 left
+    of it as it runs, 1 right of it, 0 on it. ``out`` is the side that is turned away from the
+    lines beside it.
     """
 
     points: Floats
     way: str = "line"
     side: int = 0
+    out: int = 1
 
     @cached_property
     def lengths(self) -> Floats:

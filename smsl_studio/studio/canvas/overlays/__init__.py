@@ -67,6 +67,9 @@ class Overlays:
         self.legend.setVisible(bool(kinds))
         nothing = sheet is None or not len(sheet.picture)
         self.empty.setVisible(nothing and self._canvas.editing)
+        # A run has a head and buttons of its own above the canvas.
+        self.breadcrumb.setVisible(self._canvas.editing)
+        self.zoom.setVisible(self._canvas.editing)
         self.place()
 
     def show_marks(self, marks: Marks) -> None:
@@ -85,7 +88,7 @@ class Overlays:
 
     def top_room(self) -> int:
         """The height at the top that belongs to the breadcrumb."""
-        return 40
+        return 40 if self._canvas.editing else 0
 
     def say(self, text: str, at: QPoint | None = None) -> None:
         """Say something beside the pointer, or beside a point of the viewport."""
@@ -119,7 +122,7 @@ class Overlays:
         self.zoom.move(width - self.zoom.width() - EDGE, height - self.zoom.height() - EDGE)
         self.legend.resize(self.legend.sizeHint())
         self.legend.move(EDGE + 4, height - self.legend.height() - EDGE)
-        self.run_legend.move(EDGE + 2, 44)
+        self.run_legend.move(EDGE + 2, 44 if self._canvas.editing else 8)
         self.banner.adjustSize()
         self.banner.move((width - self.banner.width()) // 2, 44)
         self.empty.resize(self.empty.sizeHint())
