@@ -88,6 +88,7 @@ def state_check(
     state: str,
     scene: Scene,
     believed: Mapping[str, str],
+    *,
     transit: Collection[FactKey] = (),
 ) -> CheckResult:
     """C_state(s): whether ``state`` holds in the scene, fact by fact.
@@ -105,7 +106,7 @@ def state_check(
             terms.append(Term((branch, digit), value, None, None, IN_TRANSIT))
         elif sub is not None and sub in blueprint.branches:
             goal = blueprint.branches[sub].activating
-            inner = state_check(blueprint, sub, goal, scene, believed, transit)
+            inner = state_check(blueprint, sub, goal, scene, believed, transit=transit)
             terms.append(_sub_term(own, digit, value, inner))
         else:
             terms.append(_term(own, digit, value, scene, believed))

@@ -37,6 +37,7 @@ class Course:
         self._planner: Planner | None = None
         self._legs: tuple[Leg, ...] = ()
         self._at = (0, 0)
+        self._ahead: tuple[Address, ...] | None = None
 
     def prune(self, address: Address, reason: str) -> None:
         """Shut an edge out until it is restored."""
@@ -86,30 +87,29 @@ class Course:
         if leg >= len(self._legs) or self._legs[leg].before[step] != dict(configuration):
             legs = self.planner.legs(configuration, self.goals)
             if not legs:
-                self._legs = ()
+                self.drop_plan()
                 return None, None
             self._legs, leg, step, fresh = legs, 0, 0, True
-        self._at = (leg, step + 1)
+        self._at, self._ahead = (leg, step + 1), None
         current = self._legs[leg]
         return current.steps[step], current if fresh else None
-
-    def withdraw(self) -> None:
-        """The step that ``next_step`` gave was not begun."""
-        self._at = (self._at[0], max(0, self._at[1] - 1))
 
     @property
     def ahead(self) -> tuple[Address, ...]:
         """The edges that the plan has still to begin, after the step that was given last."""
+        if self._ahead is not None:
+            return self._ahead
         leg, step = self._at
-        return tuple(
+        self._ahead = tuple(
             edge.address
             for index in range(leg, len(self._legs))
             for joint in self._legs[index].steps[step if index == leg else 0 :]
             for edge in joint.edges
         )
+        return self._ahead
 
     def drop_plan(self) -> None:
-        self._legs, self._at = (), (0, 0)
+        self._legs, self._at, self._ahead = (), (0, 0), None
 
     def risky_way(self, configuration: Mapping[str, str]) -> tuple[Address, ...]:
         """The risky edges on the way that would exist if none were risky; empty: no way at all."""

@@ -8,10 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.blueprint.stepper import Unavailable
+from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import check_words, fact_words
+from smsl_studio.errors import AddressError
 
 Supervisor = Callable[[JointStep], str]
 """Asked last, before motion: the empty text agrees, anything else is the objection."""
@@ -24,6 +28,25 @@ def refusals(run: Run, step: JointStep, supervisor: Supervisor | None = None) ->
         objection = supervisor(step)
         reasons += [objection] if objection else []
     return tuple(dict.fromkeys(reasons))
+
+
+def asked(
+    run: Run, course: Course, address: Address, supervisor: Supervisor | None = None
+) -> JointStep | tuple[str, ...]:
+    """The joint step of an operation that a person asks for, or every reason against it."""
+    try:
+        edge = course.edge(run.blueprint.resolve(address))
+    except AddressError as error:
+        return (error.sentence,)
+    if edge is None:
+        return (f"{address} leads to no state",)
+    active = run.configuration[edge.branch]
+    if active != edge.source:
+        return (f"{edge.branch} is in {active}, not in {edge.source}",)
+    step = course.asked(run.configuration, edge)
+    if isinstance(step, Unavailable):
+        return step.reasons
+    return refusals(run, step, supervisor) or step
 
 
 def _sources(run: Run, step: JointStep) -> Iterator[str]:

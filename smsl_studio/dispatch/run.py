@@ -60,7 +60,7 @@ class Run:
         """The state check of a state on the scene, without what hangs on digits in transit."""
         believed = {**self.configuration, **self.pending, branch: state}
         scene = self.senses.scene
-        result = state_check(self.blueprint, branch, state, scene, believed, transit)
+        result = state_check(self.blueprint, branch, state, scene, believed, transit=transit)
         if not transit:
             return result
         kept = tuple(term for term in result.terms if term.reason != IN_TRANSIT)
@@ -80,7 +80,7 @@ class Run:
             term
             for name, state in believed.items()
             for term in state_check(
-                self.blueprint, name, state, scene, believed, self.transit
+                self.blueprint, name, state, scene, believed, transit=self.transit
             ).misses
         )
 

@@ -21,10 +21,10 @@ class Naive:
         self.plain, self.avoid = plain, avoid
 
     def head(self, sb: str) -> Plain:
-        return self.plain[sb]["HEADER"]
+        return dict(self.plain[sb]["HEADER"])
 
     def subs(self, sb: str) -> dict[str, int]:
-        return self.head(sb).get("SUB_SBS", {})
+        return dict(self.head(sb).get("SUB_SBS", {}))
 
     def bases(self, sub: str) -> list[tuple[str, int]]:
         return [(sb, self.subs(sb)[sub]) for sb in self.plain if sub in self.subs(sb)]
@@ -33,7 +33,7 @@ class Naive:
         return state[1:][digit]
 
     def note(self, sb: str, op: str) -> Plain:
-        return self.plain[sb].get("_operations", {}).get(op, {})
+        return dict(self.plain[sb].get("_operations", {}).get(op, {}))
 
     def cost(self, sb: str, op: str) -> float:
         return float(self.note(sb, op).get("cost", 1))

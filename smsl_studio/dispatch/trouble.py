@@ -1,0 +1,93 @@
+"""When things go wrong: relocalise, go on, adopt or hold (clauses 8 and 9). Nothing is undone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.carrier import Failure
+from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.planner import holds
+from smsl_studio.dispatch.recovery import candidates, stands, sub_relocalised
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.words import all_words, check_words
+from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
+
+
+@dataclass(frozen=True)
+class Hold:
+    """Why a run cannot go on by itself; ``kind`` is how it ends where nobody is there to decide."""
+
+    reason: str
+    details: Sequence[str] = ()
+    kind: str = "held"
+
+
+class Trouble:
+    """Brings a run back to a configuration that the scene confirms, or says why it must hold.
+
+    ``candidates`` are the configurations the scene agreed with when it was last asked.
+    """
+
+    def __init__(self, run: Run, course: Course, adopts: bool) -> None:
+        self.candidates: tuple[Mapping[str, str], ...] = ()
+        self._run = run
+        self._course = course
+        self._adopts = adopts
+
+    def failed(self, step: JointStep, failure: Failure) -> Hold | None:
+        """An operation failed: tag it and the root's edge risky, then relocalise."""
+        run = self._run
+        if failure.risky:
+            roots = [edge for edge in step.edges if edge.branch in run.hierarchy.roots]
+            for edge in dict.fromkeys((failure.edge, *roots)):
+                self._course.tag_risky(edge.address, failure.reason)
+                run.emit(OperationRisky(t=run.time, address=str(edge), reason=failure.reason))
+        self._course.drop_plan()
+        run.drop_pending()
+        if not failure.pending and not stands(run, run.configuration):
+            alone = sub_relocalised(run, failure.edge.branch)
+            if alone is not None:
+                self.adopt(alone)
+                return None
+        return self.relocalise(failure.reason)
+
+    def relocalise(self, cause: str = "") -> Hold | None:
+        """Read the scene: go on where it equals what is committed, else adopt or hold."""
+        run = self._run
+        run.drop_pending()
+        run.look()
+        if stands(run, run.configuration):
+            run.emit(Relocalised(t=run.time, configuration=dict(run.configuration)))
+            return None
+        checks = run.checks(run.configuration)
+        facts = tuple(
+            words for c in checks for words in all_words(run.blueprint, (*c.misses, *c.unknown))
+        )
+        self.candidates = candidates(run)
+        run.emit(Mismatch(t=run.time, facts=facts, candidates=self.candidates))
+        if self._adopts and len(self.candidates) == 1:
+            self.adopt(self.candidates[0])
+            return None
+        first = next(check for check in checks if check.truth is not True)
+        return Hold(cause or check_words(run.blueprint, first), facts)
+
+    def adopt(self, configuration: Mapping[str, str]) -> None:
+        """Go on from a configuration that the scene agrees with."""
+        run = self._run
+        run.configuration.update(configuration)
+        self._course.drop_plan()
+        run.emit(Relocalised(t=run.time, configuration=dict(run.configuration)))
+
+    def no_way(self, details: Sequence[str]) -> Hold:
+        """Nothing leads on: name the risky edges that would, or say that nothing does."""
+        run, course = self._run, self._course
+        goal = next(one for one in course.goals if not holds(run.configuration, [one]))
+        risky = course.risky_way(run.configuration)
+        if risky:
+            names = ", ".join(map(str, risky))
+            words = [f"{edge}: {course.risky[edge]}" for edge in risky]
+            return Hold(f"Only risky operations lead to {goal}: {names}.", words)
+        here = ", ".join(f"{name}/{state}" for name, state in run.configuration.items())
+        return Hold(f"Nothing permitted leads from {here} to {goal}.", details, "no_route")
