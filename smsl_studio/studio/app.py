@@ -12,6 +12,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.library.loading import discover
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.recovery import crash_hook, keep_work
 from smsl_studio.studio.settings import Settings
@@ -53,6 +54,7 @@ def make_window(
     window.show()
     if path:
         window.files.open(Path(path))
+    QTimer.singleShot(0, window, lambda: window.set_plugins(discover()))
     if mode != "draw":
         window.set_mode(mode)
     return window

@@ -38,6 +38,7 @@ class Docks(QObject):
         self._sides.addWidget(outline)
         self._sides.addWidget(library)
         self._sides.setSizes([394, 402])
+        self._sides.setFocusProxy(outline.tree)
         self.right_tabs, self.bottom_tabs = Tabs(), Tabs()
         corner, area = Qt.Corner, Qt.DockWidgetArea
         window.setCorner(corner.BottomLeftCorner, area.LeftDockWidgetArea)
@@ -64,7 +65,12 @@ class Docks(QObject):
             dock.setVisible(mode == "draw" and not (dock is self.left and self._narrow))
 
     def save(self) -> QByteArray:
-        return self._window.saveState(LAYOUT_VERSION)
+        """The places of the docks; a drawer is remembered as the dock it stands for."""
+        if self._narrow:
+            self.left.show()
+        state = self._window.saveState(LAYOUT_VERSION)
+        self.left.setVisible(not self._narrow and self.left.isVisible())
+        return state
 
     def restore(self, state: QByteArray) -> bool:
         return not state.isEmpty() and self._window.restoreState(state, LAYOUT_VERSION)
@@ -133,6 +139,7 @@ class Drawer(QFrame):
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
         self._window = window
+        self._content: QWidget | None = None
         self.setProperty("role", "float")
         self.setAccessibleName("Outline and library")
         layout = QVBoxLayout(self)
@@ -147,6 +154,7 @@ class Drawer(QFrame):
         layout = self.layout()
         assert layout is not None
         layout.addWidget(widget)
+        self._content = widget
 
     def toggle(self) -> None:
         if self.isVisible():
@@ -155,8 +163,8 @@ class Drawer(QFrame):
             self._place()
             self.show()
             self.raise_()
-            self.setFocus()
-            self.focusNextChild()
+            if self._content is not None:
+                self._content.setFocus()
 
     def close_drawer(self) -> None:
         self.hide()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QPushButton,
     QScrollArea,
+    QSpacerItem,
     QVBoxLayout,
     QWidget,
 )
@@ -44,6 +45,8 @@ def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
         rows.append((menu, [(_words(action), _keys(action)) for action in keyed]))
     for title, lines in rows:
         if lines:
+            if grid.count():
+                grid.addItem(QSpacerItem(1, 6), grid.rowCount(), 0)
             grid.addWidget(label(title, "heading"), grid.rowCount(), 0, 1, 2)
             for words, keys in lines:
                 at = grid.rowCount()

@@ -5,29 +5,21 @@ It lies in the platform's user directory, or in SMSL_STUDIO_HOME.
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
-from PySide6.QtCore import QByteArray, QSettings, QStandardPaths
+from PySide6.QtCore import QByteArray, QSettings
+
+from smsl_studio.library.folders import user_folder
 
 RECENT = 10
 THEMES = ("light", "dark", "system")
-
-
-def home() -> Path:
-    """The user's folder of this program; it need not exist yet."""
-    given = os.environ.get("SMSL_STUDIO_HOME")
-    if given:
-        return Path(given)
-    kind = QStandardPaths.StandardLocation.GenericConfigLocation
-    return Path(QStandardPaths.writableLocation(kind)) / "smsl-studio"
 
 
 class Settings:
     """The remembered choices, each read and written by name."""
 
     def __init__(self, folder: Path | None = None) -> None:
-        self.folder = folder or home()
+        self.folder = folder or user_folder()
         self._store = QSettings(str(self.folder / "window.ini"), QSettings.Format.IniFormat)
 
     @property

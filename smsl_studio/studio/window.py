@@ -10,6 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, Q
 from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QStackedWidget
 
 from smsl_studio.inspection.finding import Finding
+from smsl_studio.library.loading import Loaded
 from smsl_studio.shipped import samples_dir
 from smsl_studio.studio import commands
 from smsl_studio.studio.actions import Actions
@@ -23,6 +24,7 @@ from smsl_studio.studio.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.menu_row import MenuRow
 from smsl_studio.studio.mode_bar import ModeBar
+from smsl_studio.studio.offers import offers
 from smsl_studio.studio.palette import Palette
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.panels.history import History
@@ -48,6 +50,7 @@ class Window(QMainWindow):
         super().__init__()
         self._application, self._settings = application, settings
         self._mode = "draw"
+        self._loaded = Loaded()
         self.tokens = tokens_of(settings.theme, application)
         self.setWindowTitle("SMSL Studio")
         self.setMinimumSize(*SMALLEST)
@@ -132,6 +135,7 @@ class Window(QMainWindow):
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)
         )
         self.docks.changed.connect(actions.refresh)
+        self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self.status_line.show_run)
@@ -229,7 +233,15 @@ class Window(QMainWindow):
 
     # What is shown.
 
+    def set_plugins(self, loaded: Loaded) -> None:
+        """What the installed plugins offer; those that did not load are named."""
+        self._loaded = loaded
+        self.library.set_offers(offers(loaded, self.session.blueprint))
+        if loaded.faults:
+            self.toast.warn(str(loaded.faults[0]))
+
     def _show_blueprint(self) -> None:
+        self.library.set_offers(offers(self._loaded, self.session.blueprint))
         self.status_line.show_blueprint(self.session.blueprint)
         self._show_place()
 
@@ -278,6 +290,12 @@ class Window(QMainWindow):
         menu.setToolTipsVisible(True)
         if menu.isEmpty():
             menu.addAction("No file was opened yet").setEnabled(False)
+
+    def _offer_samples(self) -> None:
+        menu = QMenu(self)
+        self._fill_samples(menu)
+        button = self.canvas.overlays.empty.sample
+        menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))
 
     def _fill_samples(self, menu: QMenu) -> None:
         menu.clear()

@@ -185,7 +185,7 @@ class FindingDelegate(QStyledItemDelegate):
             right - rect.left() - TEXT_X - wide,
             rect.height(),
         )
-        paint_text(painter, text, sentence(finding), Ink(tokens.tx), elide=RIGHT)
+        paint_text(painter, text, capital(finding.message), Ink(tokens.tx), elide=RIGHT)
 
     def _button(self, painter: QPainter, box: QRectF, words: str, primary: bool) -> None:
         tokens = self.tokens

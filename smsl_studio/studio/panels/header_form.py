@@ -60,8 +60,9 @@ class HeaderForm(Panel):
         self._grid.setHorizontalSpacing(8)
         self._grid.setVerticalSpacing(8)
         self._grid.setColumnStretch(1, 1)
-        self._grid.addWidget(label("Fact", "small"), 0, 0, 1, 2)
-        self._grid.addWidget(label("Sub-SB", "small"), 0, 2)
+        self._titles = label("Fact", "small"), label("Sub-SB", "small")
+        self._grid.addWidget(self._titles[0], 0, 0, 1, 2)
+        self._grid.addWidget(self._titles[1], 0, 2)
         self.column.addLayout(self._grid)
         self.sentence: QLabel = label("", "hint")
         self.column.addWidget(self.sentence)
@@ -139,13 +140,13 @@ class HeaderForm(Panel):
                 widget.deleteLater()
         while len(self._rows) < count:
             self._rows.append(self._new_row(len(self._rows)))
+        for title in self._titles:
+            title.setVisible(count > 0)
         others = [name for name in blueprint.branches if name != branch.name]
         for digit, fact in enumerate(self._rows):
             sub = branch.subs.get(digit)
             fact.chip.show_tag(str(digit), VALUE, sub is not None)
-            note = branch.fact_note(digit)
-            fact.name.settle(note.name if note else "")
-            fact.name.setPlaceholderText(branch.fact_name(digit))
+            fact.name.settle(branch.fact_name(digit))
             fact.name.setToolTip(f"{branch.fact_name(digit)}. Type to name this fact.")
             fact.sub.accent = sub is not None
             fact.sub.setProperty("pale", sub is None)
@@ -208,6 +209,7 @@ class HeaderForm(Panel):
         field, name = self._rows[digit].name, self._session.branch
         if field.changed:
             text = field.text().strip()
+            text = "" if text == f"Fact {digit + 1}" else text
             self._try(
                 f"Name fact {digit} “{text}”" if text else f"Leave fact {digit} without a name",
                 lambda bp: set_note_value(

@@ -82,8 +82,9 @@ class Library(Panel):
 
     def set_offers(self, offers: Sequence[Offer]) -> None:
         """What the plugins offer."""
-        self._offers = tuple(offers)
-        self._show()
+        if tuple(offers) != self._offers:
+            self._offers = tuple(offers)
+            self._show()
 
     def _clicked(self, index: QModelIndex) -> None:
         row: Row = index.data(Qt.ItemDataRole.UserRole)

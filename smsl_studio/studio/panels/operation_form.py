@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from PySide6.QtWidgets import QCheckBox, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address, note_key
@@ -42,10 +42,15 @@ class OperationForm(Panel):
         self.column.addLayout(row(self._heading, self._name, None))
         self.name = self._field("Name", "The name of this edge (F2)")
         self.name.editingFinished.connect(self._rename)
-        self.everywhere = QCheckBox("Rename everywhere")
+        self.everywhere = Switch()
+        self.everywhere.setAccessibleName("Rename everywhere")
         self.everywhere.setToolTip("Rename every edge of this name in the State Branch")
-        self._everywhere_line = labelled("", self.everywhere)
-        self.column.addLayout(self._everywhere_line)
+        self._every_words = label("", "second")
+        self._every_words.setBuddy(self.everywhere)
+        line = labelled("", self.everywhere)
+        line.addSpacing(8)
+        line.addWidget(self._every_words, 1)
+        self.column.addLayout(line)
         self.source = QPushButton()
         self.source.setProperty("role", "link")
         self.source.setAccessibleName("Source state")
@@ -102,7 +107,7 @@ class OperationForm(Panel):
     def _show_edge(self, branch: StateBranch, edge: Address) -> None:
         self.name.settle(edge.operation)
         count = self._count_of(edge)
-        self.everywhere.setText(f"Rename all {count} of this name")
+        self._every_words.setText(f"Rename all {count} of this name")
         self.source.setText(edge.state)
         self.source.setToolTip(f"Select {edge.state}")
         target = branch.table[edge.state][edge.operation]

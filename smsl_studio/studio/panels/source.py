@@ -218,7 +218,7 @@ class Source(QPlainTextEdit):
         while block.isValid() and top <= event.rect().bottom():
             height = self.blockBoundingRect(block).height()
             number = block.blockNumber()
-            band = QRectF(0, top, wide, height)
+            band = QRectF(0, top, wide + 3, height)
             finding = self._by_line.get(number)
             grave = finding is not None and finding.severity.value != "I"
             if number in selected:
@@ -229,7 +229,7 @@ class Source(QPlainTextEdit):
                 mark = QRectF(wide - MARKS + 4, top + (height - 13) / 2, 13, 13)
                 draw(painter, SEVERITY_ICON[finding.severity.value], mark, colour, tokens.surf)
             painter.setPen(colour)
-            room = band.adjusted(0, 0, -MARKS, 0)
+            room = band.adjusted(0, 0, -MARKS - 3, 0)
             right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
             painter.drawText(room, right, str(number + 1))
             top += height
@@ -243,7 +243,7 @@ class Source(QPlainTextEdit):
         wide = self.gutter_width()
         self.setViewportMargins(wide, 0, 0, 0)
         inside = self.contentsRect()
-        self._gutter.setGeometry(QRect(inside.left(), inside.top(), wide, inside.height()))
+        self._gutter.setGeometry(QRect(inside.left(), inside.top(), wide + 3, inside.height()))
 
     def _scroll_gutter(self, rect: QRect, down: int) -> None:
         if down:

@@ -28,5 +28,5 @@ class Tag(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        chip = QRectF(1, 4, 18, 18)
+        chip = QRectF(1, 5, 18, 18)
         paint_chip(QPainter(self), chip, self._text, self._kind, self._tokens, sub=self._sub)

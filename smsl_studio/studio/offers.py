@@ -1,0 +1,21 @@
+"""What the installed plugins offer to a blueprint, as the library panel shows it."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.panels.library import Offer
+
+
+def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[Offer, ...]:
+    """Every operation that plugins offer, with the names of the blueprint it would carry out."""
+    names = sorted(
+        {name for branch in blueprint for table in branch.table.values() for name in table}
+    )
+    found = []
+    for plugin in loaded.plugins:
+        for entry in plugin.library.operations:
+            pattern = entry.pattern
+            fits = tuple(n for n in names if pattern and pattern.match(n) is not None)
+            found.append(Offer(pattern.text if pattern else entry.name, plugin.name, fits))
+    return tuple(found)
