@@ -13,28 +13,26 @@ from pathlib import PurePath
 WRITTEN_FORMS = (".json", ".smsl", ".yaml", ".yml")
 
 
-def files_for_window(argv: Sequence[str]) -> list[str] | None:
-    """The files the window should open with, or None where the command line is meant."""
-    rest = list(argv[1:] if argv[:1] == ["open"] else argv)
-    if any(part.startswith("-") for part in rest):
-        return None
-    if len(rest) == len(argv) and not all(_is_file_name(part) for part in rest):
-        return None
-    return rest
+def window_arguments(argv: Sequence[str]) -> list[str] | None:
+    """What the window is opened with (files and its own options), or None for the command line."""
+    if argv[:1] == ["open"]:
+        rest = list(argv[1:])
+        return None if {"-h", "--help"} & set(rest) else rest
+    return list(argv) if all(_is_file_name(part) for part in argv) else None
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the program; the exit status (0 good, 1 the answer is no, 2 cannot)."""
     arguments = list(sys.argv[1:] if argv is None else argv)
-    files = files_for_window(arguments)
-    if files is None:
+    wanted = window_arguments(arguments)
+    if wanted is None:
         from smsl_studio.cli import main as command_line
 
         return command_line(arguments)
-    return _open_window(files)
+    return _open_window(wanted)
 
 
-def _open_window(files: list[str]) -> int:
+def _open_window(arguments: list[str]) -> int:
     missing = _missing_display()
     if missing:
         return _no_window(missing)
@@ -44,7 +42,7 @@ def _open_window(files: list[str]) -> int:
         if (error.name or "").startswith("smsl_studio"):
             raise  # a fault of ours, not of this machine
         return _no_window(f"Qt cannot be loaded: {error}")
-    return window(files)
+    return window(arguments)
 
 
 def _missing_display() -> str:
@@ -62,7 +60,7 @@ def _no_window(reason: str) -> int:
 
 
 def _is_file_name(part: str) -> bool:
-    return PurePath(part).suffix.lower() in WRITTEN_FORMS
+    return not part.startswith("-") and PurePath(part).suffix.lower() in WRITTEN_FORMS
 
 
 if __name__ == "__main__":

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from smsl_studio.__main__ import files_for_window, main
+from smsl_studio.__main__ import main, window_arguments
 
 
 @pytest.mark.parametrize(
-    ("argv", "files"),
+    ("argv", "wanted"),
     [
         ([], []),
         (["open"], []),
@@ -16,18 +16,27 @@ from smsl_studio.__main__ import files_for_window, main
         (["a.json", "dir/b.SMSL"], ["a.json", "dir/b.SMSL"]),
         (["open", "check"], ["check"]),
         (["open", "a"], ["a"]),
+        (["open", "--mode", "run", "a.json"], ["--mode", "run", "a.json"]),
     ],
 )
-def test_the_window(argv: list[str], files: list[str]) -> None:
-    assert files_for_window(argv) == files
+def test_the_window(argv: list[str], wanted: list[str]) -> None:
+    assert window_arguments(argv) == wanted
 
 
 @pytest.mark.parametrize(
     "argv",
-    [["check", "a.json"], ["--help"], ["--version"], ["open", "--help"], ["chekc"], ["-"]],
+    [
+        ["check", "a.json"],
+        ["--help"],
+        ["--version"],
+        ["open", "--help"],
+        ["chekc"],
+        ["-"],
+        ["--x.json"],
+    ],
 )
 def test_the_command_line(argv: list[str]) -> None:
-    assert files_for_window(argv) is None
+    assert window_arguments(argv) is None
 
 
 def test_without_a_display_the_program_says_so(
