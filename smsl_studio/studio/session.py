@@ -37,6 +37,8 @@ class Session(QObject):
     standing. The unsaved mark is the undo stack's clean state.
     """
 
+    opened = Signal()
+    """Another file was opened: told before ``blueprint_changed``; nothing said of before holds."""
     blueprint_changed = Signal(object, object)
     """(before, after): after every edit, undo and redo, and when another file is opened."""
     selection_changed = Signal(object)
@@ -54,7 +56,8 @@ class Session(QObject):
         self._selection: tuple[Address, ...] = ()
         self._branch = _first_branch(blueprint)
         self.history = QUndoStack(self)
-        self.history.cleanChanged.connect(lambda clean: self.edited_changed.emit(not clean))
+        # A method, not a lambda: it is disconnected before the history is deleted.
+        self.history.cleanChanged.connect(self._clean_changed)
 
     @property
     def blueprint(self) -> Blueprint:
@@ -97,6 +100,7 @@ class Session(QObject):
         self.history.clear()
         self._branch = _first_branch(blueprint)
         self._selection = ()
+        self.opened.emit()
         self.blueprint_changed.emit(before, blueprint)
         self.branch_changed.emit(self._branch)
         self.selection_changed.emit(())
@@ -126,6 +130,9 @@ class Session(QObject):
         """Show the SB an address lies in and select what stands there."""
         self.show_branch(address.branch)
         self.select((address,))
+
+    def _clean_changed(self, clean: bool) -> None:
+        self.edited_changed.emit(not clean)
 
     def _stands(self, address: Address) -> bool:
         try:

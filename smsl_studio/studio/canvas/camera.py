@@ -26,6 +26,8 @@ class Camera(QObject):
     """
 
     zoom_changed = Signal(float)
+    arrived = Signal()
+    """A movement has ended."""
 
     def __init__(self, view: QGraphicsView) -> None:
         super().__init__(view)
@@ -38,6 +40,7 @@ class Camera(QObject):
         self._animation.setStartValue(0.0)
         self._animation.setEndValue(1.0)
         self._animation.valueChanged.connect(self._frame)
+        self._animation.finished.connect(self.arrived)
         self._from = self._to = (QPointF(), 1.0)
 
     @property
@@ -72,6 +75,7 @@ class Camera(QObject):
         self._animation.stop()
         if not (smooth and self.motion and self._view.isVisible()):
             self._look(centre, zoom)
+            self.arrived.emit()
             return
         self._from, self._to = (self.centre, self.zoom), (centre, zoom)
         self._animation.start()

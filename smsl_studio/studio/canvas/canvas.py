@@ -123,6 +123,7 @@ class Canvas(QGraphicsView):
         self.viewport().setMouseTracking(True)
         self.setAccessibleName("Canvas")
         self.camera.zoom_changed.connect(self._zoomed)
+        self.camera.arrived.connect(self.overlays.fitted)
         self._later = QTimer(self)
         self._later.setSingleShot(True)
         self._later.setInterval(0)
@@ -263,15 +264,15 @@ class Canvas(QGraphicsView):
         """Show everything, at 100 % at most."""
         sheet = self._sheet
         if sheet is None or not len(sheet.at):
-            self.camera.go(QPointF(0.0, 0.0), 1.0, smooth)
             self.camera.fitted = True
+            self.camera.go(QPointF(0.0, 0.0), 1.0, smooth)
             return
         top = self.overlays.top_room()
         room = float(self.viewport().width()), float(self.viewport().height() - top)
         extent, marks, zoom = self._extent(room)
         middle = extent.center() + QPointF(marks[0], marks[1]) / 2 / zoom
-        self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
         self.camera.fitted = True
+        self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
 
     def _extent(self, room: tuple[float, float]) -> tuple[QRectF, tuple[float, float], float]:
         """What is to be seen, the shift by marks, and the zoom at which it fits a room."""

@@ -21,7 +21,8 @@ from smsl_studio.studio.canvas.ink import (
 )
 from smsl_studio.studio.canvas.shape import EdgeShape, Floats
 
-HEAD, LABEL_HEIGHT = 8.0, 16.0
+HEAD, LABEL_HEIGHT = 8.0, 15.0
+# Labels are 16 high; one pixel less lets those of lines 16 apart stand under each other.
 MARK_WIDTH = 13.0
 
 

@@ -35,6 +35,7 @@ class CanvasEditor(QObject):
         self.field: NameField | ConnectCard | None = None
         self._places = Places()
         self._refusals: list[StudioError] = []
+        session.opened.connect(self._places.clear)
         session.blueprint_changed.connect(self._blueprint_changed)
         session.branch_changed.connect(self._show)
         session.selection_changed.connect(self._selection_changed)
@@ -60,8 +61,6 @@ class CanvasEditor(QObject):
 
     def _blueprint_changed(self, before: Blueprint, after: Blueprint) -> None:
         self._close_field()
-        if not self.session.history.count() and before.document is not after.document:
-            self._places.clear()
         branch = self.session.branch
         if self.canvas.sheet is not None:
             shown = self.canvas.sheet.picture.branch.name
@@ -132,7 +131,11 @@ class CanvasEditor(QObject):
 
             reason = self._edit(f"Add {name}", change)
             if not reason:
+                camera = self.canvas.camera
+                seen = camera.centre, camera.zoom
                 self.session.show_branch("SB1")
+                camera.fitted = False
+                camera.go(*seen, smooth=False)
                 self.session.select((Address("SB1", name),))
             return reason
 

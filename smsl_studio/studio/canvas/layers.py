@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 from smsl_studio.studio.canvas import batch
 from smsl_studio.studio.canvas.edge_paint import (
     EdgeText,
+    label_size,
     paint_label,
     paint_line,
     paint_pill,
@@ -227,9 +228,9 @@ class LitLayer(Layer):
         x, y = shape.at(shape.length / 2)
         if look.pruned or look.held_back or look.risky:
             paint_sign(painter, x / unit, y / unit, look, sheet.ink)
-            rect = _below(rect, x, y, unit)
             if look.pruned:
                 text = EdgeText(f"{text.text} pruned", text.kind)
+            rect, ground = _near_sign(sheet, text, x, y), False
         elif sheet.compact and (look.trail or look.planned or look.possible):
             # Short lines would vanish below their label: it stands beside them.
             rect, ground = geometry.beside(edge), False
@@ -256,11 +257,21 @@ class LitLayer(Layer):
         paint_pill(painter, name, words, QPointF(left / unit, middle / unit), sheet.ink)
 
 
-def _below(rect: Rect, x: float, y: float, unit: float) -> Rect:
-    """A label below the sign on its line."""
-    half_w, half_h = (rect[2] - rect[0]) / 2, (rect[3] - rect[1]) / 2
-    middle = y + 17.0 * unit
-    return x - half_w, middle - half_h, x + half_w, middle + half_h
+def _near_sign(sheet: Sheet, text: EdgeText, x: float, y: float) -> Rect:
+    """The place of a label beside the sign on its line, where it covers no node."""
+    unit = sheet.unit
+    w, h = (value * unit / 2 for value in label_size(text, sheet.ink))
+    apart = 12.0 * unit
+    places = [
+        (x, y + h + apart),
+        (x, y - h - apart),
+        (x, y + h + apart + 6.0 * unit),
+        (x + w + apart, y),
+        (x - w - apart, y),
+    ]
+    rects = [(a - w, b - h, a + w, b + h) for a, b in places]
+    free = (r for r in rects if not sheet.states_in(r[0] + unit, r[1], r[2] - unit, r[3]))
+    return next(free, rects[0])
 
 
 def _weight(look: object) -> int:

@@ -106,10 +106,14 @@ class Hand:
 
     def double_click(self, event: QMouseEvent) -> None:
         canvas, sheet = self._canvas, self._canvas.sheet
-        if event.button() is not Qt.MouseButton.LeftButton or sheet is None:
+        if event.button() is not Qt.MouseButton.LeftButton:
             return
         self._gesture = None
         at = canvas.mapToScene(event.position().toPoint())
+        if sheet is None:
+            if canvas.editing:
+                canvas.add_state_wanted.emit(at)
+            return
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
             sub = self.sub_at(state, at)

@@ -82,6 +82,10 @@ class Overlays:
     def show_zoom(self, zoom: float) -> None:
         self.zoom.show_zoom(zoom)
 
+    def fitted(self) -> None:
+        """Everything is in view now."""
+        self._place_zoom()
+
     def show_banner(self, text: str) -> None:
         self.banner.show_text(text)
         self.place()
@@ -112,6 +116,18 @@ class Overlays:
     def view_moved(self) -> None:
         """The picture moved under the floating widgets."""
 
+    def _place_zoom(self) -> None:
+        """At the bottom right, or below the breadcrumb where it would cover a node of a fit."""
+        canvas, zoom = self._canvas, self.zoom
+        place = QPoint(canvas.width() - zoom.width() - EDGE, canvas.height() - zoom.height() - EDGE)
+        sheet = canvas.sheet
+        if sheet is not None and canvas.camera.fitted:
+            corner = canvas.mapToScene(place - QPoint(6, 6))
+            far = canvas.mapToScene(QPoint(canvas.width(), canvas.height()))
+            if sheet.states_in(corner.x(), corner.y(), far.x(), far.y()):
+                place = QPoint(EDGE - 2, 44)
+        zoom.move(place)
+
     def place(self) -> None:
         """Put everything where it belongs in the view's size."""
         canvas = self._canvas
@@ -119,7 +135,7 @@ class Overlays:
         self.breadcrumb.move(EDGE, 10)
         self.breadcrumb.resize(self.breadcrumb.sizeHint())
         self.zoom.resize(self.zoom.sizeHint())
-        self.zoom.move(width - self.zoom.width() - EDGE, height - self.zoom.height() - EDGE)
+        self._place_zoom()
         self.legend.resize(self.legend.sizeHint())
         self.legend.move(EDGE + 4, height - self.legend.height() - EDGE)
         self.run_legend.move(EDGE + 2, 44 if self._canvas.editing else 8)

@@ -98,6 +98,9 @@ class Breadcrumb(QWidget):
         self._under = -1
         self.update()
 
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         for i, rect in enumerate(self._places()):
             if rect.contains(event.position()) and i < len(self._chain):

@@ -1,0 +1,451 @@
+"""Every gesture of the canvas, made with mouse and keys as a person makes it."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.blueprint.address import Address
+from tests.stories.at_canvas import Drawer, sample
+
+Key, Modifier, Button = Qt.Key, Qt.KeyboardModifier, Qt.MouseButton
+
+
+@pytest.fixture
+def empty(qtbot: QtBot) -> Drawer:
+    return Drawer(qtbot)
+
+
+@pytest.fixture
+def hfsm(qtbot: QtBot) -> Drawer:
+    return Drawer(qtbot, sample("hfsm.json"))
+
+
+@pytest.fixture
+def hanoi(qtbot: QtBot) -> Drawer:
+    return Drawer(qtbot, sample("hanoi-corrected.json"))
+
+
+def turn(person: Drawer, at: QPoint, notches: int, modifiers: Modifier = Modifier.NoModifier) -> None:
+    """Turn the wheel over a point."""
+    event = QWheelEvent(
+        QPointF(at),
+        QPointF(person.hands_on.mapToGlobal(at)),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Button.NoButton,
+        modifiers,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(person.hands_on, event)
+    QApplication.processEvents()
+
+
+# Looking
+
+
+def test_the_wheel_zooms_and_what_is_under_the_pointer_stays(hanoi: Drawer) -> None:
+    at = hanoi.place("State_bba")
+    zoom = hanoi.canvas.zoom
+    turn(hanoi, at, 3)
+    assert hanoi.canvas.zoom > zoom * 1.5
+    assert (hanoi.place("State_bba") - at).manhattanLength() <= 2
+
+
+def test_the_wheel_pans_with_ctrl_and_shift(hanoi: Drawer) -> None:
+    at, zoom = hanoi.place("State_bba"), hanoi.canvas.zoom
+    turn(hanoi, at, -1, Modifier.ControlModifier)
+    down = hanoi.place("State_bba")
+    assert down.x() == at.x() and down.y() < at.y()
+    turn(hanoi, at, -1, Modifier.ShiftModifier)
+    aside = hanoi.place("State_bba")
+    assert aside.x() < down.x() and aside.y() == down.y()
+    assert hanoi.canvas.zoom == zoom
+
+
+def test_space_and_drag_pans(hanoi: Drawer) -> None:
+    before = hanoi.place("State_bba")
+    QTest.keyPress(hanoi.canvas, Key.Key_Space)
+    hanoi.drag(before, before + QPoint(60, 40))
+    QTest.keyRelease(hanoi.canvas, Key.Key_Space)
+    assert (hanoi.place("State_bba") - before - QPoint(60, 40)).manhattanLength() <= 2
+    assert hanoi.steps() == 0
+
+
+def test_the_middle_button_pans(hanoi: Drawer) -> None:
+    before = hanoi.place("State_bba")
+    hanoi.drag(QPoint(30, 300), QPoint(90, 260), Button.MiddleButton)
+    assert (hanoi.place("State_bba") - before - QPoint(60, -40)).manhattanLength() <= 2
+
+
+def test_keys_fit_and_go_to_100_percent(hanoi: Drawer) -> None:
+    fitted = hanoi.canvas.zoom
+    turn(hanoi, QPoint(10, 10), 5)
+    hanoi.key(Key.Key_F)
+    assert hanoi.canvas.zoom == pytest.approx(fitted)
+    hanoi.key(Key.Key_ParenRight, Modifier.ShiftModifier)
+    assert hanoi.canvas.zoom == 1.0
+    hanoi.key(Key.Key_Exclam, Modifier.ShiftModifier)
+    assert hanoi.canvas.zoom == pytest.approx(fitted)
+
+
+def test_the_zoom_control(hanoi: Drawer) -> None:
+    control, zoom = hanoi.canvas.overlays.zoom, hanoi.canvas.zoom
+    QTest.mouseClick(control.more, Button.LeftButton)
+    assert hanoi.canvas.zoom > zoom
+    QTest.mouseClick(control.value, Button.LeftButton)
+    assert hanoi.canvas.zoom == 1.0 and control.value.text() == "100 %"
+    QTest.mouseClick(control.fit, Button.LeftButton)
+    assert hanoi.canvas.zoom == pytest.approx(zoom)
+
+
+# Selecting
+
+
+def test_a_click_selects_shift_adds_ctrl_toggles(hanoi: Drawer) -> None:
+    hanoi.click(hanoi.place("State_aaa"))
+    assert hanoi.selected() == ["State_aaa"]
+    hanoi.click(hanoi.place("State_baa"), Modifier.ShiftModifier)
+    assert hanoi.selected() == ["State_aaa", "State_baa"]
+    hanoi.click(hanoi.place("State_aaa"), Modifier.ControlModifier)
+    assert hanoi.selected() == ["State_baa"]
+    hanoi.click(QPoint(20, 650))
+    assert hanoi.selected() == []
+
+
+def test_a_click_on_a_label_selects_the_operation(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.label_of("State000", "Operation000"))
+    assert hfsm.selected() == ["State000/Operation000"]
+
+
+def test_the_rubber_band_selects_what_it_touches(hfsm: Drawer) -> None:
+    first, last = hfsm.place("State000"), hfsm.place("State100")
+    hfsm.drag(first - QPoint(90, 70), last + QPoint(20, 60))
+    assert hfsm.selected() == ["State000", "State100"]
+    assert hfsm.canvas.gestures.band is None
+
+
+def test_arrows_go_from_state_to_state_and_pan_without_selection(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State000"))
+    hfsm.key(Key.Key_Right)
+    assert hfsm.selected() == ["State100"]
+    hfsm.key(Key.Key_Escape)
+    assert hfsm.selected() == []
+    before = hfsm.place("State000")
+    hfsm.key(Key.Key_Right)
+    assert hfsm.place("State000").x() < before.x()
+
+
+# Moving
+
+
+def test_a_dragged_state_is_kept_as_one_step_and_undo_puts_it_back(hfsm: Drawer) -> None:
+    before = hfsm.canvas.positions
+    start = hfsm.place("State110")
+    hfsm.drag(start, start + QPoint(64, -40))
+    after = hfsm.canvas.positions
+    assert hfsm.steps() == 1
+    assert after["State110"] != before["State110"]
+    assert {n: p for n, p in after.items() if n != "State110"} == {
+        n: p for n, p in before.items() if n != "State110"
+    }
+    assert after["State110"][0] % 8 == 0 and after["State110"][1] % 8 == 0
+    layout = hfsm.session.blueprint["SB1"].notes.layout
+    assert layout == {"State110": after["State110"]}
+    hfsm.session.history.undo()
+    assert hfsm.canvas.positions == before
+    hfsm.session.history.redo()
+    assert hfsm.canvas.positions == after
+
+
+def test_a_drag_moves_the_whole_selection_and_alt_leaves_the_grid(hfsm: Drawer) -> None:
+    before = hfsm.canvas.positions
+    hfsm.click(hfsm.place("State000"))
+    hfsm.click(hfsm.place("State100"), Modifier.ShiftModifier)
+    start = hfsm.place("State100")
+    hfsm.drag(start, start + QPoint(30, 50))
+    after = hfsm.canvas.positions
+    step = after["State100"][0] - before["State100"][0], after["State100"][1] - before["State100"][1]
+    assert step != (0.0, 0.0)
+    assert (
+        after["State000"][0] - before["State000"][0],
+        after["State000"][1] - before["State000"][1],
+    ) == pytest.approx(step)
+    assert hfsm.steps() == 1
+    hfsm.click(QPoint(20, 650))
+    start = hfsm.place("State111")
+    hfsm.press(start, modifiers=Modifier.AltModifier)
+    for pixels in (2, 9, 13):
+        hfsm.canvas.hand.move(_moved(hfsm, start + QPoint(pixels, 0), Modifier.AltModifier))
+    QTest.mouseRelease(
+        hfsm.hands_on, Button.LeftButton, Modifier.AltModifier, start + QPoint(13, 0)
+    )
+    moved = hfsm.canvas.positions["State111"][0] - before["State111"][0]
+    assert moved == pytest.approx(13.0 / hfsm.canvas.zoom, abs=1.0)
+
+
+def _moved(person: Drawer, at: QPoint, modifiers: Modifier) -> object:
+    from PySide6.QtCore import QEvent
+    from PySide6.QtGui import QMouseEvent
+
+    return QMouseEvent(
+        QEvent.Type.MouseMove,
+        QPointF(at),
+        QPointF(person.hands_on.mapToGlobal(at)),
+        Button.NoButton,
+        Button.LeftButton,
+        modifiers,
+    )
+
+
+def test_escape_takes_a_drag_back(hfsm: Drawer) -> None:
+    before = hfsm.canvas.positions
+    start = hfsm.place("State110")
+    hfsm.press(start)
+    for step in (10, 40, 80):
+        QTest.mouseMove(hfsm.hands_on, start + QPoint(step, 0))
+    assert hfsm.canvas.positions != before
+    hfsm.key(Key.Key_Escape)
+    QTest.mouseRelease(hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, start)
+    assert hfsm.canvas.positions == before and hfsm.steps() == 0
+
+
+def test_dragging_and_hovering_rebuild_nothing(hanoi: Drawer) -> None:
+    sheet = hanoi.canvas.sheet
+    items = dict(hanoi.canvas.pool.used)
+    hanoi.hover(hanoi.place("State_aaa"))
+    hanoi.hover(hanoi.label_of("State_aaa", "Op_1b"))
+    hanoi.click(hanoi.place("State_bba"))
+    start = hanoi.place("State_aaa")
+    hanoi.drag(start, start + QPoint(24, 24))
+    assert hanoi.canvas.sheet is sheet
+    assert hanoi.canvas.pool.used == items
+
+
+# Adding and naming
+
+
+def test_a_double_click_on_empty_canvas_adds_a_state_there(empty: Drawer) -> None:
+    assert not empty.canvas.overlays.empty.isHidden()
+    empty.double_click(QPoint(300, 300))
+    assert empty.steps() == 0, "nothing is added before it has a name"
+    empty.write("State000")
+    assert list(empty.table()) == ["State000"]
+    assert (empty.place("State000") - QPoint(300, 300)).manhattanLength() <= 8
+    assert empty.selected() == ["State000"]
+    assert empty.canvas.overlays.empty.isHidden()
+    assert empty.steps() == 1
+    empty.session.history.undo()
+    assert not any(branch.table for branch in empty.session.blueprint)
+
+
+def test_escape_adds_nothing(hfsm: Drawer) -> None:
+    hfsm.double_click(QPoint(300, 620))
+    hfsm.write("State010", Key.Key_Escape)
+    assert hfsm.steps() == 0 and hfsm.editor.field is None
+    assert hfsm.canvas.hasFocus()
+
+
+def test_a_name_that_is_taken_is_said_and_nothing_typed_is_lost(hfsm: Drawer) -> None:
+    hfsm.double_click(QPoint(300, 620))
+    hfsm.write("State100")
+    field = hfsm.editor.field
+    assert field is not None and "State100" in field.complaint
+    assert hfsm.steps() == 0
+    QTest.keyClicks(QApplication.focusWidget(), "x")
+    assert field.complaint == ""
+    hfsm.key(Key.Key_Return)
+    assert "State100x" in hfsm.table()
+
+
+def test_f2_renames_in_place_and_everything_follows(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State100"))
+    before = hfsm.canvas.positions["State100"]
+    hfsm.key(Key.Key_F2)
+    hfsm.write("State101")
+    assert hfsm.table()["State000"]["Operation000"] == "State101"
+    assert hfsm.canvas.positions["State101"] == before
+    assert hfsm.selected() == ["State101"]
+    hfsm.session.history.undo()
+    assert hfsm.canvas.positions["State100"] == before
+
+
+def test_a_double_click_on_a_name_renames_and_escape_leaves_it(hfsm: Drawer) -> None:
+    name = hfsm.place("State110") - QPoint(0, 12)
+    hfsm.double_click(name)
+    hfsm.write("State999", Key.Key_Escape)
+    assert "State110" in hfsm.table() and hfsm.steps() == 0
+    hfsm.double_click(hfsm.label_of("State000", "Operation000"))
+    hfsm.write("Begin")
+    assert hfsm.table()["State000"] == {"Begin": "State100"}
+
+
+def test_drag_from_a_handle_connects_two_states(hfsm: Drawer) -> None:
+    hfsm.connect("State111", "State110", "Back")
+    assert hfsm.table()["State111"] == {"Back": "State110"}
+    assert hfsm.steps() == 1
+    assert hfsm.selected() == ["State111/Back"]
+    assert hfsm.canvas.gestures.drawn is None
+
+
+def test_drop_on_empty_canvas_makes_the_target_too_as_one_step(hfsm: Drawer) -> None:
+    handle = hfsm.handle_of("State111", "bottom")
+    hfsm.hover(handle)
+    hfsm.drag(handle, handle + QPoint(-40, 160))
+    hfsm.write("Finish", Key.Key_Tab)
+    hfsm.write("State999")
+    assert hfsm.table()["State111"] == {"Finish": "State999"} and "State999" in hfsm.table()
+    assert hfsm.steps() == 1
+    hfsm.session.history.undo()
+    assert "State999" not in hfsm.table() and hfsm.table()["State111"] == {}
+
+
+def test_an_operation_name_that_is_taken_is_said_beside_it(hfsm: Drawer) -> None:
+    handle = hfsm.handle_of("State000", "bottom")
+    hfsm.hover(handle)
+    hfsm.drag(handle, hfsm.place("State100") - QPoint(0, 8))
+    hfsm.write("Operation000")
+    field = hfsm.editor.field
+    assert field is not None and "Operation000" in field.complaint
+    assert hfsm.steps() == 0
+    hfsm.key(Key.Key_A, Modifier.ControlModifier)
+    hfsm.write("Again")
+    assert hfsm.table()["State000"]["Again"] == "State100"
+
+
+def test_the_suggested_name_has_the_effect_that_is_wanted(hanoi: Drawer) -> None:
+    hanoi.session.select((Address("SB1", "State_aaa", "Op_1b"),))
+    hanoi.key(Key.Key_Delete)
+    hanoi.canvas.zoom_to(1.5)
+    hanoi.canvas.reveal(Address("SB1", "State_aaa"))
+    handle = hanoi.handle_of("State_aaa", "left")
+    hanoi.hover(handle)
+    hanoi.drag(handle, hanoi.place("State_baa"))
+    hanoi.key(Key.Key_Return)
+    assert hanoi.table()["State_aaa"]["Op_1b"] == "State_baa"
+
+
+def test_the_arrowhead_of_a_selected_operation_can_be_dragged_elsewhere(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.label_of("State000", "Operation000"))
+    hfsm.drag(hfsm.tip_of("State000", "Operation000"), hfsm.place("State110"))
+    assert hfsm.table()["State000"]["Operation000"] == "State110"
+    assert hfsm.steps() == 1
+
+
+def test_an_arrowhead_let_go_over_nothing_says_why_and_stays(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.label_of("State000", "Operation000"))
+    start = hfsm.tip_of("State000", "Operation000")
+    hfsm.press(start)
+    for step in (10, 60, 150):
+        QTest.mouseMove(hfsm.hands_on, start + QPoint(0, step))
+    assert "needs a target" in hfsm.canvas.overlays.word.text
+    QTest.mouseRelease(
+        hfsm.hands_on, Button.LeftButton, Modifier.NoModifier, start + QPoint(0, 150)
+    )
+    assert hfsm.steps() == 0
+
+
+def test_delete_takes_the_incoming_operations_along(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Delete)
+    assert "State111" not in hfsm.table()
+    assert hfsm.table()["State110"] == {"Operation110A": "State100"}
+    hfsm.session.history.undo()
+    assert hfsm.table()["State110"]["Operation110B"] == "State111"
+
+
+@pytest.mark.parametrize("key", [Key.Key_Tab, Key.Key_Slash])
+def test_quick_add_from_the_keyboard(hfsm: Drawer, key: Key) -> None:
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(key)
+    hfsm.write("Return", Key.Key_Tab)
+    hfsm.write("State000")
+    assert hfsm.table()["State111"] == {"Return": "State000"}
+
+
+def test_quick_add_offers_the_names_in_use(hanoi: Drawer) -> None:
+    hanoi.session.select((Address("SB1", "State_aaa", "Op_1b"),))
+    hanoi.key(Key.Key_Delete)
+    hanoi.session.select((Address("SB1", "State_aaa"),))
+    hanoi.canvas.setFocus()
+    hanoi.key(Key.Key_Tab)
+    card = hanoi.editor.field
+    assert card is not None
+    hanoi.write("1b", None)
+    assert card.choices.names == ("Op_1b",)
+    hanoi.key(Key.Key_Down)
+    hanoi.key(Key.Key_Return)
+    assert hanoi.table()["State_aaa"]["Op_1b"] == "State_baa", "the target follows from its effect"
+
+
+# Going in and out
+
+
+def test_a_double_click_on_a_fact_enters_its_sub_sb_and_the_breadcrumb_leads_back(
+    hfsm: Drawer,
+) -> None:
+    hfsm.double_click(hfsm.at(_chip(hfsm, "State100", 1)))
+    assert hfsm.session.branch == "SB2"
+    crumbs = hfsm.canvas.overlays.breadcrumb
+    assert crumbs.words == ("hfsm.json", "SB1", "SB2")
+    QTest.mouseClick(
+        crumbs, Button.LeftButton, Modifier.NoModifier, crumbs.place_of(1).center().toPoint()
+    )
+    assert hfsm.session.branch == "SB1"
+
+
+def _chip(person: Drawer, state: str, digit: int) -> QPointF:
+    from smsl_studio.studio.canvas.node_paint import chip_places
+
+    sheet = person.canvas.sheet
+    assert sheet is not None
+    face = sheet.picture.face(sheet.picture.index[state])
+    place = chip_places(face, sheet.ink, 108.0)[digit].center()
+    x, y = person.canvas.positions[state]
+    return QPointF(x, y) + place
+
+
+def test_enter_goes_in_and_backspace_out(hfsm: Drawer) -> None:
+    hfsm.key(Key.Key_Return)
+    assert hfsm.session.branch == "SB2"
+    hfsm.key(Key.Key_Backspace)
+    assert hfsm.session.branch == "SB1"
+
+
+def test_a_run_canvas_asks_for_operations_and_edits_nothing(hfsm: Drawer, qtbot: QtBot) -> None:
+    hfsm.canvas.editing = False
+    asked: list[object] = []
+    hfsm.canvas.edge_clicked.connect(asked.append)
+    hfsm.click(hfsm.label_of("State000", "Operation000"))
+    assert asked == [Address("SB1", "State000", "Operation000")]
+    start = hfsm.place("State110")
+    before = hfsm.canvas.positions
+    hfsm.drag(start, start + QPoint(80, 0))
+    hfsm.double_click(QPoint(300, 620))
+    hfsm.key(Key.Key_Delete)
+    assert hfsm.canvas.positions == before and hfsm.steps() == 0
+
+
+def test_hfsm_is_drawn_from_an_empty_canvas_by_mouse_and_keyboard(empty: Drawer) -> None:
+    for name, x, y in (
+        ("State000", 120, 350),
+        ("State100", 360, 350),
+        ("State110", 600, 180),
+        ("State111", 860, 400),
+    ):
+        empty.double_click(QPoint(x, y))
+        empty.write(name)
+        empty.key(Key.Key_Escape)
+    empty.connect("State000", "State100", "Operation000")
+    empty.connect("State100", "State110", "Operation100A")
+    empty.connect("State100", "State111", "Operation100B")
+    empty.connect("State110", "State100", "Operation110A")
+    empty.connect("State110", "State111", "Operation110B")
+    assert empty.table() == {
+        name: dict(operations) for name, operations in sample("hfsm.json")["SB1"].table.items()
+    }
