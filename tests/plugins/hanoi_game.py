@@ -67,6 +67,11 @@ class Game:
             self.world.step()
         return "running", ticks
 
+    def advance_until(self, generator: Any, pegs: str) -> None:
+        """Let an operation go on until these pegs are read."""
+        while self.read() != pegs:
+            assert self.advance(generator, 1)[0] == "running", f"{pegs} was never read"
+
     def wait(self, ticks: int) -> None:
         for _ in range(ticks):
             self.world.step()

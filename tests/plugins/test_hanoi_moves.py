@@ -57,8 +57,7 @@ def test_a_grasp_that_closes_on_air_fails(game: Game) -> None:
 def test_a_disk_that_is_lost_on_the_way_fails(game: Game) -> None:
     game.put("baa")
     generator = game.start("1c")
-    while game.read() != "haa":
-        game.advance(generator, 1)
+    game.advance_until(generator, "haa")
     game.advance(generator, 60)
     game.world.robot.open()
     assert game.advance(generator)[0] is False
@@ -69,8 +68,7 @@ def test_a_disk_in_the_hand_is_carried_on(game: Game) -> None:
     """A hold in mid-air ends the call; the next one begins with what is in the hand."""
     game.put("baa")
     generator = game.start("1c")
-    while game.read() != "haa":
-        game.advance(generator, 1)
+    game.advance_until(generator, "haa")
     game.advance(generator, 100)
     generator.close()
     game.world.brake()

@@ -73,8 +73,7 @@ def test_the_seed_draws_the_jitter(game: Game) -> None:
 def test_a_snapshot_brings_everything_back(game: Game) -> None:
     game.put("aaa")
     generator = game.start("1c")
-    while game.read() != "haa":
-        game.advance(generator, 1)
+    game.advance_until(generator, "haa")
     game.advance(generator, 90)
     held = game.world.snapshot()
     game.world.apply(held)
