@@ -237,13 +237,28 @@ class StateBranch:
 MEANING_FIELDS = ("_facts", "_states", "_operations")
 
 
+@dataclass(frozen=True, slots=True)
+class ImportFault:
+    """An import that failed: its path in the document, why, and the files that led to it."""
+
+    path: tuple[str, ...]
+    sentence: str
+    chain: tuple[str, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Blueprint:
-    """The whole hFSM of one procedure: an ordered set of State Branches, and its written form."""
+    """The whole hFSM of one procedure: an ordered set of State Branches, and its written form.
+
+    The SBs of imported files come behind its own; ``imported`` says in which document each
+    stands, and they are edited there.
+    """
 
     branches: Mapping[str, StateBranch]
     document: Document
     fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+    imported: Mapping[str, Document] = field(default_factory=lambda: EMPTY)
+    import_faults: tuple[ImportFault, ...] = ()
 
     def __getitem__(self, branch: str) -> StateBranch:
         try:
@@ -329,7 +344,8 @@ class Blueprint:
 
     def place(self, address: Address, *below: str) -> Place:
         """Where an address (or a key below it, such as HEADER, INITIAL) stands in the text."""
-        return self.document.place((*address.path, *below))
+        document = self.imported.get(address.branch, self.document)
+        return document.place((*address.path, *below))
 
     @cached_property
     def meaning(self) -> Json:

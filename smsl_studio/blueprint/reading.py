@@ -7,6 +7,7 @@ the wrong kind. Everything else opens and is reported by inspection.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from smsl_studio.blueprint.model import EMPTY, Blueprint, Header, StateBranch
@@ -22,17 +23,39 @@ def read_blueprint(document: Document, former: Blueprint | None = None) -> Bluep
 
     An SB whose values are the very objects that ``former`` was read from is taken over from it,
     with everything that has been worked out about it, so that an edit costs what it touches.
+    Imported files are read relative to the document's own; see ``importing``.
     """
+    branches = _branches(document, former)
+    fields = {key: value for key, value in document.values.items() if key.startswith("_")}
+    if "_imports" not in fields:
+        return Blueprint(branches, document, fields)
+    if former and former.fields.get("_imports") is fields["_imports"]:
+        return _as_imported_by(former, Blueprint(branches, document, fields))
+    from smsl_studio.blueprint.importing import Imports
+
+    found = Imports(_branches)
+    found.follow(document, branches)
+    together = {**branches, **found.branches}
+    return Blueprint(together, document, fields, found.documents, tuple(found.faults))
+
+
+def _as_imported_by(former: Blueprint, edited: Blueprint) -> Blueprint:
+    """An edited blueprint with the SBs that it imported before the edit."""
+    imported = {k: v for k, v in former.imported.items() if k not in edited.branches}
+    branches = {**edited.branches, **{name: former.branches[name] for name in imported}}
+    return replace(edited, branches=branches, imported=imported, import_faults=former.import_faults)
+
+
+def _branches(document: Document, former: Blueprint | None = None) -> dict[str, StateBranch]:
     branches: dict[str, StateBranch] = {}
-    fields: dict[str, Json] = {}
     for name, value in document.values.items():
         if name.startswith("_"):
-            fields[name] = value
-        elif former and name in former.branches and former.document.values[name] is value:
+            continue
+        if former and name in former.branches and former.document.values.get(name) is value:
             branches[name] = former.branches[name]
         else:
             branches[name] = _branch(document, name, value)
-    return Blueprint(branches, document, fields)
+    return branches
 
 
 def _branch(document: Document, name: str, value: Json) -> StateBranch:

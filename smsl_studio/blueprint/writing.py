@@ -12,13 +12,16 @@ Json = Any
 
 
 def values_of(blueprint: Blueprint) -> dict[str, Json]:
-    """Everything a blueprint holds, ``_`` fields and unknown header keys included.
+    """Everything a blueprint holds, ``_`` fields and unknown header keys included,
+    but for the SBs of imported files.
 
     The values read to an equal blueprint. Where ``_`` fields stand among the others is known only
     to the text: ``reconcile`` keeps their slots.
     """
     values: dict[str, Json] = {key: _plain(value) for key, value in blueprint.fields.items()}
     for branch in blueprint:
+        if branch.name in blueprint.imported:
+            continue
         values[branch.name] = _branch(branch)
     return values
 

@@ -32,7 +32,7 @@ ALL = (
     Rule("R05", "names that do not carry facts", header.r05_fact_strings),
     Rule("R06", "states with equal facts", header.r06_equal_facts),
     Rule("R07", "sub-SBs that do not fit", levels.r07_sub_sbs),
-    Rule("R08", "a cycle among SBs", levels.r08_cycles),
+    Rule("R08", "a cycle among SBs or imports", levels.r08_cycles),
     Rule("R09", "names that look alike", writing.r09_look_alikes),
     Rule("R10", "a state that cannot be reached", reach.r10_unreachable),
     Rule("R11", "a trap", reach.r11_traps),

@@ -172,6 +172,11 @@ def test_a_renamed_state_is_followed_by_all_that_names_it() -> None:
     assert renamed["A"].operation_note("S9", "up").requires == {"B/0": "0"}
 
 
+def test_what_was_said_of_a_state_long_gone_is_not_said_of_another() -> None:
+    before = read({"A": {"S": {}, "_layout": {"S": [1, 1], "Gone": [2, 2]}}})
+    assert edit.rename(before, A("A", "S"), "Gone")["A"].notes.layout == {"Gone": (1, 1)}
+
+
 def test_a_renamed_operation_is_that_edge_alone_or_all_of_its_name() -> None:
     before = read(FACTS_BOUND)
     one = edit.rename(before, A("A", "S0", "up"), "rise")

@@ -226,6 +226,8 @@ def test_the_order_of_sbs_counts_that_of_states_only_through_the_defaults() -> N
         {"A": {"S0": {"o": "S1"}, "S1": {}, "_facts": {"0": {"on": "S0"}}}},
         {"A": {"S0": {"o": "S1"}, "S1": {}, "_operations": {"o": {"cost": 2}}}},
         {"A": {"HEADER": {"SUB_SBS": {"B": 0}}, "S0": {"o": "S1"}, "S1": {}}},
+        {"A": {"HEADER": {"INITIAL": "S1"}, "S0": {"o": "S1"}, "S1": {}}},
+        {"A": {"HEADER": {"ACTIVATING": "S0"}, "S0": {"o": "S1"}, "S1": {}}},
         {"_hazards": [{"name": "h", "facts": {"A/0": "1"}}]},
         {"_imports": ["other.json"]},
     ],

@@ -132,6 +132,9 @@ def test_a_key_written_twice_opens_and_both_places_are_found() -> None:
         ("_n", "0", "x"): [(2, 19), (2, 27)],
     }
     assert document.place(("A", "S")) == Place("f.json", 1, 34)
+    twice = parse_json('{"A": {"S": {}},\n "A": {"S": {}, "T": {}}}', "f.json")
+    assert twice.place(("A", "S")) == Place("f.json", 2, 8)
+    assert twice.place(("A", "T")) == Place("f.json", 2, 17)
 
 
 def test_a_document_without_doubles_reports_none() -> None:

@@ -27,6 +27,8 @@ class Draft:
 
     def at(self, *path: str) -> dict[str, Json]:
         """The object at ``path``, free to be changed; KeyError where none stands."""
+        if path:
+            own_branch(self.before, path[0])
         node = self._values
         for depth, key in enumerate(path, start=1):
             child = node[key]
@@ -83,10 +85,13 @@ class Draft:
 
 
 def rename_key(table: dict[str, Json], old: str, new: str) -> None:
-    """Give a key another name in its place; nothing where it is absent."""
+    """Give a key another name in its place; nothing where it is absent.
+
+    What stood under the new name (a note of something long gone) gives way.
+    """
     if old not in table or old == new:
         return
-    items = [(new if key == old else key, value) for key, value in table.items()]
+    items = [(new if key == old else key, value) for key, value in table.items() if key != new]
     table.clear()
     table.update(items)
 
@@ -95,6 +100,13 @@ def branch_of(blueprint: Blueprint, branch: str) -> StateBranch:
     """The SB of that name; EditRefused where there is none."""
     existing(blueprint, Address(branch))
     return blueprint[branch]
+
+
+def own_branch(blueprint: Blueprint, branch: str) -> None:
+    """EditRefused where the SB stands in an imported file."""
+    if branch in blueprint.imported:
+        file = blueprint.imported[branch].file
+        raise EditRefused(f"{branch} is imported from {file}", advice="Open that file to edit it.")
 
 
 def existing(blueprint: Blueprint, address: Address) -> Address:

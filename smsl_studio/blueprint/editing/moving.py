@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing.draft import Draft, existing
+from smsl_studio.blueprint.editing.draft import Draft, existing, own_branch
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused, did_you_mean
@@ -33,6 +33,7 @@ def reorder(blueprint: Blueprint, address: Address, index: int) -> Blueprint:
     Order has meaning: the first state is the default INITIAL, the last the default ACTIVATING.
     """
     existing(blueprint, address)
+    own_branch(blueprint, address.branch)
     draft = Draft(blueprint)
     *above, name = address.path
     inner = draft.at(*above)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
-from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_key
+from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, own_branch, rename_key
 from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
@@ -21,6 +21,7 @@ def rename(
     ``rename_everywhere`` every edge of that name in the SB, and the name's annotations.
     """
     existing(blueprint, address)
+    own_branch(blueprint, address.branch)
     if new_name == address.path[-1]:
         return blueprint
     draft = Draft(blueprint)
@@ -40,6 +41,8 @@ def _rename_branch(draft: Draft, old: str, new: str) -> None:
         if any(sub == old for sub, _ in branch.header.sub_sbs):
             header = draft.header(branch.name)
             header["SUB_SBS"] = _renamed_key(header["SUB_SBS"], old, new)
+        if branch.name in draft.before.imported:
+            continue
         for table in draft.tables(branch.name, "_operations"):
             for key, note in table.items():
                 if isinstance(note, dict) and isinstance(note.get("requires"), dict):

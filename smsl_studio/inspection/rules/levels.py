@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import attach_sub, detach_sub
 from smsl_studio.blueprint.model import Blueprint, Operation, StateBranch
 from smsl_studio.blueprint.reading import HEADER
@@ -121,7 +122,16 @@ def _entry(
 
 
 def r08_cycles(blueprint: Blueprint) -> Iterator[Finding]:
-    """A cycle among SBs."""
+    """A cycle among SBs, or an import that fails."""
+    for fault in blueprint.import_faults:
+        yield Finding(
+            "R08",
+            ERROR,
+            Address(fault.path[0]),
+            blueprint.document.place(fault.path),
+            f"{fault.sentence} ({' > '.join(fault.chain)})",
+            "import a file that can be read and does not lead back",
+        )
     for cycle in cycles(blueprint):
         last = blueprint[cycle[-1]]
         yield _entry(
