@@ -21,6 +21,7 @@ from smsl_studio.runlog.events import (
     Mismatch,
     OperationEnded,
     OperationRefused,
+    OperationRisky,
     SweepFinished,
 )
 
@@ -113,6 +114,7 @@ def _why(events: Sequence[Event], sentence: str) -> str:
         if isinstance(event, OperationRefused):
             return "; ".join(event.reasons)
     said = [e.message for e in events if isinstance(e, OperationEnded) and e.message]
+    said += [e.reason for e in events if isinstance(e, OperationRisky) and e.reason not in said]
     read = [fact for e in events if isinstance(e, Mismatch) for fact in e.facts]
     return "; ".join(dict.fromkeys([*said, *([sentence] if sentence else []), *read[:3]]))
 

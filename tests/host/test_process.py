@@ -1,0 +1,221 @@
+"""The process host: the same trace as the local one, and a child that dies, hangs or freezes."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import HostError, WorldError
+from smsl_studio.host.local import LocalHost
+from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.protocol import Host, Outcome
+from smsl_studio.host.shared_poses import SharedPoses
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+
+START = {"LAMP": "State_0"}
+ON, SPIN = Address("LAMP", "State_0", "Op_on"), Address("LAMP", "State_0", "Op_spin")
+
+
+@pytest.fixture
+def lamp(tmp_path: Path) -> Iterator[Callable[..., ProcessHost]]:
+    write_plugin(tmp_path, "lamp", LAMP_PLUGIN)
+    hosts: list[ProcessHost] = []
+
+    def make(**limits: float) -> ProcessHost:
+        hosts.append(ProcessHost(blueprint_of(LAMP), "lamp", 0, [tmp_path], **limits))
+        return hosts[-1]
+
+    yield make
+    for host in hosts:
+        host.close()
+        host.close()
+
+
+def _trace(host: Host, blueprint: Blueprint, start: dict[str, str]) -> Sequence[Any]:
+    """Everything a host says when every edge is carried out once, whatever the world thinks."""
+    found: list[Any] = [host.open(start), host.sense()]
+    for branch in blueprint:
+        for edge in branch.edges():
+            if edge.address not in found[0].bound:
+                continue
+            host.begin(edge.address)
+            found.append(host.tick())
+            while found[-1].outcome is Outcome.RUNNING:
+                found.append(host.tick())
+    return found
+
+
+@st.composite
+def blueprints(draw: st.DrawFn) -> Blueprint:
+    """A base SB of any alphabet with, perhaps, a sub-SB under its first digit."""
+    width = draw(st.integers(1, 3))
+    tail = st.text("01xé/~", min_size=width - 1, max_size=width - 1)
+    names = draw(st.lists(tail, min_size=1, max_size=4, unique=True))
+    states = [f"State_{on}{name}" for name in names for on in "01"]
+    target = st.dictionaries(st.sampled_from(["go", "é", "a/b"]), st.sampled_from(states))
+    base: dict[str, Any] = {state: draw(target) for state in states}
+    if not draw(st.booleans()):
+        return blueprint_of({"BASE": base})
+    load = {"_operations": {"go": {"subs": draw(st.sampled_from(["load", "drive"]))}}}
+    sub = {"HEADER": {}, "State_0": {"up": "State_1"}, "State_1": {"down": "State_0"}}
+    header = {"SUB_SBS": {"SUB": 0}, "INITIAL": states[0], "ACTIVATING": states[-1]}
+    return blueprint_of({"BASE": {"HEADER": header, **load, **base}, "SUB": sub})
+
+
+@settings(max_examples=8)
+@given(blueprints())
+def test_both_hosts_tell_the_same_story_on_the_table(blueprint: Blueprint) -> None:
+    start = {branch.name: branch.initial for branch in blueprint}
+    local, child = LocalHost(blueprint, "table"), ProcessHost(blueprint, "table")
+    try:
+        assert _trace(local, blueprint, start) == _trace(child, blueprint, start)
+    finally:
+        local.close()
+        child.close()
+
+
+def test_both_hosts_tell_the_same_story_of_library_code(
+    lamp: Callable[..., ProcessHost], tmp_path: Path
+) -> None:
+    values = {"LAMP": {**LAMP["LAMP"], "State_0": {"Op_on": "State_1", "Op_break": "State_1"}}}
+    blueprint = blueprint_of(values)
+    local = LocalHost(blueprint, "lamp", 0, [tmp_path])
+    child = ProcessHost(blueprint, "lamp", 0, [tmp_path])
+    try:
+        assert _trace(local, blueprint, START) == _trace(child, blueprint, START)
+    finally:
+        child.close()
+
+
+def test_a_killed_child_is_one_clear_error(lamp: Callable[..., ProcessHost]) -> None:
+    host = lamp()
+    host.open(START)
+    host.begin(ON)
+    host.tick()
+    assert host.pid is not None
+    os.kill(host.pid, signal.SIGKILL)
+    for _ in range(2):
+        with pytest.raises(HostError) as caught:
+            host.tick()
+        assert caught.value.sentence == (
+            "the simulation process was killed by signal 9 (SIGKILL)"
+            " in the middle of LAMP/State_0/Op_on"
+        )
+    assert host.pid is None
+    assert host.poses() == ()
+
+
+def test_a_hanging_operation_is_given_up(lamp: Callable[..., ProcessHost]) -> None:
+    host = lamp(hang_limit=0.5)
+    host.open(START)
+    host.begin(SPIN)
+    host.tick()
+    with pytest.raises(HostError, match=r"did not answer for 0\.\d s in the middle of LAMP"):
+        host.tick()
+
+
+def test_a_frozen_child_is_given_up(lamp: Callable[..., ProcessHost]) -> None:
+    host = lamp(silence_limit=0.3)
+    host.open(START)
+    assert host.pid is not None
+    os.kill(host.pid, signal.SIGSTOP)
+    with pytest.raises(HostError, match="has shown no pulse"):
+        host.tick()
+
+
+def test_an_error_of_the_child_arrives_whole(lamp: Callable[..., ProcessHost]) -> None:
+    host = ProcessHost(blueprint_of(LAMP), "tabel")
+    with pytest.raises(WorldError) as caught:
+        host.open(START)
+    assert caught.value.advice == "Did you mean table?"
+    host.close()
+    with pytest.raises(HostError, match="closed"):
+        host.open(START)
+    lit = lamp()
+    lit.open(START)
+    with pytest.raises(HostError, match="another operation runs"):
+        [lit.begin(ON) for _ in range(2)]
+
+
+def test_what_the_child_prints_is_no_data(
+    lamp: Callable[..., ProcessHost], capfd: pytest.CaptureFixture[str]
+) -> None:
+    host = lamp()
+    host.open(START)
+    host.close()
+    assert capfd.readouterr().out == ""
+
+
+PARENT = """
+import sys
+from pathlib import Path
+from smsl_studio.blueprint.address import Address
+from smsl_studio.front.reading import read
+from smsl_studio.host.process import ProcessHost
+
+if __name__ == "__main__":
+    host = ProcessHost(read(sys.argv[1]), "lamp", 0, [Path(sys.argv[2])], hang_limit=60.0)
+    host.open({"LAMP": "State_0"})
+    host.begin(Address("LAMP", "State_0", "Op_spin"))
+    host.tick()
+    print(host.pid, flush=True)
+    host.tick()
+"""
+
+
+def test_a_child_that_hangs_ends_with_its_parent(tmp_path: Path) -> None:
+    write_plugin(tmp_path, "lamp", LAMP_PLUGIN)
+    (tmp_path / "lamp.json").write_text(blueprint_of(LAMP).document.text)
+    script = tmp_path / "parent.py"
+    script.write_text(PARENT)
+    command = [sys.executable, str(script), str(tmp_path / "lamp.json"), str(tmp_path)]
+    root = str(Path(__file__).parents[2])
+    with subprocess.Popen(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        env={**os.environ, "PYTHONPATH": root},
+    ) as parent:
+        assert parent.stdout is not None
+        child = int(parent.stdout.readline())
+        parent.kill()
+    assert _ends(child)
+
+
+def _ends(pid: int, limit: float = 10.0) -> bool:
+    deadline = time.monotonic() + limit
+    while time.monotonic() < deadline:
+        try:
+            os.kill(pid, 0)
+            state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        except (ProcessLookupError, FileNotFoundError):
+            return True
+        if state == "Z":
+            return True
+        os.sched_yield()
+    return False
+
+
+def test_poses_are_read_whole_or_as_they_were() -> None:
+    ours = SharedPoses(14)
+    theirs = SharedPoses(14, ours.name)
+    assert ours.read() == (0.0,) * 14
+    theirs.write([float(i) for i in range(14)])
+    theirs.beat(3)
+    assert (ours.read(), ours.pulse) == (tuple(map(float, range(14))), 3)
+    theirs.close()
+    ours.close()
+    ours.close()
+    assert ours.read() == tuple(map(float, range(14)))

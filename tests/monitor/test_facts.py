@@ -1,0 +1,94 @@
+"""Facts age, say why they are unknown, and are refreshed by growing samples only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from smsl_studio.blueprint.check import Reading
+from smsl_studio.monitor.facts import FactMonitor
+from smsl_studio.monitor.sample import Sample
+
+
+@dataclass(frozen=True)
+class Sensor:
+    name: str = "eye"
+    branch: str = "SB1"
+    digit: int = 0
+    max_age: float = 0.3
+    aggregation: str = "single"
+
+
+def _sample(value: str | None, sequence: int, boot: int = 0, source: str = "eye") -> Sample:
+    return Sample("SB1", 0, source, value, 0.0, sequence, boot, "" if value else "it is dark")
+
+
+def _read(monitor: FactMonitor, now: float) -> Reading:
+    reading = monitor.scene(now).get("SB1", 0)
+    assert reading is not None
+    return reading
+
+
+def test_a_fact_is_known_until_it_is_too_old() -> None:
+    monitor = FactMonitor([Sensor()])
+    assert _read(monitor, 0.0) == Reading(None, "no reading yet", 0.0)
+    monitor.accept([_sample("a", 1)], 1.0)
+    assert _read(monitor, 1.0) == Reading("a", "", 0.0)
+    assert _read(monitor, 1.3).value == "a"
+    assert _read(monitor, 1.31).value is None
+    assert _read(monitor, 2.2).reason == "no reading for 1.2 s"
+
+
+def test_no_valid_reading_is_unknown_with_its_reason() -> None:
+    monitor = FactMonitor([Sensor()])
+    monitor.accept([_sample("a", 1)], 1.0)
+    monitor.accept([_sample(None, 2)], 1.1)
+    assert _read(monitor, 1.1) == Reading(None, "it is dark", 0.0)
+
+
+def test_late_and_repeated_samples_refresh_nothing() -> None:
+    monitor = FactMonitor([Sensor()])
+    monitor.accept([_sample("a", 5, boot=1)], 1.0)
+    monitor.accept([_sample("b", 5, boot=1), _sample("c", 4, boot=1), _sample("d", 9)], 2.0)
+    assert _read(monitor, 2.0).value is None
+    monitor.accept([_sample("e", 1, boot=2)], 2.1)
+    assert _read(monitor, 2.1).value == "e"
+
+
+@given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 5)), min_size=1))
+def test_the_newest_is_what_counts_whatever_the_order(samples: list[tuple[int, int]]) -> None:
+    monitor = FactMonitor([Sensor()])
+    for now, (boot, sequence) in enumerate(samples):
+        monitor.accept([_sample(f"{boot}.{sequence}", sequence, boot)], float(now))
+    boot, sequence = max(samples)
+    received = samples.index((boot, sequence))
+    reading = _read(monitor, received + 0.1)
+    assert reading.value == f"{boot}.{sequence}"
+
+
+def test_strangers_are_not_heard() -> None:
+    monitor = FactMonitor([Sensor()])
+    monitor.accept([_sample("a", 1, source="passer-by")], 1.0)
+    assert _read(monitor, 1.0).value is None
+    assert monitor.scene(1.0).get("SB1", 1) is None
+
+
+def test_sensors_that_disagree_make_a_fact_unknown() -> None:
+    monitor = FactMonitor([Sensor("eye"), Sensor("ear")])
+    monitor.accept([_sample("a", 1)], 1.0)
+    assert _read(monitor, 1.0).value == "a"
+    monitor.accept([_sample("a", 1, source="ear")], 1.1)
+    assert _read(monitor, 1.1) == Reading("a", "", 0.0)
+    monitor.accept([_sample("b", 2, source="ear")], 1.2)
+    assert _read(monitor, 1.2).reason == "conflict: eye says a, ear says b"
+
+
+def test_by_priority_the_first_that_can_speak_decides() -> None:
+    first, second = Sensor("eye", aggregation="priority"), Sensor("ear", aggregation="priority")
+    monitor = FactMonitor([first, second])
+    monitor.accept([_sample("b", 1, source="ear"), _sample("a", 1)], 1.0)
+    assert _read(monitor, 1.0).value == "a"
+    monitor.accept([_sample("b", 2, source="ear"), _sample(None, 2)], 1.1)
+    assert _read(monitor, 1.1).value == "b"
