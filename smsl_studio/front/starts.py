@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from itertools import islice, product
 
 from smsl_studio.blueprint.address import Address
@@ -15,32 +15,41 @@ TRIES = 2000
 """Shared sub-SBs can make a start hard to find: after so many tries there is none."""
 
 
-def starts_for(hierarchy: Hierarchy, branch: str, state: str) -> Iterator[dict[str, str]]:
+def starts_for(
+    hierarchy: Hierarchy, branch: str, state: str, also: Collection[str] = ()
+) -> Iterator[dict[str, str]]:
     """Configurations in which ``branch`` stands in ``state``, INITIAL states of roots first.
 
-    Its subs stand as clause 3 says, its bases in whatever state agrees.
+    Its subs stand as clause 3 says, its bases in whatever state agrees. Roots that share a sub-SB
+    with it, or stand above an SB in ``also``, are tried in every state; the others stay in INITIAL.
     """
+    tree = set(hierarchy.tree(branch)) | set(also)
     for above in islice(_above(hierarchy, branch, state), TRIES):
-        others = [root for root in hierarchy.roots if root not in above]
+        others = [
+            root
+            for root in hierarchy.roots
+            if root not in above and tree & set(hierarchy.tree(root))
+        ]
         for states in islice(product(*(_states(hierarchy, root) for root in others)), TRIES):
             given = {**above, **dict(zip(others, states, strict=True))}
             try:
                 yield start_configuration(hierarchy, given)
             except RunRefused:
                 continue
-            break
 
 
 def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | None:
     """A configuration from which an edge can be asked, else one in its source, else None.
 
     An operation of a sub that enters or leaves ACTIVATING can only be asked where each base has a
-    rise or fall to go along (clause 10).
+    rise or fall to go along (clause 10); one that requires facts only where they hold.
     """
     stepper = Stepper(hierarchy)
     known = stepper.edges.get(edge)
+    required = {name for name, _, _ in known.requires} if known else set()
     first = None
-    for configuration in islice(starts_for(hierarchy, edge.branch, edge.state), TRIES):
+    starts = starts_for(hierarchy, edge.branch, edge.state, required)
+    for configuration in islice(starts, TRIES):
         first = first or configuration
         if known is None or isinstance(stepper.step(configuration, known), JointStep):
             return configuration

@@ -1,0 +1,120 @@
+"""The program: help, versions, plugins, wrong words; and how it behaves in a pipe."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.cli.shell import Shell, sample
+from tests.plugin_folder import LAMP_PLUGIN, write_plugin
+
+COMMANDS = ("check", "route", "run", "sweep", "worlds", "plugins")
+
+
+def _start(*argv: str, stdout: int = subprocess.PIPE) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "smsl_studio", *argv],
+        stdout=stdout,
+        stderr=subprocess.PIPE,
+        text=True,
+        cwd=Path(__file__).parents[2],
+    )
+
+
+def test_help_lists_the_commands_and_no_others(shell: Shell) -> None:
+    for argv in ([], ["--help"], ["-h"]):
+        answer = shell(*argv)
+        assert answer.status == 0
+        lines = [line for line in answer.out.splitlines() if line.startswith("  ")]
+        listed = [line.split()[0] for line in lines if line[2] != " "]
+        assert listed == ["open", *COMMANDS, "-h,", "-V,"]
+
+
+@pytest.mark.parametrize("command", ["open", *COMMANDS])
+def test_every_command_has_help(shell: Shell, command: str) -> None:
+    answer = shell(command, "--help")
+    assert (answer.status, answer.err) == (0, "")
+    assert answer.out.startswith(f"usage: smsl-studio {command}")
+
+
+def test_the_version_is_one_line(shell: Shell) -> None:
+    answer = shell("--version")
+    assert answer.status == 0
+    assert answer.out.startswith("smsl-studio ")
+    assert answer.out.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("argv", "advice"),
+    [
+        (["chekc", "x.json"], "Did you mean check?"),
+        (["--frob"], "--help"),
+        (["check"], "smsl-studio check --help"),
+        (["check", "--frob", "x.json"], "smsl-studio check --help"),
+        (["check", "--rule", "R99", "x.json"], "R"),
+        (["check", "no/such/file.json"], "Check the path"),
+    ],
+)
+def test_wrong_words_are_two_sentences(shell: Shell, argv: list[str], advice: str) -> None:
+    answer = shell(*argv)
+    assert (answer.status, answer.out) == (2, "")
+    first, second = answer.err.splitlines()
+    assert first
+    assert advice in second
+
+
+def test_worlds_and_plugins_say_what_there_is_and_what_is_broken(shell: Shell, home: Path) -> None:
+    write_plugin(home / "plugins", "lamp", LAMP_PLUGIN)
+    broken = write_plugin(home / "plugins", "broken", "def register(library):\n    1 / 0\n")
+    worlds = shell("worlds", "--format", "json")
+    assert worlds.status == 0
+    assert {"table", "lamp", "hanoi"} <= {world["name"] for world in worlds.json["worlds"]}
+    plugins = shell("plugins", "--format", "json").json
+    lamp = next(plugin for plugin in plugins["plugins"] if plugin["name"] == "lamp")
+    assert (lamp["source"], lamp["worlds"]) == ("user", ["lamp"])
+    assert {"function": "lamp.switch", "pattern": "Op_{to}"} in lamp["operations"]
+    (fault,) = plugins["faults"]
+    assert (fault["plugin"], fault["line"]) == ("broken", 2)
+    assert fault["file"] == str(broken / "plugin.py")
+    for command in ("worlds", "plugins"):
+        text = shell(command).out
+        assert "lamp" in text
+        assert f"{broken}/plugin.py:2:1: the plugin 'broken' did not load: Zero" in text
+
+
+def test_a_reader_that_goes_away_is_no_traceback() -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    with _start("check", sample("hanoi"), stdout=writer) as program:
+        os.close(writer)
+        _, err = program.communicate(timeout=60)
+    assert (program.returncode, err) == (1, "")
+
+
+def test_ctrl_c_ends_a_run_in_order() -> None:
+    argv = ("run", sample("registration"), "--world", "table", "--speed", "0.02")
+    with _start(*argv, "--format", "json") as program:
+        assert program.stdout is not None
+        while "operation_started" not in program.stdout.readline():
+            pass
+        program.send_signal(signal.SIGINT)
+        rest, err = program.communicate(timeout=60)
+    assert program.returncode == 1
+    assert '"event":"run_finished"' in rest.splitlines()[-1]
+    assert '"reason":"stopped"' in rest.splitlines()[-1]
+    assert "Traceback" not in err
+
+
+def test_colours_only_on_a_terminal_that_wants_them(
+    shell: Shell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "\x1b" not in shell("check", sample("hanoi")).out
+    monkeypatch.setattr("_pytest.capture.CaptureIO.isatty", lambda self: True)
+    assert "\x1b[31m" in shell("check", sample("hanoi")).out
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert "\x1b" not in shell("check", sample("hanoi")).out

@@ -1,0 +1,60 @@
+"""``route``: the cheapest way, and states that do not exist."""
+
+from __future__ import annotations
+
+from tests.cli.shell import Shell, sample
+
+FROM_TO = ("--from", "State_aaa", "--to", "State_ccc")
+
+
+def test_hanoi_takes_seven_operations(shell: Shell) -> None:
+    answer = shell("route", sample("hanoi"), *FROM_TO, "--format", "json")
+    assert answer.status == 0
+    assert list(answer.json) == ["operations", "states", "cost"]
+    assert len(answer.json["operations"]) == answer.json["cost"] == 7
+    assert answer.json["operations"][0] == "SB1/State_aaa/Op_1c"
+    assert answer.json["states"][::7] == ["State_aaa", "State_ccc"]
+    text = shell("route", sample("hanoi"), *FROM_TO)
+    assert text.out.splitlines()[-1] == "7 operations, cost 7"
+
+
+def test_what_is_avoided_is_not_used(shell: Shell) -> None:
+    avoid = ("--avoid", "SB1/State_aaa/Op_1c", "--avoid", "State_baa/Op_2c")
+    answer = shell("route", sample("hanoi"), *FROM_TO, *avoid, "--format", "json")
+    assert answer.status == 0
+    assert not {"SB1/State_aaa/Op_1c", "SB1/State_baa/Op_2c"} & set(answer.json["operations"])
+    assert answer.json["cost"] > 7
+
+
+def test_where_no_route_leads_the_answer_is_no(shell: Shell) -> None:
+    answer = shell("route", sample("hfsm"), "--from", "State111", "--to", "State000")
+    assert (answer.status, answer.out) == (1, "")
+    assert "no route leads from State111 to State000" in answer.err
+
+
+def test_a_route_costs_what_its_sub_routes_cost(shell: Shell) -> None:
+    ends = ("--from", "State000", "--to", "SB1/State111", "--format", "json")
+    answer = shell("route", sample("hfsm"), *ends)
+    assert answer.json == {
+        "operations": ["SB1/State000/Operation000", "SB1/State100/Operation100B"],
+        "states": ["State000", "State100", "State111"],
+        "cost": 3.0,
+    }
+    around = shell("route", sample("hfsm"), *ends, "--avoid", "SB1/State100/Operation100B")
+    assert around.json["states"] == ["State000", "State100", "State110", "State111"]
+
+
+def test_a_sub_sb_has_routes_of_its_own(shell: Shell) -> None:
+    ends = ("--from", "State1", "--to", "State0", "--sb", "SB2", "--format", "json")
+    assert shell("route", sample("hfsm"), *ends).json["operations"] == ["SB2/State1/Operation1"]
+
+
+def test_a_state_that_does_not_exist_has_a_near_name(shell: Shell) -> None:
+    answer = shell("route", sample("hanoi"), "--from", "SB1/State_aax", "--to", "State_ccc")
+    assert answer.status == 2
+    assert "there is no state 'State_aax' in SB1" in answer.err
+    assert "Did you mean State_" in answer.err
+    ends = ("--from", "State_aaa", "--to", "State_ccd", "--sb", "SB1")
+    assert "there is no state 'State_ccd' in SB1" in shell("route", sample("hanoi"), *ends).err
+    assert shell("route", sample("hanoi"), *FROM_TO, "--sb", "SB9").status == 2
+    assert shell("route", sample("hanoi"), "--from", "SB1", "--to", "State_ccc").status == 2
