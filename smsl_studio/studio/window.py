@@ -256,7 +256,6 @@ class Window(QMainWindow):
         name, edited = self.files.name, self.session.edited
         self.menu_row.show_title(name, edited)
         self.setWindowTitle(f"{name}{' (edited)' if edited else ''} · SMSL Studio")
-        self.setWindowModified(edited)
 
     def _checking(self) -> None:
         self.findings.set_checking()

@@ -1,0 +1,191 @@
+"""The tree widget of the outline, and how its lines are painted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QMouseEvent, QPainter
+from PySide6.QtWidgets import (
+    QLineEdit,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QWidget,
+)
+
+from smsl_studio.studio.chips import VALUE, paint_chip
+from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
+from smsl_studio.studio.panels.outline_lines import Line
+from smsl_studio.studio.rows import Ink, paint_text
+from smsl_studio.studio.theme import Tokens
+
+ROW, INDENT = 28, 13
+Index = QModelIndex | QPersistentModelIndex
+
+
+class OutlineTree(QTreeWidget):
+    def __init__(self, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self.setAccessibleName("State Branches")
+        self.setHeaderHidden(True)
+        self.setIndentation(INDENT)
+        self.setUniformRowHeights(True)
+        self.setMouseTracking(True)
+        self.setExpandsOnDoubleClick(False)
+        self.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._delegate = OutlineDelegate(tokens, self)
+        self.setItemDelegate(self._delegate)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = self._delegate.tokens = tokens
+        self.viewport().update()
+
+    @property
+    def naming(self) -> bool:
+        """Whether a name is being edited in place."""
+        return self.state() == QTreeWidget.State.EditingState
+
+    def items(self) -> Iterator[QTreeWidgetItem]:
+        """Every item, from top to bottom."""
+        waiting = [self.topLevelItem(at) for at in range(self.topLevelItemCount())]
+        while waiting:
+            item = waiting.pop(0)
+            if item is not None:
+                yield item
+                waiting = [item.child(at) for at in range(item.childCount())] + waiting
+
+    def show_lines(self, lines: Sequence[Line]) -> None:
+        """Show these lines; what was closed stays closed, and only what differs is built anew."""
+        self.blockSignals(True)
+        if [line.plain for line in lines] == [line_of(item).plain for item in self.items()]:
+            for item, line in zip(self.items(), lines, strict=True):
+                _put(item, line)
+            self.viewport().update()
+        else:
+            self._build(lines)
+        self.blockSignals(False)
+
+    def _build(self, lines: Sequence[Line]) -> None:
+        closed = {
+            (line_of(item).branch, line_of(item).digit)
+            for item in self.items()
+            if item.childCount() and not item.isExpanded()
+        }
+        self.clear()
+        above = [self.invisibleRootItem()]
+        for line in lines:
+            del above[line.depth + 1 :]
+            item = QTreeWidgetItem(above[-1])
+            _put(item, line)
+            above.append(item)
+        for item in self.items():
+            item.setExpanded((line_of(item).branch, line_of(item).digit) not in closed)
+
+    def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
+        if self.selectionModel().isSelected(index):
+            painter.fillRect(rect, self._tokens.accs)
+
+    def drawRow(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        super().drawRow(painter, option, index)
+        if self.model().hasChildren(index):
+            row = self.visualRect(index)
+            name = "chevron-down" if self.isExpanded(index) else "chevron-right"
+            box = QRectF(row.left() - 5, row.center().y() - 4.5, 11, 11)
+            draw(painter, name, box, self._tokens.tx2, self._tokens.surf)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """A click on the chevron opens and closes; it stands where the branch's own row begins."""
+        index = self.indexAt(event.position().toPoint())
+        near = index.isValid() and self.model().hasChildren(index)
+        if near and event.position().x() < self.visualRect(index).left() + 9:
+            self.setExpanded(index, not self.isExpanded(index))
+            return
+        super().mousePressEvent(event)
+
+
+class OutlineDelegate(QStyledItemDelegate):
+    def __init__(self, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        return QSize(10, ROW)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        line: Line = index.data(Qt.ItemDataRole.UserRole)
+        rect = QRectF(option.rect)
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        painter.save()
+        if chosen:
+            painter.fillRect(rect, self.tokens.accs)
+        if line.digit is None:
+            self._branch(painter, rect, line, chosen)
+        else:
+            self._fact(painter, rect, line)
+        painter.restore()
+
+    def _branch(self, painter: QPainter, rect: QRectF, line: Line, chosen: bool) -> None:
+        tokens = self.tokens
+        mid = rect.center().y()
+        badge = QRectF(rect.right() - 31, mid - 10, 20, 20)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(tokens.sunk)
+        painter.drawRoundedRect(badge, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, Ink(tokens.tx2, 11, 500))
+        right = badge.left() - 6
+        if line.severity:
+            box = QRectF(right - 15, mid - 7, 14, 14)
+            colour = severity_colour(line.severity, tokens)
+            draw(painter, SEVERITY_ICON[line.severity], box, colour, tokens.surf)
+            right -= 21
+        box = QRectF(rect.left() + 14, mid - 7.5, 15, 15)
+        draw(painter, "layers", box, tokens.acc if chosen else tokens.tx2, tokens.surf)
+        room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
+        paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
+
+    def _fact(self, painter: QPainter, rect: QRectF, line: Line) -> None:
+        tokens = self.tokens
+        chip = QRectF(rect.left() + 15, rect.center().y() - 9, 18, 18)
+        paint_chip(painter, chip, str(line.digit), VALUE, tokens, sub=line.sub)
+        right = rect.right() - 12
+        if line.right:
+            room = rect.adjusted(rect.width() / 2, 0, -12, 0)
+            right -= paint_text(
+                painter, room, line.right, Ink(tokens.tx2, 12, mono=True), right=True
+            )
+        room = QRectF(rect.left() + 41, rect.top(), right - rect.left() - 47, rect.height())
+        paint_text(painter, room, line.text, Ink(tokens.tx))
+
+    def updateEditorGeometry(
+        self, editor: QWidget, option: QStyleOptionViewItem, index: Index
+    ) -> None:
+        rect: QRect = option.rect
+        editor.setGeometry(rect.adjusted(33, 0, -4, 0))
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        editor = QLineEdit(parent)
+        editor.setProperty("role", "flat")
+        editor.setAccessibleName("Name of the State Branch")
+        editor.setStyleSheet("background: palette(base);")
+        return editor
+
+
+def line_of(item: QTreeWidgetItem) -> Line:
+    """The line an item shows."""
+    found: Line = item.data(0, Qt.ItemDataRole.UserRole)
+    return found
+
+
+def _put(item: QTreeWidgetItem, line: Line) -> None:
+    item.setText(0, line.text)
+    item.setData(0, Qt.ItemDataRole.UserRole, line)
+    item.setToolTip(0, line.tip)
+    if line.digit is None:
+        item.setFlags(item.flags() | Qt.ItemFlag.ItemIsEditable)

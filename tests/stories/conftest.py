@@ -1,0 +1,44 @@
+"""A window, and a person at it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.studio.app import make_window
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.style import dress
+from smsl_studio.studio.theme import LIGHT
+from smsl_studio.studio.window import Window
+from tests.stories.person import Person
+
+Sit = Callable[..., Person]
+
+
+@pytest.fixture
+def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
+    """Open a window on a copy of a file (or an empty one) and sit down at it."""
+    windows: list[Window] = []
+
+    def open_on(path: Path | None = None, size: tuple[int, int] = (1440, 900)) -> Person:
+        settings = Settings(home)
+        settings.theme = "light"
+        dress(qapp, LIGHT)
+        window = make_window(qapp, settings, str(path) if path else "")
+        windows.append(window)
+        window.resize(*size)
+        window.activateWindow()
+        qtbot.waitUntil(window.isActiveWindow)
+        window.canvas.setFocus()
+        return Person(window, qtbot)
+
+    yield open_on
+    for window in windows:
+        window.session.history.setClean()
+        window.close()
+        window.deleteLater()
+    qapp.processEvents()
