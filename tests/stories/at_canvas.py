@@ -82,6 +82,8 @@ class Drawer:
     # What a hand does
 
     def hover(self, point: QPoint) -> None:
+        # A hand is never quite still; a pointer that is there already tells nothing.
+        QTest.mouseMove(self.hands_on, point + QPoint(1, 1))
         QTest.mouseMove(self.hands_on, point)
         QApplication.processEvents()
 

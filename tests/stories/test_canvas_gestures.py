@@ -30,7 +30,9 @@ def hanoi(qtbot: QtBot) -> Drawer:
     return Drawer(qtbot, sample("hanoi-corrected.json"))
 
 
-def turn(person: Drawer, at: QPoint, notches: int, modifiers: Modifier = Modifier.NoModifier) -> None:
+def turn(
+    person: Drawer, at: QPoint, notches: int, modifiers: Modifier = Modifier.NoModifier
+) -> None:
     """Turn the wheel over a point."""
     event = QWheelEvent(
         QPointF(at),
@@ -170,7 +172,10 @@ def test_a_drag_moves_the_whole_selection_and_alt_leaves_the_grid(hfsm: Drawer) 
     start = hfsm.place("State100")
     hfsm.drag(start, start + QPoint(30, 50))
     after = hfsm.canvas.positions
-    step = after["State100"][0] - before["State100"][0], after["State100"][1] - before["State100"][1]
+    step = (
+        after["State100"][0] - before["State100"][0],
+        after["State100"][1] - before["State100"][1],
+    )
     assert step != (0.0, 0.0)
     assert (
         after["State000"][0] - before["State000"][0],

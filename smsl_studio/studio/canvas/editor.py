@@ -129,11 +129,12 @@ class CanvasEditor(QObject):
                     editing.add_branch(blueprint, "SB1"), "SB1", name, place
                 )
 
+            camera = self.canvas.camera
+            seen = camera.centre, camera.zoom
             reason = self._edit(f"Add {name}", change)
             if not reason:
-                camera = self.canvas.camera
-                seen = camera.centre, camera.zoom
                 self.session.show_branch("SB1")
+                # A new SB is fitted when it is shown; the state stays under the pointer.
                 camera.fitted = False
                 camera.go(*seen, smooth=False)
                 self.session.select((Address("SB1", name),))

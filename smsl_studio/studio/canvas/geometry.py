@@ -62,16 +62,6 @@ class Geometry:
         x, y = shape.at(shape.length / 2)
         return x - w / 2, y - h / 2, x + w / 2, y + h / 2
 
-    def beside(self, edge: int, gap: float = 2.0) -> labels.Rect:
-        """A place for an edge's label beside its line, on the outer side."""
-        shape, unit = self.shape(edge), self.style.unit
-        w, h = self._label_size(edge)
-        along = shape.length * (0.5 if self.style.compact else 0.45)
-        left, top, right, bottom = labels.outside(
-            shape, along, (w - 6.0 * unit, h), gap * unit
-        )
-        return left - 3.0 * unit, top, right + 3.0 * unit, bottom
-
     def forget(self, states: Iterable[int]) -> list[int]:
         """Drop the lines at states that moved; returns the edges concerned.
 

@@ -144,12 +144,14 @@ def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float
     return along - reach >= -2.0 * unit and along + reach <= shape.length - 7.0 * unit
 
 
-def outside(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> Rect:
-    """Beside a line on its outer side, touching it."""
+def outside(
+    shape: EdgeShape, along: float, size: tuple[float, float], gap: float, side: int = 1
+) -> Rect:
+    """Beside a line with a gap to it, on its outer side (or, with ``side`` -1, on its inner one)."""
     x, y = shape.at(along)
     dx, dy = shape.direction(along)
-    nx, ny = -dy * shape.out, dx * shape.out
-    reach = abs(nx) * size[0] / 2 + abs(ny) * size[1] / 2 + unit
+    nx, ny = -dy * shape.out * side, dx * shape.out * side
+    reach = abs(nx) * size[0] / 2 + abs(ny) * size[1] / 2 + gap
     return _centred((x + nx * reach, y + ny * reach), size)
 
 

@@ -12,18 +12,10 @@ from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.studio.canvas import batch
-from smsl_studio.studio.canvas.edge_paint import (
-    EdgeText,
-    label_size,
-    paint_label,
-    paint_line,
-    paint_pill,
-    paint_sign,
-    pill_width,
-)
+from smsl_studio.studio.canvas.edge_paint import paint_label, paint_line, paint_pill, paint_sign
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
-from smsl_studio.studio.canvas.labels import Rect
 from smsl_studio.studio.canvas.levels import Level
+from smsl_studio.studio.canvas.lit_labels import lit_labels
 from smsl_studio.studio.canvas.shape import Floats
 from smsl_studio.studio.canvas.sheet import Sheet
 
@@ -210,68 +202,22 @@ class LitLayer(Layer):
         painter.save()
         painter.scale(unit, unit)
         for edge in order:
-            self._words(painter, sheet, edge)
+            look, shape = looks.edge(edge), geometry.shape(edge)
+            if look.pruned or look.held_back or look.risky:
+                x, y = shape.at(shape.length / 2)
+                paint_sign(painter, x / unit, y / unit, look, sheet.ink)
+        for label in lit_labels(sheet, order):
+            left, top, right, bottom = (value / unit for value in label.rect)
+            middle = QPointF((left + right) / 2, (top + bottom) / 2)
+            if label.pill:
+                at = QPointF(left, middle.y())
+                paint_pill(painter, label.text.text, label.pill.strip(), at, sheet.ink)
+            else:
+                look = looks.edge(label.edge)
+                paint_label(painter, label.text, middle, look, sheet.ink, label.ground)
         painter.restore()
         painter.setPen(NO_PEN)
         painter.setBrush(NO_BRUSH)
-
-    def _words(self, painter: QPainter, sheet: Sheet, edge: int) -> None:
-        """Sign and label of a lit edge."""
-        geometry, unit = sheet.geometry, sheet.unit
-        look, shape, text = sheet.looks.edge(edge), geometry.shape(edge), sheet.text(edge)
-        if look.running is not None and not look.finding:
-            self._pill(painter, sheet, edge)
-            return
-        place = geometry.label(edge)
-        rect = place or geometry.fallback(edge)
-        ground = True
-        x, y = shape.at(shape.length / 2)
-        if look.pruned or look.held_back or look.risky:
-            paint_sign(painter, x / unit, y / unit, look, sheet.ink)
-            if look.pruned:
-                text = EdgeText(f"{text.text} pruned", text.kind)
-            rect, ground = _near_sign(sheet, text, x, y), False
-        elif sheet.compact and (look.trail or look.planned or look.possible):
-            # Short lines would vanish below their label: it stands beside them.
-            rect, ground = geometry.beside(edge), False
-        centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
-        paint_label(painter, text, centre, look, sheet.ink, ground)
-
-    def _pill(self, painter: QPainter, sheet: Sheet, edge: int) -> None:
-        """What runs, beside the line, where it covers no node."""
-        unit, shape = sheet.unit, sheet.geometry.shape(edge)
-        name, words = sheet.picture.operations[edge], sheet.looks.marks.running_words
-        words = words.removeprefix(name).strip()
-        width = pill_width(name, words, sheet.ink) * unit
-        x, y = shape.at(shape.length / 2)
-        gap, half = 20.0 * unit, 13.0 * unit
-        places = [
-            (x + gap, y - 6.0 * unit),
-            (x - gap - width, y - 6.0 * unit),
-            (x + gap, y + 26.0 * unit),
-            (x + gap, y - 36.0 * unit),
-            (x - gap - width, y + 26.0 * unit),
-        ]
-        free = [p for p in places if not sheet.states_in(p[0], p[1] - half, p[0] + width, p[1] + half)]
-        left, middle = (free or places)[0]
-        paint_pill(painter, name, words, QPointF(left / unit, middle / unit), sheet.ink)
-
-
-def _near_sign(sheet: Sheet, text: EdgeText, x: float, y: float) -> Rect:
-    """The place of a label beside the sign on its line, where it covers no node."""
-    unit = sheet.unit
-    w, h = (value * unit / 2 for value in label_size(text, sheet.ink))
-    apart = 12.0 * unit
-    places = [
-        (x, y + h + apart),
-        (x, y - h - apart),
-        (x, y + h + apart + 6.0 * unit),
-        (x + w + apart, y),
-        (x - w - apart, y),
-    ]
-    rects = [(a - w, b - h, a + w, b + h) for a, b in places]
-    free = (r for r in rects if not sheet.states_in(r[0] + unit, r[1], r[2] - unit, r[3]))
-    return next(free, rects[0])
 
 
 def _weight(look: object) -> int:

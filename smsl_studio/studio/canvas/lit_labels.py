@@ -1,0 +1,130 @@
+"""Where the labels of lit edges stand: beside short lines, clear of nodes and of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from smsl_studio.studio.canvas import labels
+from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size, pill_width
+from smsl_studio.studio.canvas.labels import Rect
+from smsl_studio.studio.canvas.shape import EdgeShape
+from smsl_studio.studio.canvas.sheet import Sheet
+
+MOST = 400
+"""Beyond so many lit edges only those with a place of their own keep their label."""
+
+
+@dataclass(frozen=True)
+class LitLabel:
+    """A label of a lit edge; ``ground`` says whether it stands on its line and needs a ground."""
+
+    edge: int
+    text: EdgeText
+    rect: Rect
+    ground: bool = True
+    pill: str = ""
+
+
+def lit_labels(sheet: Sheet, edges: Iterable[int]) -> list[LitLabel]:
+    """The labels of these edges, the most important last in ``edges``; some may find no place."""
+    taken: list[Rect] = []
+    found: list[LitLabel] = []
+    for count, edge in enumerate(reversed(list(edges))):
+        label = _label(sheet, edge, taken) if count < MOST else _plain(sheet, edge)
+        if label is not None:
+            taken.append(label.rect)
+            found.append(label)
+    found.reverse()
+    return found
+
+
+def _label(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
+    look, shape, text = sheet.edge_look(edge), sheet.geometry.shape(edge), sheet.text(edge)
+    if look.finding:
+        w, h = boxed_width(text, sheet.ink) * sheet.unit, 18.0 * sheet.unit
+        rect = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)
+        x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
+        return LitLabel(edge, text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2))
+    if look.running is not None:
+        return _pill(sheet, edge, shape, taken)
+    if look.pruned or look.held_back or look.risky:
+        if look.pruned:
+            text = EdgeText(f"{text.text} pruned", text.kind, text.mono)
+        return _first(sheet, edge, text, _near_sign(sheet, text, shape), taken, False)
+    if sheet.compact and (look.trail or look.planned or look.possible):
+        # Short lines would vanish below their label: it stands beside them.
+        size = _size(sheet, text)
+        rects = [
+            labels.outside(shape, shape.length * share, size, 2.0 * sheet.unit, side)
+            for side in (1, -1)
+            for share in (0.5, 0.35, 0.65)
+        ]
+        return _first(sheet, edge, text, rects, taken, False)
+    return _plain(sheet, edge)
+
+
+def _plain(sheet: Sheet, edge: int) -> LitLabel | None:
+    """A label on its line, also one that hides while its edge is not lit."""
+    look, rect = sheet.edge_look(edge), sheet.geometry.label(edge)
+    if rect is None and not (look.selected or look.hovered):
+        return None
+    return LitLabel(edge, sheet.text(edge), rect or sheet.geometry.fallback(edge))
+
+
+def _size(sheet: Sheet, text: EdgeText) -> tuple[float, float]:
+    w, h = label_size(text, sheet.ink)
+    return (w - 5.0) * sheet.unit, h * sheet.unit
+
+
+def _first(
+    sheet: Sheet, edge: int, text: EdgeText, rects: list[Rect], taken: list[Rect], ground: bool
+) -> LitLabel:
+    """At the first of these places that covers neither a node nor a label, else at the first."""
+    free = (r for r in rects if _is_free(sheet, r, taken))
+    return LitLabel(edge, text, next(free, rects[0]), ground)
+
+
+def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
+    left, top, right, bottom = rect
+    if sheet.states_in(left, top, right, bottom):
+        return False
+    return not any(l < right and left < r and t < bottom and top < b for l, t, r, b in taken)
+
+
+def _near_sign(sheet: Sheet, text: EdgeText, shape: EdgeShape) -> list[Rect]:
+    """Places around the sign in the middle of a line."""
+    unit = sheet.unit
+    x, y = shape.at(shape.length / 2)
+    w, h = (value / 2 for value in _size(sheet, text))
+    apart = 10.0 * unit
+    middles = [
+        (x, y + h + apart),
+        (x, y + h + apart + 5.0 * unit),
+        (x, y + h + apart + 11.0 * unit),
+        (x, y - h - apart),
+        (x + w + apart, y),
+        (x - w - apart, y),
+        (x, y - h - apart - 11.0 * unit),
+    ]
+    return [(a - w, b - h, a + w, b + h) for a, b in middles]
+
+
+def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect]) -> LitLabel:
+    """What runs and for how long, beside the line."""
+    unit = sheet.unit
+    name = sheet.picture.operations[edge]
+    words = sheet.looks.marks.running_words.removeprefix(name).strip()
+    width, half = pill_width(name, words, sheet.ink) * unit, 13.0 * unit
+    x, y = shape.at(shape.length / 2)
+    gap = 20.0 * unit
+    corners = [
+        (x + gap, y - 6.0 * unit),
+        (x - gap - width, y - 6.0 * unit),
+        (x + gap, y + 26.0 * unit),
+        (x + gap, y - 36.0 * unit),
+        (x - gap - width, y + 26.0 * unit),
+    ]
+    rects = [(a, b - half, a + width, b + half) for a, b in corners]
+    rect = next((r for r in rects if _is_free(sheet, r, taken)), rects[0])
+    return LitLabel(edge, EdgeText(name), rect, False, words or " ")
