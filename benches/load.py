@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from functools import partial
 
 import networkx as nx
 import orjson
@@ -29,7 +30,7 @@ def rows() -> Iterator[Row]:
             return [graph_of(branch) for branch in read_blueprint(parse_json(text, "bench.json"))]
 
         def into_networkx(raw: bytes = raw) -> object:
-            graph = nx.MultiDiGraph()
+            graph: nx.MultiDiGraph[str] = nx.MultiDiGraph()
             for states in orjson.loads(raw).values():
                 for source, operations in states.items():
                     for name, target in operations.items():
@@ -37,8 +38,8 @@ def rows() -> Iterator[Row]:
             return graph
 
         others = (
-            ("orjson.loads", median_ms(lambda raw=raw: orjson.loads(raw))),
-            ("json.loads", median_ms(lambda text=text: json.loads(text))),
+            ("orjson.loads", median_ms(partial(orjson.loads, raw))),
+            ("json.loads", median_ms(partial(json.loads, text))),
             ("networkx", median_ms(into_networkx, runs=3)),
         )
         yield Row(f"read Hanoi {disks}", median_ms(ours), "ms", others)

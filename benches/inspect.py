@@ -1,0 +1,35 @@
+"""Inspecting, laying out and routing 6,561 states and 19,680 operations (Hanoi with 8 disks)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import networkx as nx
+
+from benches.row import Row, median_ms
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.writing import values_of
+from smsl_studio.generate.rules import hanoi
+from smsl_studio.graph.layout import place_states
+from smsl_studio.graph.routing import cheapest
+from smsl_studio.inspection.inspect import inspect
+from smsl_studio.smsl.json_form import parse_json, write_json
+
+
+def rows() -> Iterator[Row]:
+    """Every call gets a blueprint nobody has asked anything yet."""
+    text = write_json(values_of(hanoi(8)))
+    document = parse_json(text, "bench.json")
+    branch = read_blueprint(document)["SB1"]
+    first, last = branch.initial, branch.activating
+    graph: nx.MultiDiGraph[str] = nx.MultiDiGraph()
+    graph.add_edges_from((edge.source, edge.target) for edge in branch.edges())
+
+    yield Row("inspect", median_ms(lambda: inspect(read_blueprint(document)), runs=3))
+    yield Row("layout", median_ms(lambda: place_states(read_blueprint(document)["SB1"]), runs=3))
+    yield Row(
+        "route, all disks over",
+        median_ms(lambda: cheapest(read_blueprint(document)["SB1"], first, last), runs=3),
+        "ms",
+        (("networkx", median_ms(lambda: nx.shortest_path(graph, first, last), runs=3)),),
+    )
