@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def register(library: OperationLibrary) -> None:
     """Offer the world ``hanoi`` with everything that moves and senses in it."""
 
-    @library.world("hanoi")
+    @library.world("hanoi", settle=0.2)
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Table:
         if len(blueprint) != 1:
             raise WorldError(
