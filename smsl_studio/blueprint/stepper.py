@@ -5,7 +5,7 @@ Pure: a configuration in, a value out. Dispatch, inspection and ``explore`` shar
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -79,7 +79,9 @@ class Stepper:
         self._allow(script.configuration, edge)
         places = self._loaded(edge) if edge.load else {}
         along = self._along(script.configuration, edge, places, held)
-        new = [script.begin(one, self._transit(one)) for one in (edge, *along)]
+        crossed = (sub for sub in places if self._crossing(script.configuration, sub, places[sub]))
+        new = [script.begin(edge, self._transit(edge, crossed))]
+        new += [script.begin(one, self._transit(one, ())) for one in along]
         carried, inner = new[0], {**held, **{one.edge.branch: one for one in new}}
         self._link(script, new, places, inner)
         if not edge.load:
@@ -115,11 +117,10 @@ class Stepper:
         if reasons:
             raise Unavailable(*reasons)
 
-    def _transit(self, edge: Edge) -> tuple[FactKey, ...]:
+    def _transit(self, edge: Edge, loaded: Iterable[str]) -> tuple[FactKey, ...]:
         """The base digits in transit from the start of a crossing to its commit."""
-        loaded = (*edge.falls, *edge.rises) if edge.load else ()
-        bases = self.hierarchy.bases[edge.branch] if edge.crossing else ()
-        return (*bases, *((edge.branch, digit) for digit in loaded))
+        crossed = [edge.branch] if edge.crossing else []
+        return tuple(fact for sub in (*crossed, *loaded) for fact in self.hierarchy.bases[sub])
 
     def _agree(self, script: Script) -> None:
         broken = disagreements(self.hierarchy, script.configuration)
@@ -139,11 +140,15 @@ class Stepper:
         if edge.crossing:
             self._take(configuration, edge.branch, edge.crossing, taken, {})
         for sub, state in places.items():
-            activating = self.hierarchy.blueprint[sub].activating
-            crossing = (state == activating) - (configuration[sub] == activating)
+            crossing = self._crossing(configuration, sub, state)
             if crossing:
                 self._take(configuration, sub, crossing, taken, {**places, edge.branch: ""})
         return tuple(taken.values())[before:]
+
+    def _crossing(self, configuration: Configuration, sub: str, state: str) -> int:
+        """1 where a sub would enter its ACTIVATING state, -1 where it would leave it, else 0."""
+        activating = self.hierarchy.blueprint[sub].activating
+        return (state == activating) - (configuration[sub] == activating)
 
     def _take(
         self,
