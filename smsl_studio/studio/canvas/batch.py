@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import shiboken6
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, QRectF
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter
 
 Floats = NDArray[np.float64]
 
@@ -41,10 +41,13 @@ def _wrapped(buffer: Floats, kind: type) -> Any:
     return shiboken6.wrapInstance(buffer.ctypes.data, kind)
 
 
-def draw_grid(painter: QPainter, area: QRectF, step: float, pen: QPen) -> None:
-    """Draw a dot every ``step`` in an area, where the multiples of ``step`` lie."""
+def draw_grid(
+    painter: QPainter, area: QRectF, step: float, size: float, colour: QColor
+) -> None:
+    """Draw a dot (a small square) every ``step`` in an area, at the multiples of ``step``."""
     xs = np.arange(np.floor(area.left() / step), np.ceil(area.right() / step) + 1) * step
     ys = np.arange(np.floor(area.top() / step), np.ceil(area.bottom() / step) + 1) * step
-    painter.setPen(pen)
-    grid = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2)
-    draw_points(painter, grid)
+    corners = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2) - size / 2
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    draw_rects(painter, np.hstack([corners, np.full_like(corners, size)]))

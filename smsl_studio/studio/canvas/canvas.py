@@ -10,13 +10,11 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
-    QColor,
     QContextMenuEvent,
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
     QPainter,
-    QPen,
     QResizeEvent,
     QShowEvent,
     QWheelEvent,
@@ -42,7 +40,7 @@ from smsl_studio.studio.theme import Tokens
 
 POOL = 320
 """So many near nodes are items of their own; more are painted by a layer."""
-DOT_STEP = 16.0
+DOT_STEP, DOT = 16.0, 1.5
 
 
 class Canvas(QGraphicsView):
@@ -493,7 +491,8 @@ class Canvas(QGraphicsView):
             step *= 2.0
         while step * self.zoom > 23.0:
             step /= 2.0
-        batch.draw_grid(painter, area, step, _dot_pen(tokens.dot))
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        batch.draw_grid(painter, area, step, DOT / self.zoom, tokens.dot)
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:
         super().scrollContentsBy(dx, dy)
@@ -569,9 +568,3 @@ class Canvas(QGraphicsView):
             return False
         return super().focusNextPrevChild(forward)
 
-
-def _dot_pen(colour: QColor) -> QPen:
-    pen = QPen(colour, 1.5)
-    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
-    pen.setCosmetic(True)
-    return pen

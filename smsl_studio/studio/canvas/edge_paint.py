@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
@@ -79,22 +80,44 @@ def paint_line(
     ink: Ink,
     unit: float,
     compact: bool = False,
+    drawn: Drawn | None = None,
 ) -> None:
-    """The line and its arrowhead; compact edges have a smaller one."""
+    """The line and its arrowhead; compact edges have a smaller one.
+
+    ``drawn`` keeps polygons from one painting to the next.
+    """
     tokens = ink.tokens
     if look.running is not None:
         _running(painter, shape, look.running, ink, unit)
         return
     colour, width, dashes = _stroke(look, ink, compact)
     head = HEAD + (1.0 if width > 1.6 else -1.0 if compact else 0.0)
-    body = polyline(shape.cut(0.0, shape.length - (head - 2.0) * unit))
+    body, tip = (drawn or Drawn()).of(shape, head * unit, (head - 2.0) * unit)
     painter.setBrush(NO_BRUSH)
     if look.trail:
         painter.setPen(pen(faded(tokens.acc, 0.16), 9.0 * unit))
         painter.drawPolyline(body)
     painter.setPen(pen(colour, width * unit, tuple(d * unit for d in dashes)))
     painter.drawPolyline(body)
-    paint_head(painter, shape, colour, head * unit)
+    painter.setPen(NO_PEN)
+    painter.setBrush(colour)
+    painter.drawPolygon(tip)
+
+
+class Drawn:
+    """Polygons of lines and arrowheads by shape; a shape that is dropped takes them along."""
+
+    def __init__(self) -> None:
+        self._kept: WeakKeyDictionary[EdgeShape, tuple[float, QPolygonF, QPolygonF]]
+        self._kept = WeakKeyDictionary()
+
+    def of(self, shape: EdgeShape, head: float, short: float) -> tuple[QPolygonF, QPolygonF]:
+        """The line, shorter by ``short``, and its arrowhead of length ``head``."""
+        found = self._kept.get(shape)
+        if found is None or found[0] != head:
+            body = polyline(shape.cut(0.0, shape.length - short))
+            found = self._kept[shape] = head, body, head_polygon(shape, head)
+        return found[1], found[2]
 
 
 def _stroke(

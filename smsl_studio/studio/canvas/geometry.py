@@ -74,7 +74,6 @@ class Geometry:
         for edge in concerned:
             self._shapes.pop(edge, None)
             self._labels.pop(edge, None)
-        self._places = None if not self.small else self._places
         return list(concerned)
 
     def box(self, state: int) -> Box:

@@ -6,7 +6,8 @@ hovered, selected or lit. Pure geometry; laid out once per layout.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -22,14 +23,30 @@ BESIDE_GAP = 6.0
 
 
 class LabelPlaces:
-    """The places taken so far, in a grid of cells; nodes and labels are never covered."""
+    """The places taken so far, in a grid of cells; nodes and labels are never covered.
+
+    ``boxes`` are the nodes, an (n, 4) array of centres and half sizes. They are sorted into cells
+    at once, so that a picture of thousands of states costs no loop.
+    """
 
     def __init__(self, boxes: Floats, unit: float) -> None:
         self._unit = unit
         self._cell = 96.0 * unit
+        if len(boxes):
+            self._cell = max(self._cell, float(boxes[:, 2:].max()) * 2.0 + 4.0 * unit)
         self._cells: dict[tuple[int, int], list[Rect]] = {}
-        for x, y, w, h in boxes.tolist():
-            self.take((x - w, y - h, x + w, y + h), 2.0)
+        margin = 2.0 * unit
+        self._nodes = np.hstack(
+            [boxes[:, :2] - boxes[:, 2:] - margin, boxes[:, :2] + boxes[:, 2:] + margin]
+        )
+        at = np.floor(boxes[:, :2] / self._cell).astype(np.int64)
+        key = at[:, 0] * 1_000_003 + at[:, 1]
+        order = np.argsort(key, kind="stable")
+        found, starts = np.unique(key[order], return_index=True)
+        stops = np.append(starts[1:], len(order))
+        self._rows = {
+            int(k): order[i:j] for k, i, j in zip(found, starts, stops, strict=True)
+        }
 
     def take(self, rect: Rect, margin: float = 1.0) -> None:
         """Keep a rectangle free of labels from now on."""
@@ -40,11 +57,24 @@ class LabelPlaces:
 
     def is_free(self, rect: Rect) -> bool:
         left, top, right, bottom = rect
-        return not any(
-            l < right and left < r and t < bottom and top < b
-            for cell in self._over(rect)
-            for l, t, r, b in self._cells.get(cell, ())
-        )
+        for cell in self._over(rect):
+            for l, t, r, b in self._cells.get(cell, ()):
+                if l < right and left < r and t < bottom and top < b:
+                    return False
+        return not self._covers_node(rect)
+
+    def _covers_node(self, rect: Rect) -> bool:
+        """A node reaches at most half a cell beyond the cell its centre lies in."""
+        left, top, right, bottom = rect
+        half = self._cell / 2
+        for x, y in self._over((left - half, top - half, right + half, bottom + half)):
+            rows = self._rows.get(x * 1_000_003 + y)
+            if rows is None:
+                continue
+            for l, t, r, b in self._nodes[rows].tolist():
+                if l < right and left < r and t < bottom and top < b:
+                    return True
+        return False
 
     def _over(self, rect: Rect) -> list[tuple[int, int]]:
         left, top, right, bottom = (int(v // self._cell) for v in rect)
@@ -93,45 +123,54 @@ def place(
     unit: float, compact: bool,
 ) -> Rect | None:
     """The best free place of one label, taken; None where there is none."""
-    candidates = _candidates(shape, size, unit, compact)
-    free = [(cost, rect) for cost, rect in candidates if places.is_free(rect)]
-    if not free:
+    best: tuple[float, Rect] | None = None
+    for cost, make in _candidates(shape, size, unit, compact):
+        if best is not None and cost >= best[0]:
+            break
+        rect = make()
+        if rect is not None and places.is_free(rect):
+            total = cost + lines.covered(edge, [rect])[0] * 0.6
+            if best is None or total < best[0]:
+                best = total, rect
+    if best is None:
         return None
-    crossings = lines.covered(edge, [rect for _, rect in free])
-    best = min(range(len(free)), key=lambda i: free[i][0] + crossings[i] * 0.6)
-    places.take(free[best][1])
-    return free[best][1]
+    places.take(best[1])
+    return best[1]
+
+
+Candidate = tuple[float, Callable[[], "Rect | None"]]
 
 
 def _candidates(
     shape: EdgeShape, size: tuple[float, float], unit: float, compact: bool
-) -> list[tuple[float, Rect]]:
-    """Places with their cost: on the line from its middle outwards, beside it where it is steep."""
-    found: list[tuple[float, Rect]] = []
+) -> list[Candidate]:
+    """Places by their cost: on the line from its middle outwards, beside it where it is steep.
+
+    Each is worked out only when it is asked for: mostly the first one is free.
+    """
+    found: list[Candidate] = []
     low, high = 0.0, shape.length
     if shape.way == "lane":
         low, high = _long_side(shape)
-    beside = shape.side and not compact
+    beside = bool(shape.side) and not compact
     shares = LANE_SHARES if shape.way == "lane" else EARLY_SHARES if compact else SHARES
+
+    def on_line(along: float) -> Rect | None:
+        fits = _fits(shape, along, size, unit)
+        return _centred(shape.at(along), size) if fits else None
+
     for order, share in enumerate(shares):
         along = low + (high - low) * share
         cost = order * 0.12
         if beside:
-            found.append((cost, _beside(shape, along, size, unit)))
-        if _fits(shape, along, size, unit):
-            found.append((cost + (1.5 if beside else 0.0), _centred(shape.at(along), size)))
-        elif shape.way == "curve":
-            found.append((cost + 2.0, outside(shape, along, size, unit)))
+            found.append((cost, partial(_beside, shape, along, size, unit)))
+        found.append((cost + (1.5 if beside else 0.0), partial(on_line, along)))
+        if shape.way == "curve":
+            found.append((cost + 2.2, partial(outside, shape, along, size, unit)))
     if shape.way in ("line", "curve"):
         # What hardly fits stands in the middle of what the arrowhead leaves.
-        along = (shape.length - 8.0 * unit) / 2
-        if _fits(shape, along, size, unit):
-            found.append((0.3, _centred(shape.at(along), size)))
-        if shape.way == "curve":
-            found += [
-                (2.2 + i * 0.2, outside(shape, shape.length * share, size, unit))
-                for i, share in enumerate((0.5, 0.4, 0.6, 0.3, 0.7))
-            ]
+        found.append((0.3, partial(on_line, (shape.length - 8.0 * unit) / 2)))
+    found.sort(key=lambda candidate: candidate[0])
     return found
 
 

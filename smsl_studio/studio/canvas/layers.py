@@ -12,7 +12,13 @@ from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.studio.canvas import batch
-from smsl_studio.studio.canvas.edge_paint import paint_label, paint_line, paint_pill, paint_sign
+from smsl_studio.studio.canvas.edge_paint import (
+    Drawn,
+    paint_label,
+    paint_line,
+    paint_pill,
+    paint_sign,
+)
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
 from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.lit_labels import lit_labels
@@ -66,6 +72,10 @@ def _cosmetic(pen: QPen) -> QPen:
 class EdgeLayer(Layer):
     """All edges that are not lit, below the nodes."""
 
+    def __init__(self, z: float) -> None:
+        super().__init__(z)
+        self._drawn = Drawn()
+
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         edges = sheet.edges_in(*_edges(exposed))
         if sheet.level >= Level.COMPACT and len(edges) <= MANY_EDGES:
@@ -74,12 +84,12 @@ class EdgeLayer(Layer):
             self._far(painter, sheet, edges)
 
     def _near(self, painter: QPainter, sheet: Sheet, edges: list[int]) -> None:
-        geometry, looks = sheet.geometry, sheet.looks
+        geometry, looks, drawn = sheet.geometry, sheet.looks, self._drawn
         rest = [e for e in edges if not looks.is_lit(e)]
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for edge in rest:
             look, shape = looks.edge(edge), geometry.shape(edge)
-            paint_line(painter, shape, look, sheet.ink, sheet.unit, sheet.compact)
+            paint_line(painter, shape, look, sheet.ink, sheet.unit, sheet.compact, drawn)
         if looks.marks.dimmed:
             return
         unit = sheet.unit
@@ -158,7 +168,7 @@ class FarNodeLayer(Layer):
             return
         if sheet.level is Level.DOT:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, len(rows) < 1500)
-            size = 5.0 if len(rows) < 1500 else 4.0 if len(rows) < 20_000 else 3.0
+            size = min(6.0, max(1.6, sheet.spacing.pitch * sheet.zoom * 0.42))
             dots = QPen(tokens.slate, size)
             dots.setCapStyle(
                 Qt.PenCapStyle.RoundCap if len(rows) < 1500 else Qt.PenCapStyle.SquareCap

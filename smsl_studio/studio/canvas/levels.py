@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
+Floats, Ints = NDArray[np.float64], NDArray[np.int64]
 FULL_SIZE, COMPACT_SIZE, BOX_SIZE, DOT_SIZE = (108.0, 54.0), (46.0, 24.0), (28.0, 16.0), (6.0, 6.0)
 FULL_MAX, COMPACT_MAX = 200.0, 132.0
 ROOM = (36.0, 24.0)
@@ -22,13 +24,31 @@ class Level(IntEnum):
     FULL = 3
 
 
-def level_at(zoom: float, roomy: bool) -> Level:
-    """The level at a zoom; a layout without room for full nodes stays compact when near."""
-    if zoom < 0.15:
-        return Level.DOT
-    if zoom < 0.35:
-        return Level.BOX
-    return Level.FULL if roomy and zoom >= 0.70 - 1e-9 else Level.COMPACT
+@dataclass(frozen=True)
+class Spacing:
+    """How much room a layout gives: the zooms from which compact nodes and boxes keep apart.
+
+    ``roomy`` says whether full nodes do at 100 %; ``pitch`` is the usual distance between
+    neighbours (scene units).
+    """
+
+    roomy: bool = True
+    compact_zoom: float = 0.0
+    box_zoom: float = 0.0
+    pitch: float = 200.0
+
+
+def level_at(zoom: float, spacing: Spacing) -> Level:
+    """The level at a zoom, coarser where a layout is too dense for it.
+
+    A layout without room for full nodes stays compact when near; from 100 % on compact nodes
+    grow with the picture, so that a coarser level would help nobody.
+    """
+    if spacing.roomy and zoom >= 0.70 - 1e-9:
+        return Level.FULL
+    if zoom >= 1.0 or (zoom >= 0.35 and zoom >= spacing.compact_zoom):
+        return Level.COMPACT
+    return Level.BOX if zoom >= 0.15 and zoom >= spacing.box_zoom else Level.DOT
 
 
 def unit_at(zoom: float, level: Level) -> float:
@@ -40,25 +60,50 @@ def unit_at(zoom: float, level: Level) -> float:
     return 1.0 if level is Level.FULL or zoom >= 1.0 else 1.0 / zoom
 
 
-def is_roomy(at: NDArray[np.float64], widths: NDArray[np.float64] | None = None) -> bool:
-    """Whether full nodes stand far enough apart in a layout for their edges to be read.
+def spacing_of(at: Floats, full: Floats, compact: Floats) -> Spacing:
+    """The room a layout gives, from the widths of full and compact nodes.
 
-    A few near neighbours are allowed (somebody moved them); it is the layout that decides.
+    A few near neighbours are allowed (somebody moved them): it is the layout that decides.
     """
-    count = len(at)
-    if count < 2:
-        return True
-    order = np.argsort(at[:, 1], kind="stable")
-    x, y = at[order, 0], at[order, 1]
-    wide = (FULL_SIZE[0] if widths is None else widths[order]) + np.zeros(count)
-    near = np.zeros(count, dtype=bool)
-    for step in range(1, min(count, 400)):
-        down = y[step:] - y[:-step]
-        if down.min() >= FULL_SIZE[1] + ROOM[1]:
-            break
-        across = np.abs(x[step:] - x[:-step])
-        need = (wide[step:] + wide[:-step]) / 2 + ROOM[0]
-        hit = (across < need) & (down < FULL_SIZE[1] + ROOM[1])
-        near[step:] |= hit
-        near[:-step] |= hit
-    return bool(near.mean() <= 0.25)
+    if len(at) < 2:
+        return Spacing()
+    a, b = _near_pairs(at)
+    dx, dy = np.abs(at[a] - at[b]).T
+    apart_full = (dx >= (full[a] + full[b]) / 2 + ROOM[0]) | (dy >= FULL_SIZE[1] + ROOM[1])
+    crowded = np.zeros(len(at), dtype=bool)
+    crowded[a[~apart_full]] = True
+    crowded[b[~apart_full]] = True
+    nearest = np.full(len(at), np.inf)
+    np.minimum.at(nearest, a, np.hypot(dx, dy))
+    np.minimum.at(nearest, b, np.hypot(dx, dy))
+    widths = (compact[a] + compact[b]) / 2
+    return Spacing(
+        roomy=bool(crowded.mean() <= 0.25),
+        compact_zoom=_zoom_apart(len(at), a, b, (widths + 8.0) / np.maximum(dx, 1e-6),
+                                 (COMPACT_SIZE[1] + 8.0) / np.maximum(dy, 1e-6)),
+        box_zoom=_zoom_apart(len(at), a, b, (BOX_SIZE[0] + 6.0) / np.maximum(dx, 1e-6),
+                             (BOX_SIZE[1] + 6.0) / np.maximum(dy, 1e-6)),
+        pitch=float(np.median(nearest)),
+    )  # fmt: skip
+
+
+def _zoom_apart(count: int, a: Ints, b: Ints, across: Floats, down: Floats) -> float:
+    """The zoom from which three quarters of the nodes keep apart from all their neighbours."""
+    needed = np.zeros(count)
+    each = np.minimum(across, down)
+    np.maximum.at(needed, a, each)
+    np.maximum.at(needed, b, each)
+    return float(np.quantile(needed, 0.75))
+
+
+def _near_pairs(at: Floats) -> tuple[Ints, Ints]:
+    """Pairs of neighbours: those next to each other by rows and by columns."""
+    first: list[Ints] = []
+    second: list[Ints] = []
+    rows = np.lexsort((at[:, 0], np.round(at[:, 1])))
+    columns = np.lexsort((at[:, 1], np.round(at[:, 0])))
+    for order in (rows, columns):
+        for step in range(1, min(len(at), 13)):
+            first.append(order[step:])
+            second.append(order[:-step])
+    return np.concatenate(first), np.concatenate(second)

@@ -21,8 +21,8 @@ from smsl_studio.studio.canvas.levels import (
     DOT_SIZE,
     FULL_SIZE,
     Level,
-    is_roomy,
     level_at,
+    spacing_of,
     unit_at,
 )
 from smsl_studio.studio.canvas.looks import Looks
@@ -62,7 +62,12 @@ class Sheet:
         if count > SMALL:
             full, compact = np.full(count, full.max()), np.full(count, compact.max())
         self.full_widths, self.compact_widths = full, compact
-        self.roomy = is_roomy(self.at, full if count else None)
+        self.spacing = spacing_of(self.at, full, compact)
+
+    @property
+    def roomy(self) -> bool:
+        """Whether full nodes have room in this layout."""
+        return self.spacing.roomy
 
     @property
     def compact(self) -> bool:
@@ -70,7 +75,7 @@ class Sheet:
 
     def set_zoom(self, zoom: float) -> None:
         self.zoom = zoom
-        self.level = level_at(zoom, self.roomy)
+        self.level = level_at(zoom, self.spacing)
         self.unit = unit_at(zoom, self.level)
 
     def move(self, places: Mapping[int, Position]) -> list[int]:
@@ -87,7 +92,7 @@ class Sheet:
     def settle(self) -> None:
         """Route and label anew: states have come to rest elsewhere."""
         self._geometry.clear()
-        self.roomy = is_roomy(self.at, self.full_widths if len(self.at) else None)
+        self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
         self.set_zoom(self.zoom)
 
     # Nodes
