@@ -12,9 +12,21 @@ if TYPE_CHECKING:
     from smsl_studio.front.reading import inspect, read, refusals
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.running import Run, open_run, run, worlds
+    from smsl_studio.front.suiting import worlds_for
     from smsl_studio.front.sweeping import sweep
 
-__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep", "worlds"]
+__all__ = [
+    "Run",
+    "inspect",
+    "open_run",
+    "plan_route",
+    "read",
+    "refusals",
+    "run",
+    "sweep",
+    "worlds",
+    "worlds_for",
+]
 
 _HOMES = {
     "read": "reading",
@@ -25,6 +37,7 @@ _HOMES = {
     "run": "running",
     "open_run": "running",
     "worlds": "running",
+    "worlds_for": "suiting",
     "sweep": "sweeping",
 }
 

@@ -7,6 +7,7 @@ being written), then 7 doubles a shape.
 from __future__ import annotations
 
 import struct
+import threading
 from collections.abc import Sequence
 from multiprocessing.shared_memory import SharedMemory
 
@@ -26,6 +27,7 @@ class SharedPoses:
         self._buffer: memoryview | None = self._block.buf
         self._newest: tuple[float, ...] = (0.0,) * count
         self.name = self._block.name
+        self._closing = threading.Lock()
 
     def beat(self, count: int) -> None:
         """Write the pulse (the child's side)."""
@@ -47,27 +49,32 @@ class SharedPoses:
         struct.pack_into("Q", self._buffer, _SEQUENCE, sequence + 2)
 
     def read(self) -> tuple[float, ...]:
-        """The newest whole poses; those read before, where the writer is always in between."""
-        for _ in range(_TRIES):
-            if self._buffer is None:
-                break
-            before = self._number(_SEQUENCE)
-            if before % 2:
-                continue
-            found = self._form.unpack_from(self._buffer, _POSES)
-            if self._number(_SEQUENCE) == before:
-                self._newest = found
-                break
-        return self._newest
+        """The newest whole poses; those read before, where the writer is always in between.
+
+        Safe from another thread than the one that closes.
+        """
+        with self._closing:
+            for _ in range(_TRIES):
+                if self._buffer is None:
+                    break
+                before = self._number(_SEQUENCE)
+                if before % 2:
+                    continue
+                found = self._form.unpack_from(self._buffer, _POSES)
+                if self._number(_SEQUENCE) == before:
+                    self._newest = found
+                    break
+            return self._newest
 
     def close(self) -> None:
         """Let go of the block, and free it if it was made here; twice is harmless."""
-        if self._buffer is None:
-            return
-        self._buffer = None
-        self._block.close()
-        if self._owner:
-            self._block.unlink()
+        with self._closing:
+            if self._buffer is None:
+                return
+            self._buffer = None
+            self._block.close()
+            if self._owner:
+                self._block.unlink()
 
     def _number(self, at: int) -> int:
         if self._buffer is None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtWidgets import QLabel, QStatusBar
+from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.controls import rule
+from smsl_studio.studio.controls import row, rule
 from smsl_studio.studio.theme import STATUS_LINE
 from smsl_studio.studio.words import counted
 
@@ -13,22 +13,25 @@ ENDING = "Not a medical device"
 
 
 class StatusLine(QStatusBar):
-    """Counts at the left; form, place and the standing notice at the right."""
+    """Draw: counts at the left, form and place at the right. Run: how it goes, and what it stands
+    on. The standing notice ends both."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setFixedHeight(STATUS_LINE)
         self.setSizeGripEnabled(False)
         self.setAccessibleName("Status")
-        self.counts = [self._left() for _ in range(4)]
-        self.run = QLabel()
-        self.run.hide()
-        self.addWidget(self.run)
-        self.form, self.place, self.ending = QLabel(), QLabel(), QLabel(ENDING)
-        for at, part in enumerate((self.form, self.place, self.ending)):
-            if at:
-                self.addPermanentWidget(rule(vertical=True, length=16))
+        self._running = False
+        self.counts = [_Part() for _ in range(4)]
+        self.run = [_Part() for _ in range(6)]
+        for part in (*self.counts, *self.run):
+            self.addWidget(part)
+        self.form, self.place = _Part(), _Part()
+        self.run_right = [_Part() for _ in range(2)]
+        self.ending = QLabel(ENDING)
+        for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
+        self.addPermanentWidget(self.ending)
 
     def show_blueprint(self, blueprint: Blueprint) -> None:
         """How much there is, and how it is written."""
@@ -51,18 +54,42 @@ class StatusLine(QStatusBar):
         """Where the selected element is written."""
         self.place.setText(f"Line {line}, column {column}")
 
-    def show_run(self, said: str) -> None:
-        """How the run stands; the empty text where there is none."""
-        self.run.setText(said)
-        self.run.setVisible(bool(said))
+    def show_run(self, said: tuple[tuple[str, ...], tuple[str, ...]]) -> None:
+        """How the run stands: sentences for the left and for the right."""
+        for parts, words in zip((self.run, self.run_right), said, strict=True):
+            for at, part in enumerate(parts):
+                part.setText(words[at] if at < len(words) else "")
+        self._show_parts()
+
+    def show_mode(self, mode: str) -> None:
+        """Run mode speaks of the run."""
+        self._running = mode == "run"
+        self._show_parts()
 
     @property
     def words(self) -> str:
         """Everything that is said at the left."""
-        return " | ".join(part.text() for part in self.counts if part.text())
+        shown = self.run if self._running else self.counts
+        return " | ".join(part.text() for part in shown if part.text())
 
-    def _left(self) -> QLabel:
-        part = QLabel()
-        self.addWidget(part)
-        self.addWidget(rule(vertical=True, length=16))
-        return part
+    def _show_parts(self) -> None:
+        for part in (*self.counts, self.form, self.place):
+            part.setVisible(not self._running)
+        for part in (*self.run, *self.run_right):
+            part.setVisible(self._running and bool(part.text()))
+
+
+class _Part(QWidget):
+    """One saying, with a line after it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._label = QLabel()
+        layout = row(self._label, rule(vertical=True, length=16), spacing=0)
+        self.setLayout(layout)
+
+    def text(self) -> str:
+        return self._label.text()
+
+    def setText(self, text: str) -> None:
+        self._label.setText(text)

@@ -158,6 +158,7 @@ class Window(QMainWindow):
         self._mode = mode
         self.body.setCurrentWidget(self.canvas if mode == "draw" else self.run_pane)
         self.mode_bar.show_mode(mode)
+        self.status_line.show_mode(mode)
         self.docks.show_mode(mode)
         if mode == "draw":
             self.docks.restore(self._settings.bytes_of("panels/draw"))
@@ -335,4 +336,6 @@ class Window(QMainWindow):
         self._application.removeEventFilter(self)
         self.run_pane.shut()
         self.inspector.stop()
+        # The history empties itself when it goes, and nobody is left to be told.
+        self.session.history.blockSignals(True)
         event.accept()

@@ -26,7 +26,8 @@ from smsl_studio.studio.theme import Tokens
 class PossibleRow:
     """One operation: what it is called, where it leads, and how it stands.
 
-    ``kind`` is running, route, possible, refused or pruned; ``words`` say it in full.
+    ``kind`` is running, route, possible, waits, refused, pruned, or next and later for what
+    follows the running operation; ``words`` say it in full. ``note`` stands beside its group.
     """
 
     address: Address
@@ -36,6 +37,7 @@ class PossibleRow:
     words: str
     cost: str
     group: str
+    note: str = ""
 
 
 class PossibleList(QScrollArea):
@@ -81,7 +83,7 @@ class PossibleList(QScrollArea):
         for row in self._rows:
             if row.group != group:
                 group = row.group
-                column.addWidget(self._group(group))
+                column.addWidget(self._group(group, row.note))
             column.addWidget(self._line(row))
         if not self._rows:
             empty = label(self._empty, "hint")
@@ -95,10 +97,16 @@ class PossibleList(QScrollArea):
         self._tokens = tokens
         self._rebuild()
 
-    def _group(self, words: str) -> QWidget:
-        line = label(words, "group")
+    @staticmethod
+    def _group(words: str, note: str) -> QWidget:
+        line = QFrame()
+        line.setObjectName("possibleGroup")
         line.setFixedHeight(28)
-        line.setIndent(12)
+        across = QHBoxLayout(line)
+        across.setContentsMargins(12, 0, 12, 0)
+        across.addWidget(label(words, "small"))
+        across.addStretch(1)
+        across.addWidget(label(note, "small"))
         return line
 
     def _line(self, row: PossibleRow) -> QWidget:
@@ -113,7 +121,8 @@ class PossibleList(QScrollArea):
         if row.kind in ("route", "possible") and self._by_hand:
             across.addWidget(self._button(row.name, f"Carry out {row.address}", self.chosen, row))
         else:
-            across.addWidget(label(row.name, "hint" if row.kind == "refused" else "strong"))
+            plain = row.kind in ("waits", "pruned", "refused", "later")
+            across.addWidget(label(row.name, "medium" if plain else "strong"))
         across.addWidget(label(row.target, "mono"))
         words = label(row.words, "small")
         words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -132,7 +141,10 @@ class PossibleList(QScrollArea):
             "running": ("play", self._tokens.acc),
             "route": ("chevron-right", self._tokens.acc),
             "possible": ("chevron-right", self._tokens.tx2),
+            "waits": ("clock", self._tokens.tx2),
             "pruned": ("barred", self._tokens.tx2),
+            "next": ("chevron-right", self._tokens.acc),
+            "later": ("chevron-right", self._tokens.acc),
         }.get(kind, ("minus", self._tokens.tx3))
         mark = QLabel()
         ratio = self.devicePixelRatioF()

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.graph.layout import place_states
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.marks import Marks
+from smsl_studio.studio.canvas.places import Places
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.run import view
+from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_over
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import counted
 
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 
@@ -37,43 +39,47 @@ class RunCanvas(QWidget):
         self._session, self._run, self._tokens = session, run, tokens
         self._shown: tuple[Blueprint, str] | None = None
         self._branch = ""
-        self._places: dict[str, dict[str, tuple[float, float]]] = {}
+        self._places = Places()
+        self._banner = ""
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
+        self.canvas.overlays.breadcrumb.hide()
+        self.canvas.overlays.zoom.hide()
         self.canvas.edge_clicked.connect(self.chosen)
         self.canvas.enter_wanted.connect(self.show_branch)
-        self._step = label("", "small")
-        self._branches = QHBoxLayout()
-        self._branches.setSpacing(2)
-        self._follow = self._tool("Follow", "eye", "Show the State Branch in which something runs")
+        self._steps = label("", "second")
+        buttons = QWidget()
+        self._buttons = QHBoxLayout(buttons)
+        self._buttons.setContentsMargins(0, 0, 0, 0)
+        self._buttons.setSpacing(2)
+        self._follow = tool("Follow", "eye", "Show the State Branch in which it runs", tokens)
         self._follow.setCheckable(True)
         self._follow.setChecked(True)
-        self._fit = self._tool("", "fit", "Show everything (F)")
+        self._fit = tool("", "fit", "Fit everything (F)", tokens)
         self._fit.clicked.connect(self.canvas.fit)
-        head = QWidget()
-        head.setFixedHeight(44)
-        across = QHBoxLayout(head)
-        across.setContentsMargins(12, 0, 8, 0)
-        across.addLayout(self._branches)
-        across.addWidget(self._step)
-        across.addStretch(1)
-        across.addWidget(self._follow)
-        across.addWidget(self._fit)
-        self._banner = QLabel()
-        self._banner.setProperty("role", "banner")
-        self._banner.setWordWrap(True)
-        self._banner.hide()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        for part in (head, self._banner):
-            column.addWidget(part)
-        column.addWidget(self.canvas, 1)
+        whole = laid_over(
+            self.canvas, words_over(buttons, self._steps), tools_over(self._follow, self._fit)
+        )
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.addWidget(whole, 0, 0)
 
     @property
     def branch(self) -> str:
         """The SB that is shown."""
         return self._branch
+
+    @property
+    def banner(self) -> str:
+        """What stands across the top; the empty text for nothing."""
+        return self._banner
+
+    @property
+    def moved_on(self) -> bool:
+        """Whether the drawing means something else now than the run that is there."""
+        held = self._run.blueprint
+        drawn = self._session.blueprint
+        return self._run.exists and held is not drawn and held != drawn
 
     def refresh(self) -> None:
         """Show the run as it stands now."""
@@ -85,27 +91,29 @@ class RunCanvas(QWidget):
             self._branch = status.running.branch
         self._show(blueprint)
         self._name_branches(blueprint)
-        self._step.setText(self._steps())
+        self._steps.setText(self._step_words())
         if self._branch and self._run.blueprint is blueprint and status is not None:
             marks = view.marks(blueprint, self._branch, status, self._run.story)
         else:
             marks = Marks()
-        self.canvas.set_marks(marks)
+        if marks != self.canvas.marks:
+            self.canvas.set_marks(marks)
+        if not self._run.exists and self._banner == MOVED_ON:
+            self.show_banner("")
 
     def drawing_changed(self) -> None:
         """The drawing was edited: a run that is there goes on with its own version, and says so."""
-        held = self._run.blueprint
-        moved = held is not None and held is not self._session.blueprint
-        if self._run.exists and moved and held != self._session.blueprint:
-            self.show_banner(MOVED_ON)
-        else:
-            self.show_banner("")
+        self.show_banner(MOVED_ON if self.moved_on else "")
         self.refresh()
 
     def show_banner(self, words: str) -> None:
         """Say one thing above the canvas; the empty text takes it away."""
-        self._banner.setText(words)
-        self._banner.setVisible(bool(words))
+        self._banner = words
+        self.canvas.show_banner(words)
+
+    def say(self, words: str) -> None:
+        """Say a short sentence at the pointer."""
+        self.canvas.say(words)
 
     def show_branch(self, name: str) -> None:
         """Show another SB and stop following."""
@@ -129,76 +137,58 @@ class RunCanvas(QWidget):
 
     def _blueprint(self) -> Blueprint:
         """The run's snapshot while a run is there or was the last of this drawing."""
-        held = self._run.blueprint
-        if held is not None and (self._run.exists or held is self._session.blueprint):
-            return held
-        return self._session.blueprint
+        held, drawn = self._run.blueprint, self._session.blueprint
+        return held if held is not None and (self._run.exists or held == drawn) else drawn
 
     def _show(self, blueprint: Blueprint) -> None:
-        if not self._branch:
+        if self._shown == (blueprint, self._branch) and self._shown[0] is blueprint:
             return
-        if self._shown is not None and self._shown[0] is blueprint:
-            if self._shown[1] == self._branch:
-                return
-        else:
-            self._places = {}
-        branch = blueprint[self._branch]
-        if self._branch not in self._places:
-            self._places[self._branch] = place_states(branch, former=branch.notes.layout)
+        if self._shown is None or self._shown[0].file != blueprint.file:
+            self._places.clear()
         self._shown = (blueprint, self._branch)
-        self.canvas.show_branch(blueprint, self._branch, self._places[self._branch])
-        self.canvas.fit()
+        places = self._places.of(blueprint[self._branch]) if self._branch else None
+        self.canvas.show_branch(blueprint, self._branch, places)
 
     def _name_branches(self, blueprint: Blueprint) -> None:
         status = self._run.status if self._run.blueprint is blueprint else None
-        names = []
-        for branch in blueprint:
-            state = status.configuration.get(branch.name, "") if status else ""
-            names.append((branch.name, view.short_name(branch, state) if state else ""))
-        while self._branches.count() < len(names):
-            self._branches.addWidget(self._branch_button(self._branches.count()))
-        for index in range(self._branches.count()):
-            button = self._branches.itemAt(index).widget()
+        names = list(blueprint.branches)
+        while self._buttons.count() < len(names):
+            self._buttons.addWidget(self._button(self._buttons.count()))
+        for index in range(self._buttons.count()):
+            item = self._buttons.itemAt(index)
+            button = item.widget() if item else None
             assert isinstance(button, QToolButton)
             button.setVisible(index < len(names))
             if index < len(names):
-                name, state = names[index]
-                button.setText(f"{name}  {state}" if state and len(names) > 1 else name)
+                name = names[index]
+                state = status.configuration.get(name, "") if status else ""
+                shown = view.short_name(blueprint[name], state) if state else ""
+                button.setText(f"{name}  {shown}" if shown and len(names) > 1 else name)
                 button.setAccessibleName(f"{name}, {state} active" if state else name)
                 button.setChecked(name == self._branch)
+                running = status.running if status else None
+                _set(button, "live", running is not None and running.branch == name)
 
-    def _branch_button(self, index: int) -> QToolButton:
+    def _button(self, index: int) -> QToolButton:
         button = QToolButton()
-        button.setProperty("role", "tool")
+        button.setProperty("role", "branch")
         button.setCheckable(True)
         button.setToolTip("Show this State Branch")
         button.clicked.connect(lambda: self.show_branch(list(self._blueprint().branches)[index]))
         return button
 
-    def _steps(self) -> str:
+    def _step_words(self) -> str:
         status = self._run.status
-        if status is None or not self._run.blueprint:
+        if status is None or self._run.blueprint is not self._blueprint():
             return ""
-        left = len(status.route)
-        whole = status.operations + left
-        return (
-            f"step {min(status.operations + 1, whole)} of {whole}"
-            if left
-            else (f"{status.operations} operations" if status.operations != 1 else "1 operation")
-        )
+        left = len(status.route) + (status.running is not None)
+        if left and self._run.exists:
+            return f"step {status.operations + 1} of {status.operations + left}"
+        return counted(status.operations, "operation")
 
-    def _tool(self, words: str, name: str, tip: str) -> QToolButton:
-        tool = QToolButton()
-        tool.setProperty("role", "tool")
-        tool.setText(words)
-        tool.setIcon(icon(name, self._tokens))
-        tool.setIconSize(QSize(16, 16))
-        tool.setToolButtonStyle(
-            Qt.ToolButtonStyle.ToolButtonTextBesideIcon
-            if words
-            else Qt.ToolButtonStyle.ToolButtonIconOnly
-        )
-        tool.setFixedHeight(28)
-        tool.setToolTip(tip)
-        tool.setAccessibleName(words or tip)
-        return tool
+
+def _set(widget: QWidget, name: str, value: bool) -> None:
+    if bool(widget.property(name)) != value:
+        widget.setProperty(name, value)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)

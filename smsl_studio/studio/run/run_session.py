@@ -17,6 +17,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import StudioError
+from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.runlog.events import Event
 from smsl_studio.studio.run.runner import Command, Runner
 from smsl_studio.studio.run.story import Story
@@ -54,6 +55,7 @@ class RunSession(QObject):
         self.status: DispatchStatus | None = None
         self.story = Story()
         self.shapes: tuple[Shape, ...] = ()
+        self.sensors: tuple[SensorInfo, ...] = ()
         self.choice: RunChoice | None = None
         self._runner: Runner | None = None
         self._dispatcher: Dispatcher | None = None
@@ -80,17 +82,30 @@ class RunSession(QObject):
             return self.story.finished.sentence
         return self.status.sentence if self.status is not None else ""
 
-    def begin(self, blueprint: Blueprint, choice: RunChoice, speed: float) -> None:
-        """Start a run of ``blueprint`` as it is now; a run that is there is closed first."""
+    @property
+    def latency(self) -> float | None:
+        """Wall seconds that the world's process needs for a tick; None where there is none."""
+        return self._runner.latency if self._runner is not None and self._exists else None
+
+    def begin(
+        self, blueprint: Blueprint, choice: RunChoice, speed: float, stepping: bool = False
+    ) -> None:
+        """Start a run of ``blueprint`` as it is now; a run that is there is closed first.
+
+        ``stepping`` carries out one operation and pauses.
+        """
         self.close()
         self.blueprint, self.choice = blueprint, choice
-        self.status, self.story, self.shapes = None, Story(), ()
+        self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
         runner = Runner(lambda: _opened(blueprint, choice), speed, self)
         runner.opened.connect(self._open)
         runner.told.connect(self._tell)
         runner.refused.connect(self._refuse)
+        runner.broke.connect(self._break)
         self._runner = runner
         self._set_exists(True)
+        if stepping:
+            runner.command(_step_first)
         runner.start()
         self.changed.emit()
 
@@ -148,7 +163,8 @@ class RunSession(QObject):
     def _open(self, dispatcher: Dispatcher) -> None:
         if self.sender() is self._runner:
             self._dispatcher = dispatcher
-            self.shapes = dispatcher.opened.shapes if dispatcher.opened else ()
+            opened = dispatcher.opened
+            self.shapes, self.sensors = (opened.shapes, opened.sensors) if opened else ((), ())
             self.opened.emit()
 
     def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
@@ -164,9 +180,17 @@ class RunSession(QObject):
         self.changed.emit()
 
     def _refuse(self, error: StudioError) -> None:
-        self.close()
-        self.refused.emit(error)
-        self.changed.emit()
+        if self.sender() is self._runner:
+            self.close()
+            self.refused.emit(error)
+            self.changed.emit()
+
+    def _break(self, error: Exception) -> None:
+        """What nobody expected must not end in silence: it is raised where the window hears it."""
+        if self.sender() is self._runner:
+            self.close()
+            self.changed.emit()
+            raise error
 
     def _set_exists(self, exists: bool) -> None:
         if exists != self._exists:
@@ -178,8 +202,14 @@ def _opened(blueprint: Blueprint, choice: RunChoice) -> Dispatcher:
     return front.open_run(
         blueprint,
         choice.world,
-        start=[choice.start] if choice.start else [],
-        goal=[choice.goal] if choice.goal else [],
+        start=choice.start or None,
+        goal=choice.goal or None,
         seed=choice.seed,
         automatic=not choice.by_hand,
+        attended=True,
     )
+
+
+def _step_first(dispatcher: Dispatcher) -> None:
+    dispatcher.pause()
+    dispatcher.step()

@@ -15,10 +15,10 @@ from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import StudioError
+from smsl_studio.runlog.events import Event
 
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
-
 LAG = 0.25
 """Wall seconds a run may fall behind its pace before it stops trying to catch up."""
 FASTEST = 1e6
@@ -36,6 +36,8 @@ class Runner(QThread):
     """(events, status): what happened since the last report, and how things stand now."""
     refused = Signal(object)
     """A StudioError: the run could not be opened."""
+    broke = Signal(object)
+    """An error nobody expected; the run is over."""
 
     def __init__(
         self, make: Callable[[], Dispatcher], speed: float, parent: QObject | None = None
@@ -45,6 +47,8 @@ class Runner(QThread):
         self._speed = speed
         self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
         self._closing = False
+        self.latency = 0.0
+        """Wall seconds the slowest of the newest ticks took, from command to answer."""
 
     def command(self, command: Command) -> None:
         """Have the loop call ``command`` before its next tick."""
@@ -65,38 +69,39 @@ class Runner(QThread):
         self.wait()
 
     def run(self) -> None:
+        """The thread: open, tick until closed, free the world."""
         try:
-            dispatcher = self._make()
+            self._live()
         except StudioError as error:
             self.refused.emit(error)
-            return
+        except Exception as error:
+            self.broke.emit(error)
+
+    def _live(self) -> None:
+        dispatcher = self._make()
         try:
-            self._loop(dispatcher)
+            events = dispatcher.open()
+            self.opened.emit(dispatcher)
+            self._loop(dispatcher, list(events))
         finally:
             dispatcher.close()
 
-    def _loop(self, dispatcher: Dispatcher) -> None:
-        events = list(dispatcher.open())
-        self.opened.emit(dispatcher)
-        start, begun, reported = dispatcher.status.time, monotonic(), -math.inf
-        speed = self._speed
+    def _loop(self, dispatcher: Dispatcher, events: list[Event]) -> None:
+        pace = _Pace(dispatcher.time, self._speed)
+        reported, slowest = -math.inf, 0.0
         while not self._closing:
-            moving = dispatcher.status.phase not in ("finished", "paused")
-            if not moving or monotonic() - reported >= FRAME:
+            still = dispatcher.phase in ("finished", "paused")
+            if still or monotonic() - reported >= FRAME:
+                self.latency, slowest = slowest, 0.0
                 self.told.emit(tuple(events), dispatcher.status)
                 events, reported = [], monotonic()
-            commanded = self._obey(dispatcher, wait=None if not moving else 0.0)
-            due = start + (monotonic() - begun) * speed
-            late = due - dispatcher.status.time > LAG * speed
-            if commanded or late or speed != self._speed or not moving:
-                start, begun, speed = dispatcher.status.time, monotonic(), self._speed
-                due = start
-            if dispatcher.status.phase == "finished":
-                continue
-            if dispatcher.status.time <= due:
+            wait = None if still else pace.ahead(dispatcher.time)
+            if self._obey(dispatcher, wait) or still or pace.speed != self._speed:
+                pace = _Pace(dispatcher.time, self._speed)
+            if not self._closing and pace.ahead(dispatcher.time) <= 0:
+                began = monotonic()
                 events += dispatcher.tick()
-            else:
-                self._obey(dispatcher, wait=min(FRAME / 2, (dispatcher.status.time - due) / speed))
+                slowest = max(slowest, monotonic() - began)
 
     def _obey(self, dispatcher: Dispatcher, wait: float | None) -> bool:
         """Carry out what was commanded; ``wait`` seconds for the first (None: until one comes)."""
@@ -111,3 +116,18 @@ class Runner(QThread):
                 obeyed = True
             wait = 0.0
         return obeyed
+
+
+class _Pace:
+    """How far simulated time is ahead of the wall; a run that lags far behind lets go of it."""
+
+    def __init__(self, start: float, speed: float) -> None:
+        self.speed = speed
+        self._start, self._begun = start, monotonic()
+
+    def ahead(self, time: float) -> float:
+        """Wall seconds to wait before the next tick, a frame at most; 0 to tick at once."""
+        early = (time - self._start) / self.speed - (monotonic() - self._begun)
+        if early < -LAG:
+            self._start, self._begun = time, monotonic()
+        return min(max(early, 0.0), FRAME / 2)

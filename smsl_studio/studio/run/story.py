@@ -6,8 +6,9 @@ what the live run showed.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from statistics import median
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog import events as run
@@ -28,31 +29,34 @@ class Story:
     """What has happened so far. Lanes are lists of spans in order of time."""
 
     time: float = 0.0
-    world: str = ""
     finished: run.RunFinished | None = None
     states: dict[str, list[Span]] = field(default_factory=dict)
     operations: list[Span] = field(default_factory=list)
     facts: dict[tuple[str, int], list[Span]] = field(default_factory=dict)
     trail: dict[str, list[Address]] = field(default_factory=dict)
     risky: dict[str, str] = field(default_factory=dict)
-    marks: list[tuple[float, str]] = field(default_factory=list)
-    lines: list[run.Event] = field(default_factory=list)
+    pruned: dict[str, str] = field(default_factory=dict)
+    _functions: dict[str, str] = field(default_factory=dict)
+    _took: dict[str, list[float]] = field(default_factory=dict)
 
     def tell(self, events: Iterable[run.Event]) -> None:
         """Go on with the story."""
         for event in events:
             self.time = max(self.time, event.t)
-            self.lines.append(event)
             self._tell_one(event)
 
     def visited(self, branch: str) -> frozenset[str]:
         """The states of an SB that were active and are no more."""
         return frozenset(span.words for span in self.states.get(branch, ())[:-1])
 
+    def expected(self, operation: str) -> float | None:
+        """How long an operation's function took before (the median, simulated s); None: never."""
+        took = self._took.get(self._functions.get(operation, ""))
+        return median(took) if took else None
+
     def _tell_one(self, event: run.Event) -> None:
         match event:
             case run.RunStarted():
-                self.world = event.world
                 for branch, state in event.start.items():
                     self.states[branch] = [Span(event.t, state)]
             case run.FactChanged():
@@ -60,19 +64,23 @@ class Story:
                 lane = self.facts.setdefault((event.branch, event.digit), [])
                 _next(lane, event.t, value, event.value is not None)
             case run.OperationStarted():
+                self._end_operation(event.t)
+                self._functions[event.address] = event.function
                 _next(self.operations, event.t, event.address)
-            case run.OperationEnded():
-                self._end_operation(event.t, event.outcome == "returned")
+            case run.OperationEnded() if event.outcome != "returned":
+                self._end_operation(event.t, good=False)
             case run.Committed():
                 self._commit(event)
             case run.Relocalised():
-                self._enter(event.t, dict(event.configuration))
+                self._enter(event.t, event.configuration)
             case run.OperationRisky():
                 self.risky[event.address] = event.reason
-                self.marks.append((event.t, f"{event.address} is risky: {event.reason}"))
+            case run.OperationPruned():
+                self.pruned[event.address] = event.reason
+            case run.OperationRestored():
+                self.risky.pop(event.address, None)
+                self.pruned.pop(event.address, None)
             case run.Held() | run.Mismatch():
-                words = event.reason if isinstance(event, run.Held) else ", ".join(event.facts)
-                self.marks.append((event.t, words))
                 self._end_operation(event.t, good=False)
             case run.RunFinished():
                 self.finished = event
@@ -80,19 +88,23 @@ class Story:
             case _:
                 pass
 
-    def _end_operation(self, time: float, good: bool) -> None:
-        if self.operations and self.operations[-1].end is None:
-            self.operations[-1].end = time
-            self.operations[-1].good = good
+    def _end_operation(self, time: float, good: bool = True) -> None:
+        if not self.operations or self.operations[-1].end is not None:
+            return
+        span = self.operations[-1]
+        span.end, span.good = time, good
+        function = self._functions.get(span.words, "")
+        if good and function:
+            self._took.setdefault(function, []).append(time - span.start)
 
     def _commit(self, event: run.Committed) -> None:
-        self._end_operation(event.t, good=True)
+        self._end_operation(event.t)
         for text in event.operations:
             address = Address(*Address.split(text))
             self.trail.setdefault(address.branch, []).append(address)
-        self._enter(event.t, dict(event.configuration))
+        self._enter(event.t, event.configuration)
 
-    def _enter(self, time: float, configuration: dict[str, str]) -> None:
+    def _enter(self, time: float, configuration: Mapping[str, str]) -> None:
         for branch, state in configuration.items():
             lane = self.states.setdefault(branch, [])
             if not lane or lane[-1].words != state:

@@ -6,28 +6,21 @@ zooms in time at the cursor, a drag pans, a double click shows all again and fol
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
-from PySide6.QtWidgets import QFrame, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QWidget
 
-from smsl_studio.studio.run.story import Span
-from smsl_studio.studio.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.run.lanes import Block, Lane
+from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
-LANE = 22
-AXIS = 26
-LABELS = 108
-
-
-@dataclass(frozen=True)
-class Lane:
-    """One row: its label, its spans, and how they look (state, operation or fact)."""
-
-    label: str
-    kind: str
-    spans: tuple[Span, ...]
+AXIS = 27
+LABELS = 112
+PITCH = {"state": 27, "operation": 27, "fact": 22}
+SHORTEST = 8.0
+"""Simulated seconds shown at least."""
 
 
 class Timeline(QScrollArea):
@@ -40,25 +33,15 @@ class Timeline(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName("Timeline")
         self.setToolTip("The wheel zooms in time, a drag pans, a double click shows all")
-        inner = QWidget()
-        column = QVBoxLayout(inner)
-        column.setContentsMargins(0, 0, 8, 0)
-        self._box = _TimeBox()
-        self._box.moved.connect(self._stop_following)
-        self._box.reset.connect(self.follow)
-        self._plot = pg.PlotWidget(viewBox=self._box)
-        self._plot.setFrameShape(QFrame.Shape.NoFrame)
-        self._plot.hideButtons()
-        self._plot.setMenuEnabled(False)
-        self._plot.showAxis("top")
-        self._plot.hideAxis("bottom")
-        self._plot.invertY(True)
+        self._inner = QWidget()
         self._lanes = _Lanes(tokens)
-        self._plot.addItem(self._lanes)
+        self._labels = _Labels(tokens)
+        self._box = _TimeBox()
+        self._axis = _Seconds("top")
+        self._plot = pg.PlotWidget(viewBox=self._box, axisItems={"top": self._axis})
         self._now = pg.InfiniteLine(angle=90)
-        self._plot.addItem(self._now, ignoreBounds=True)
-        column.addWidget(self._plot)
-        self.setWidget(inner)
+        self._badge = QLabel(self._plot)
+        self._build()
         self._following = True
         self._time = 0.0
         self.set_tokens(tokens)
@@ -72,38 +55,124 @@ class Timeline(QScrollArea):
     def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
         """Show these lanes, with the present at ``time`` (simulated s)."""
         if [lane.label for lane in lanes] != [lane.label for lane in self._lanes.lanes]:
-            left = self._plot.getAxis("left")
-            left.setTicks([[(row + 0.5, lane.label) for row, lane in enumerate(lanes)]])
-            self._plot.setMinimumHeight(AXIS + LANE * len(lanes) + 6)
-        rows = max(len(lanes), (self.viewport().height() - AXIS) / LANE, 1)
-        self._box.setYRange(0, rows, padding=0)
+            self._labels.show_lanes(lanes)
+            self._inner.setMinimumHeight(AXIS + sum(PITCH[lane.kind] for lane in lanes) + 4)
         self._time = time
         self._lanes.show_lanes(lanes, time)
         self._now.setPos(time)
         self._now.setVisible(bool(lanes))
+        self._axis.setVisible(bool(lanes))
         if self._following:
-            self._box.setXRange(0, max(8.0, time * 1.12), padding=0)
+            self.follow()
+        self._place_badge()
 
     def follow(self) -> None:
         """Show everything, and go on doing so."""
         self._following = True
-        self._box.setXRange(0, max(8.0, self._time * 1.12), padding=0)
+        ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
+        end = max(self._time * 1.05, *ends, SHORTEST) if ends else SHORTEST
+        self._box.setXRange(0, end, padding=0)
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._plot.setBackground(tokens.surf)
         self._now.setPen(pg.mkPen(tokens.acc, width=2))
-        for name, font in (("top", text_font(12)), ("left", text_font(12))):
-            axis = self._plot.getAxis(name)
-            axis.setPen(pg.mkPen(tokens.line))
-            axis.setTextPen(pg.mkPen(tokens.tx2))
-            axis.setStyle(tickFont=font, tickLength=-4 if name == "top" else 0)
-        self._plot.getAxis("left").setWidth(LABELS)
-        self._plot.getAxis("top").setHeight(AXIS)
-        self._lanes.tokens = tokens
+        self._axis.setPen(pg.mkPen(tokens.line))
+        self._axis.setTextPen(pg.mkPen(tokens.tx2))
+        self._badge.setStyleSheet(
+            f"background: {tokens.acc.name()}; color: {tokens.onacc.name()};"
+            f" border-radius: {RADIUS_CHIP}px; padding: 1px 6px; font-weight: 600; font-size: 12px;"
+        )
+        self._lanes.tokens = self._labels.tokens = tokens
         self._lanes.update()
+        self._labels.update()
+
+    def _build(self) -> None:
+        across = QHBoxLayout(self._inner)
+        across.setContentsMargins(0, 0, 12, 0)
+        across.setSpacing(0)
+        across.addWidget(self._labels)
+        across.addWidget(self._plot, 1)
+        self.setWidget(self._inner)
+        self._box.moved.connect(self._stop_following)
+        self._box.reset.connect(self.follow)
+        self._box.sigXRangeChanged.connect(lambda *_: self._place_badge())
+        self._box.sigResized.connect(lambda *_: self._fit_height())
+        plot = self._plot
+        plot.setFrameShape(QFrame.Shape.NoFrame)
+        plot.hideButtons()
+        plot.setMenuEnabled(False)
+        plot.showAxis("top")
+        plot.hideAxis("bottom")
+        plot.hideAxis("left")
+        plot.invertY(True)
+        self._axis.setStyle(tickFont=text_font(12), tickLength=0)
+        self._axis.setHeight(AXIS)
+        self._axis.setGrid(90)
+        plot.addItem(self._lanes)
+        plot.addItem(self._now, ignoreBounds=True)
+
+    def _fit_height(self) -> None:
+        """One unit upwards is one pixel, so that lanes have the heights of the design."""
+        self._box.setYRange(0, max(self._box.height(), 1.0), padding=0)
+        self._place_badge()
+
+    def _place_badge(self) -> None:
+        self._badge.setVisible(bool(self.lanes))
+        self._badge.setText(f"{self._time:.1f} s")
+        self._badge.adjustSize()
+        (left, right), _ = self._box.viewRange()
+        share = (self._time - left) / max(right - left, 1e-9)
+        at = round(share * self._box.width()) - self._badge.width() // 2
+        at = min(max(at, 0), max(self._plot.width() - self._badge.width(), 0))
+        self._badge.move(at, (AXIS - self._badge.height()) // 2)
 
     def _stop_following(self) -> None:
         self._following = False
+
+
+class _Labels(QWidget):
+    """The names of the lanes, at their left."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self.tokens = tokens
+        self._lanes: Sequence[Lane] = ()
+        self.setFixedWidth(LABELS)
+
+    def show_lanes(self, lanes: Sequence[Lane]) -> None:
+        self._lanes = lanes
+        self.setAccessibleName(", ".join(lane.label for lane in lanes))
+        self.setToolTip("\n".join(lane.label for lane in lanes))
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self.tokens.surf)
+        middle = Qt.AlignmentFlag.AlignVCenter
+        painter.setFont(text_font(13, 600))
+        painter.setPen(self.tokens.tx)
+        painter.drawText(QRectF(12, 0, LABELS - 12, AXIS), middle, "Timeline")
+        painter.setFont(text_font(12))
+        painter.setPen(self.tokens.tx2)
+        if not self._lanes:
+            painter.drawText(QRectF(12, AXIS, LABELS - 12, 27), middle, "Starts with the run")
+        top = float(AXIS)
+        for lane in self._lanes:
+            room = QRectF(12, top, LABELS - 20, PITCH[lane.kind])
+            shown = painter.fontMetrics().elidedText(
+                lane.label, Qt.TextElideMode.ElideMiddle, int(room.width())
+            )
+            painter.drawText(room, middle, shown)
+            top += PITCH[lane.kind]
+        painter.end()
+
+
+class _Seconds(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
+    """Ticks that say their unit."""
+
+    def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        digits = 0 if spacing >= 1 else 1 if spacing >= 0.1 else 2
+        return [f"{value:.{digits}f} s" for value in values]
 
 
 class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
@@ -113,7 +182,7 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
     reset = pg.QtCore.Signal()
 
     def __init__(self) -> None:
-        super().__init__(enableMenu=False)
+        super().__init__(enableMenu=False, defaultPadding=0)
         self.setMouseEnabled(x=True, y=False)
         self.setLimits(xMin=0, minXRange=0.05)
 
@@ -130,7 +199,7 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
 
 
 class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
-    """Paints the spans of every lane in device pixels, so that text and corners stay sharp."""
+    """Paints the blocks of every lane in pixels, so that text and corners stay sharp."""
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
@@ -144,7 +213,9 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self.update()
 
     def boundingRect(self) -> QRectF:
-        return QRectF(0, 0, max(self.time, 1.0) * 1.2 + 1, max(len(self.lanes), 1))
+        high = float(sum(PITCH[lane.kind] for lane in self.lanes))
+        ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
+        return QRectF(0, 0, max(self.time, *ends, 1.0) if ends else 1.0, max(high, 1.0))
 
     def paint(self, painter: QPainter, *_: object) -> None:
         view = self.getViewBox()
@@ -154,47 +225,44 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.resetTransform()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         clip = transform.mapRect(self.mapRectFromScene(view.sceneBoundingRect()))
-        for row, lane in enumerate(self.lanes):
-            for index, span in enumerate(lane.spans):
-                end = self.time if span.end is None else span.end
-                if end < left or span.start > right:
-                    continue
-                box = transform.mapRect(QRectF(span.start, row, end - span.start, 1))
-                last = index == len(lane.spans) - 1 and span.end is None
-                painter.setClipRect(clip)
-                colours = self._colours(lane.kind, span, last)
-                _paint_span(painter, box.adjusted(0, 2, -1, -2), clip, lane.kind, span, colours)
+        painter.setClipRect(clip)
+        top = 0.0
+        for lane in self.lanes:
+            pitch = float(PITCH[lane.kind])
+            for block in lane.blocks:
+                end = self.time if block.end is None else block.end
+                if end >= left and block.start <= right:
+                    room = QRectF(block.start, top, end - block.start, pitch)
+                    self._paint(painter, transform.mapRect(room), clip, lane.kind, block)
+            top += pitch
         painter.restore()
 
-    def _colours(self, kind: str, span: Span, last: bool) -> tuple[QColor, QColor, QColor]:
+    def _paint(
+        self, painter: QPainter, room: QRectF, clip: QRectF, kind: str, block: Block
+    ) -> None:
+        inset = 2.0 if kind == "fact" else 1.5
+        box = room.adjusted(0.5, inset, -0.5, -inset)
+        fill, line, ink = self._colours(kind, block.look)
+        dashed = block.look in ("predicted", "unknown")
+        style = Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine
+        painter.setPen(QPen(line, 1.2, style) if line is not None else Qt.PenStyle.NoPen)
+        painter.setBrush(fill)
+        painter.drawRoundedRect(box, 3 if line is not None else 0, 3 if line is not None else 0)
+        font = text_font(12, 600) if kind == "operation" else mono_font(12, 500)
+        painter.setFont(font)
+        seen = box.intersected(clip)
+        if QFontMetricsF(font).horizontalAdvance(block.words) + 6 <= seen.width():
+            painter.setPen(ink)
+            painter.drawText(seen, Qt.AlignmentFlag.AlignCenter, block.words)
+
+    def _colours(self, kind: str, look: str) -> tuple[QColor, QColor | None, QColor]:
         t = self.tokens
+        if look == "predicted":
+            return t.surf, t.accl, t.acc
+        if look in ("bad", "unknown"):
+            return (t.bads, t.bad, t.bad) if look == "bad" else (t.unks, t.unk, t.unk)
         if kind == "state":
-            return (t.acc, t.acc, t.onacc) if last else (t.accs, t.accl, t.acc)
+            return (t.acc, t.acc, t.onacc) if look == "now" else (t.accs, t.accl, t.acc)
         if kind == "operation":
-            if last:
-                return t.accs, t.acc, t.acc
-            return (t.sunk, t.line2, t.tx) if span.good else (t.bads, t.bad, t.bad)
-        if not span.good:
-            return t.unks, t.unk, t.unk
-        return (t.accs, t.accl, t.acc) if span.words == "h" else (t.sunk, t.sunk, t.tx2)
-
-
-def _paint_span(  # noqa: PLR0917
-    painter: QPainter,
-    box: QRectF,
-    clip: QRectF,
-    kind: str,
-    span: Span,
-    colours: tuple[QColor, QColor, QColor],
-) -> None:
-    fill, line, ink = colours
-    painter.setPen(QPen(line, 1))
-    painter.setBrush(fill)
-    painter.drawRoundedRect(box, 3, 3)
-    words = span.words.rsplit("/", 1)[-1] if kind == "operation" else span.words
-    font = mono_font(12, 400 if kind == "fact" else 600)
-    painter.setFont(text_font(12, 600) if kind == "operation" else font)
-    seen = box.intersected(clip)
-    if QFontMetricsF(painter.font()).horizontalAdvance(words) + 6 <= seen.width():
-        painter.setPen(ink)
-        painter.drawText(seen, Qt.AlignmentFlag.AlignCenter, words)
+            return (t.accs, t.acc, t.acc) if look == "now" else (t.sunk, t.line2, t.tx)
+        return (t.accs, t.accl, t.acc) if look == "beyond" else (t.sunk, None, t.tx)

@@ -23,7 +23,7 @@ PHASES = {
     "held": ("Held", "held"),
     "goal_reached": ("Goal reached", "good"),
     "stopped": ("Stopped", "quiet"),
-    "failed": ("Failed", "held"),
+    "failed": ("Fault hold", "held"),
     "refused": ("Refused", "held"),
     "no_route": ("No route", "held"),
 }
@@ -95,12 +95,18 @@ class Transport(QWidget):
         self.show_phase("", exists=False)
 
     def offer(
-        self, worlds: Sequence[str], states: Sequence[tuple[str, str]], start: str, goal: str
+        self,
+        worlds: Sequence[str],
+        starts: Sequence[tuple[str, str]],
+        goals: Sequence[tuple[str, str]],
     ) -> None:
-        """Fill the choices; ``states`` are pairs (what is shown, address). Choices are kept."""
-        _fill(self.world, [(name, name) for name in worlds], "")
-        _fill(self.start, states, start)
-        _fill(self.goal, states, goal)
+        """Fill the choices with pairs (what is shown, address); the first one is the default.
+
+        What a person chose is kept where it still exists.
+        """
+        _fill(self.world, [(name, name) for name in worlds])
+        _fill(self.start, starts)
+        _fill(self.goal, goals)
 
     def lock(self, locked: bool) -> None:
         """While a run exists, what it started from cannot be changed."""
@@ -116,8 +122,9 @@ class Transport(QWidget):
             self.phase.setProperty("kind", kind)
             self.phase.style().unpolish(self.phase)
             self.phase.style().polish(self.phase)
-        self.stop.setVisible(True)
-        self.stop.setEnabled(exists)
+        self.stop.setToolTip(
+            "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
+        )
         running = phase in ("running", "opening", "ready")
         if running != self._running:
             self._running = running
@@ -159,16 +166,13 @@ class Transport(QWidget):
         return button
 
 
-def _fill(combo: Combo, items: Sequence[tuple[str, str]], chosen: str) -> None:
-    """Replace the items; keeps the choice where it still exists, else ``chosen``."""
-    if [(combo.itemText(i), combo.itemData(i)) for i in range(combo.count())] == list(items):
-        return
-    before = combo.currentData()
+def _fill(combo: Combo, items: Sequence[tuple[str, str]]) -> None:
+    """Replace the items; keeps a choice that was made and still exists, else takes the first."""
+    before = combo.currentData() if combo.currentIndex() > 0 else None
     blocked = combo.blockSignals(True)
     combo.clear()
     for words, data in items:
         combo.addItem(words, data)
     known = [data for _, data in items]
-    wanted = before if before in known else chosen
-    combo.setCurrentIndex(known.index(wanted) if wanted in known else 0)
+    combo.setCurrentIndex(known.index(before) if before in known else 0)
     combo.blockSignals(blocked)

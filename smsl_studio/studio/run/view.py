@@ -2,17 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Reading
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.status import DispatchStatus, Possible
+from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.run.facts_table import FactRow
 from smsl_studio.studio.run.possible_list import PossibleRow
-from smsl_studio.studio.run.story import Span, Story
-from smsl_studio.studio.run.timeline import Lane
+from smsl_studio.studio.run.story import Story
+
+CHOOSABLE = ("ready", "paused", "held")
+"""The phases in which a person may have an operation carried out by hand."""
+Choices = list[tuple[str, str]]
+
+
+def choices(blueprint: Blueprint) -> tuple[Choices, Choices]:
+    """What can be chosen as start and as goal, as (words, address); the default stands first."""
+    roots = [blueprint[name] for name in blueprint.roots if blueprint[name].table]
+    subs = [branch for branch in blueprint if branch not in roots]
+    if len(roots) == 1:
+        (root,) = roots
+        states = _states(root, several=len(blueprint) > 1)
+        starts = _first(states, str(Address(root.name, root.initial)))
+        goals = _first(states, str(Address(root.name, root.activating)))
+    else:
+        states = [pair for root in roots for pair in _states(root, several=True)]
+        starts, goals = [("each INITIAL", ""), *states], [("each ACTIVATING", ""), *states]
+    return starts, [*goals, *(pair for sub in subs for pair in _states(sub, several=True))]
+
+
+def _states(branch: StateBranch, several: bool) -> Choices:
+    prefix = f"{branch.name}/" if several else ""
+    return [
+        (prefix + short_name(branch, state), str(Address(branch.name, state)))
+        for state in branch.table
+    ]
+
+
+def _first(states: Choices, default: str) -> Choices:
+    return sorted(states, key=lambda pair: pair[1] != default)
 
 
 def fact_rows(blueprint: Blueprint, status: DispatchStatus) -> tuple[FactRow, ...]:
@@ -38,59 +69,93 @@ def fact_rows(blueprint: Blueprint, status: DispatchStatus) -> tuple[FactRow, ..
 
 
 def possible_rows(blueprint: Blueprint, status: DispatchStatus) -> tuple[PossibleRow, ...]:
-    """What may be done now: permitted first, every other one with its reason."""
+    """What may be done now: permitted first, every other one with its reason; then what follows."""
     rows = [_possible_row(blueprint, status, item) for item in status.possible]
-    order = {"running": 0, "route": 1, "possible": 2, "pruned": 3, "refused": 4}
+    order = {"running": 0, "route": 1, "possible": 2, "waits": 3, "pruned": 4, "refused": 5}
     groups = list(dict.fromkeys(row.group for row in rows))
-    return tuple(sorted(rows, key=lambda row: (groups.index(row.group), order[row.kind])))
-
-
-def lanes(blueprint: Blueprint, story: Story) -> tuple[Lane, ...]:
-    """The rows of the timeline: states of each SB, operations, then facts."""
-    several = len(blueprint) > 1
-    found = [
-        Lane(branch.name if several else "State", "state", _short(branch, story))
-        for branch in blueprint
-        if branch.name in story.states
-    ]
-    if found:
-        found.append(Lane("Operation", "operation", tuple(story.operations)))
-    for (name, digit), spans in sorted(story.facts.items()):
-        branch = blueprint[name]
-        label = branch.fact_name(digit)
-        found.append(Lane(f"{name} {label}" if several else label, "fact", tuple(spans)))
-    return tuple(found)
+    rows.sort(key=lambda row: (groups.index(row.group), order[row.kind]))
+    return (*rows, *_predicted(blueprint, status))
 
 
 def marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Story) -> Marks:
     """What glows, trails and is planned on the canvas of one SB."""
     active = status.configuration.get(branch)
-    running = status.running if status.running and status.running.branch == branch else None
+    running = _running_in(branch, status)
     planned = tuple(a for a in status.route if a.branch == branch and a != running)
-    targets = [
-        blueprint[branch].table[a.state][a.operation] for a in planned if _stands(blueprint, a)
-    ]
-    shut = frozenset(p.address for p in status.possible if p.pruned and p.address.branch == branch)
-    risky = frozenset(
-        address
-        for text in story.risky
-        if (address := Address(*Address.split(text))).branch == branch
-    )
+    shown = running or next(iter(planned), None)
+    following = [blueprint[branch].table[shown.state][shown.operation]] if shown else []
     return Marks(
         active=active,
-        running=(running, status.progress or 0.0) if running else None,
+        running=(running, progress(blueprint, status, story)) if running else None,
+        running_words=_running_words(blueprint, status, story) if running else "",
         visited=story.visited(branch) - {active or ""},
         trail=tuple(story.trail.get(branch, ())),
         planned=planned,
-        next_states=frozenset(targets[:1]),
-        pruned=shut - risky,
-        risky=risky,
-        possible=frozenset(p.address for p in status.possible if p.permitted),
+        next_states=frozenset(following) - {active},
+        pruned=_shut(branch, status, story.pruned) - _at(branch, story.risky),
+        risky=_at(branch, story.risky),
+        possible=frozenset(p.address for p in status.possible if p.address.branch == branch),
         goals=frozenset(goal.state for goal in status.goals if goal.branch == branch),
         facts=_sensed(blueprint[branch], active, status),
-        running_words=_running_words(status) if running else "",
         dimmed=True,
     )
+
+
+def expected_duration(blueprint: Blueprint, status: DispatchStatus, story: Story) -> float | None:
+    """How long the running operation should take: declared, or as it took before; else None."""
+    running = status.running
+    if running is None or status.running_since is None:
+        return None
+    note = blueprint[running.branch].operation_note(running.state, running.operation)
+    return note.duration or story.expected(str(running))
+
+
+def progress(blueprint: Blueprint, status: DispatchStatus, story: Story) -> float | None:
+    """The share of its expected time that the running operation has taken."""
+    whole = expected_duration(blueprint, status, story)
+    if not whole or status.running_since is None:
+        return None
+    return min((status.time - status.running_since) / whole, 1.0)
+
+
+def rate_words(sensors: Sequence[SensorInfo]) -> str:
+    """How often facts are sensed."""
+    rates = sorted({round(1 / sensor.period) for sensor in sensors if sensor.period > 0})
+    if not rates:
+        return "nobody senses them"
+    return f"sensed at {' to '.join(str(rate) for rate in dict.fromkeys((rates[0], rates[-1])))} Hz"
+
+
+def short_name(branch: StateBranch, state: str) -> str:
+    """The facts alone where a state's name is a prefix and its facts, else the name."""
+    facts = "".join(branch.facts(state)) if state in branch.table else ""
+    return facts if facts and state.endswith(facts) else state
+
+
+def _running_in(branch: str, status: DispatchStatus) -> Address | None:
+    """The operation that runs in an SB: its own, or the one that waits for its sub-SBs."""
+    for address in (status.running, status.carrying):
+        if address is not None and address.branch == branch:
+            return address
+    return None
+
+
+def _running_words(blueprint: Blueprint, status: DispatchStatus, story: Story) -> str:
+    if status.running is None or status.running_since is None:
+        return ""
+    elapsed = f"{status.time - status.running_since:.1f}"
+    whole = expected_duration(blueprint, status, story)
+    return f"{elapsed} of {whole:.1f} s" if whole else f"{elapsed} s"
+
+
+def _at(branch: str, written: Mapping[str, str]) -> frozenset[Address]:
+    addresses = (Address(*Address.split(text)) for text in written)
+    return frozenset(address for address in addresses if address.branch == branch)
+
+
+def _shut(branch: str, status: DispatchStatus, pruned: Mapping[str, str]) -> frozenset[Address]:
+    now = (p.address for p in status.possible if p.pruned and p.address.branch == branch)
+    return _at(branch, pruned) | frozenset(now)
 
 
 def _sensed(
@@ -102,34 +167,15 @@ def _sensed(
     found: dict[tuple[str, int], str] = {}
     for digit, believed in enumerate(branch.facts(active)):
         reading = status.scene.get(branch.name, digit)
-        if reading is not None and reading.value != believed:
+        if reading is not None and reading.sensed and reading.value != believed:
             found[active, digit] = "unknown" if reading.value is None else "differs"
     return found
-
-
-def _running_words(status: DispatchStatus) -> str:
-    if status.running is None or status.running_since is None:
-        return ""
-    return f"{status.running.operation}  {status.time - status.running_since:.1f} s"
-
-
-def _short(branch: StateBranch, story: Story) -> tuple[Span, ...]:
-    return tuple(
-        Span(span.start, short_name(branch, span.words), span.end, span.good)
-        for span in story.states[branch.name]
-    )
-
-
-def short_name(branch: StateBranch, state: str) -> str:
-    """The facts alone where a state's name is a prefix and its facts, else the name."""
-    facts = "".join(branch.facts(state)) if state in branch.table else ""
-    return facts if facts and state.endswith(facts) else state
 
 
 def _expected(blueprint: Blueprint, status: DispatchStatus) -> Mapping[tuple[str, int], str]:
     """The facts the running operation is about to change, with what they should become."""
     running = status.running
-    if running is None or not _stands(blueprint, running):
+    if running is None:
         return {}
     branch = blueprint[running.branch]
     before = branch.facts(running.state)
@@ -142,7 +188,7 @@ def _expected(blueprint: Blueprint, status: DispatchStatus) -> Mapping[tuple[str
 
 
 def _fact_row(name: str, believed: str, reading: Reading | None, expected: str | None) -> FactRow:
-    if reading is None:
+    if reading is None or not reading.sensed:
         return FactRow(name, believed, "", None, "believed", "believed, nobody senses it")
     if expected is not None:
         words = f"moving, expects {expected}"
@@ -157,32 +203,64 @@ def _fact_row(name: str, believed: str, reading: Reading | None, expected: str |
 
 def _possible_row(blueprint: Blueprint, status: DispatchStatus, item: Possible) -> PossibleRow:
     address = item.address
-    branch = blueprint[address.branch]
-    where = address.branch if len(blueprint) > 1 else ""
-    group = f"From {where}{'/' if where else ''}{address.state}"
-    if address == status.running:
-        kind, words = "running", "running, on the route" if item.on_route else "running"
-    elif item.pruned:
-        kind, words = "pruned", "; ".join(item.reasons) or "pruned"
-    elif not item.permitted:
-        kind, words = "refused", "; ".join(item.reasons)
-    elif status.running is not None:
-        kind, words = "refused", "waits: one operation at a time"
-    elif item.on_route:
-        kind, words = "route", "possible, on the route"
-    else:
-        kind, words = "possible", "possible, off the route"
+    kind, words = _kind(status, item)
     return PossibleRow(
         address=address,
         name=address.operation,
-        target=short_name(branch, item.target),
+        target=short_name(blueprint[address.branch], item.target),
         kind=kind,
         words=words,
         cost=f"{item.cost:.1f}",
-        group=group,
+        group=f"From {_named(blueprint, address.branch, address.state)}",
+        note="active",
     )
 
 
-def _stands(blueprint: Blueprint, address: Address) -> bool:
-    branch = blueprint.branches.get(address.branch)
-    return branch is not None and address.operation in branch.table.get(address.state, {})
+def _kind(status: DispatchStatus, item: Possible) -> tuple[str, str]:
+    if item.address in (status.running, status.carrying):
+        return "running", "running, on the route" if status.route else "running"
+    if item.pruned or item.risky:
+        return "pruned", "; ".join(item.reasons) or ("risky" if item.risky else "pruned")
+    if status.running is not None and (item.permitted or not item.reasons):
+        return "waits", "waits: one operation at a time"
+    if not item.permitted:
+        return "refused", "; ".join(item.reasons)
+    if item.on_route:
+        return "route", "possible, on the route"
+    return "possible", "possible, off the route" if status.route else "possible"
+
+
+def _predicted(blueprint: Blueprint, status: DispatchStatus) -> Iterator[PossibleRow]:
+    """The operations out of the state that the running one leads to."""
+    running = status.running
+    if running is None:
+        return
+    branch = blueprint[running.branch]
+    here = branch.table[running.state][running.operation]
+    if here == running.state:
+        return
+    for name, target in branch.table[here].items():
+        address = Address(branch.name, here, name)
+        following = bool(status.route) and status.route[0] == address
+        if following:
+            goal = next((goal for goal in status.goals if goal.branch == branch.name), None)
+            to = f" to {short_name(branch, goal.state)}" if goal else ""
+            kind, words = "next", f"next on the route{to}"
+        elif target == running.state:
+            kind, words = "later", "possible, goes back"
+        else:
+            kind, words = "later", "possible, off the route"
+        yield PossibleRow(
+            address=address,
+            name=name,
+            target=short_name(branch, target),
+            kind=kind,
+            words=words,
+            cost=f"{branch.cost(here, name):.1f}",
+            group=f"Then, from {_named(blueprint, branch.name, here)}",
+            note="predicted",
+        )
+
+
+def _named(blueprint: Blueprint, branch: str, state: str) -> str:
+    return f"{branch}/{state}" if len(blueprint) > 1 else state

@@ -94,6 +94,10 @@ class WorldView(QWidget):
         self._home = VIEWS[name]
         self._look(self._home)
 
+    def come_back(self) -> None:
+        """Look from where the named place is again."""
+        self._look(self._home)
+
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens, self._image = tokens, None
         self.update()
@@ -139,7 +143,7 @@ class WorldView(QWidget):
         self.unsetCursor()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._look(self._home)
+        self.come_back()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         self._look(self._camera.zoomed(0.999 ** event.angleDelta().y()))

@@ -1,0 +1,92 @@
+"""Lanes: what the timeline shows, row by row, told from a run's story."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.studio.run.story import Span, Story
+from smsl_studio.studio.run.view import expected_duration, short_name
+
+
+@dataclass(frozen=True)
+class Block:
+    """One span of a lane, as it is painted. ``end`` None: it still holds.
+
+    ``look`` is ``past``, ``now``, ``bad``, ``predicted``, or for a fact ``unknown`` and ``beyond``
+    (a value that no state has).
+    """
+
+    start: float
+    end: float | None
+    words: str
+    look: str
+
+
+@dataclass(frozen=True)
+class Lane:
+    """One row: its label, its kind (state, operation, fact) and its blocks in order of time."""
+
+    label: str
+    kind: str
+    blocks: tuple[Block, ...]
+
+
+def lanes(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[Lane, ...]:
+    """The rows of the timeline: states of each SB, operations, then facts."""
+    several = len(blueprint) > 1
+    soon = _soon(blueprint, status, story)
+    found = []
+    for branch in blueprint:
+        if branch.name in story.states:
+            coming = soon[1:] if status.running and status.running.branch == branch.name else ()
+            blocks = (*_states(branch, story), *coming)
+            found.append(Lane(branch.name if several else "State", "state", blocks))
+    if found:
+        found.append(Lane("Operation", "operation", (*_operations(story), *soon[:1])))
+    for branch in blueprint:
+        for digit in range(branch.num_facts if branch.table else 0):
+            spans = story.facts.get((branch.name, digit))
+            if spans:
+                name = branch.fact_name(digit)
+                label = f"{branch.name} {name}" if several else name
+                found.append(Lane(label, "fact", tuple(_facts(branch, digit, spans))))
+    return tuple(found)
+
+
+def _soon(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[Block, ...]:
+    """The rest of the running operation and the state after it, where its duration is known."""
+    whole, running = expected_duration(blueprint, status, story), status.running
+    if whole is None or running is None or status.running_since is None:
+        return ()
+    end = status.running_since + whole
+    if end <= status.time:
+        return ()
+    branch = blueprint[running.branch]
+    target = short_name(branch, branch.table[running.state][running.operation])
+    return (
+        Block(status.time, end, f"to {end:.1f} s", "predicted"),
+        Block(end, end + whole, target, "predicted"),
+    )
+
+
+def _states(branch: StateBranch, story: Story) -> Iterator[Block]:
+    ended = story.finished is not None
+    for span in story.states[branch.name]:
+        look = "now" if span.end is None and not ended else "past"
+        yield Block(span.start, span.end, short_name(branch, span.words), look)
+
+
+def _operations(story: Story) -> Iterator[Block]:
+    for span in story.operations:
+        look = "now" if span.end is None else "past" if span.good else "bad"
+        yield Block(span.start, span.end, span.words.rpartition("/")[2], look)
+
+
+def _facts(branch: StateBranch, digit: int, spans: list[Span]) -> Iterator[Block]:
+    values = branch.alphabet[digit]
+    for span in spans:
+        look = "past" if span.words in values else "beyond"
+        yield Block(span.start, span.end, span.words, look if span.good else "unknown")

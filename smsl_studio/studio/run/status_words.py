@@ -1,0 +1,33 @@
+"""What the status line says about a run: how it goes, and what it stands on."""
+
+from __future__ import annotations
+
+from smsl_studio.studio.run.run_session import RunSession
+from smsl_studio.studio.run.runner import FASTEST
+
+Words = tuple[tuple[str, ...], tuple[str, ...]]
+
+
+def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
+    """(left, right), both empty before the first run."""
+    choice, status = run.choice, run.status
+    if choice is None:
+        return (), ()
+    left = [f"World {choice.world}", f"Seed {choice.seed}"]
+    if status is not None:
+        left.append(f"Simulated {status.time:.1f} s")
+    if run.exists:
+        left.append(_pace(speed))
+        left.append(f"Frozen copy, drawing {'has moved on' if moved_on else 'unchanged'}")
+    if run.sentence:
+        left.append(run.sentence)
+    right = ("Simulation only",)
+    if run.latency is not None and status is not None:
+        return tuple(left), (f"Process alive, {max(run.latency * 1000, 0.1):.1f} ms", *right)
+    return tuple(left), right
+
+
+def _pace(speed: float) -> str:
+    if speed == FASTEST:
+        return "As fast as it goes"
+    return "Paced at real time" if speed == 1.0 else f"Paced at {speed:g} × real time"
