@@ -43,15 +43,15 @@ CLOSING, OPENING = 36, 24
 def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     """Pick a ring up and put it on a peg; False where the grasp fails.
 
-    A ring that is there already is left alone; one with rings on top cannot be gripped alone, so
-    that the hand does not even try.
+    A ring that is there already is left alone. The hand does not even try where it holds another
+    ring, or where rings on top would come along.
     """
     if peg not in PEGS:
         raise WorldError(f"there is no peg {peg!r}: there are the pegs a, b and c")
     if table.reading(disk) == peg:
         return True
     if table.reading(disk) != HELD:
-        if _covered(table, disk):
+        if _covered(table, disk) or any(table.reading(other) == HELD for other in table.disks):
             return False
         yield from _pick(table, disk)
     if not (yield from _lift(table, disk)):

@@ -32,9 +32,11 @@ def _quiet() -> Iterator[None]:
     """Bullet chats from C, past Python: meanwhile standard output and error lead nowhere."""
     _flush()
     nowhere = os.open(os.devnull, os.O_WRONLY)
-    kept = [(stream, os.dup(stream)) for stream in (1, 2)]
-    for stream, _ in kept:
-        os.dup2(nowhere, stream)
+    kept: list[tuple[int, int]] = []
+    for stream in (1, 2):
+        with suppress(OSError):  # a program without a console may have none
+            kept.append((stream, os.dup(stream)))
+            os.dup2(nowhere, stream)
     try:
         yield
     finally:

@@ -74,6 +74,7 @@ def test_a_disk_in_the_hand_is_carried_on(game: Game) -> None:
     game.world.brake()
     game.wait(120)
     assert game.read() == "haa"
+    assert game.run("2c") == (False, 0.0)
     assert game.run("1c")[0] is True
     assert game.read() == "caa"
 
