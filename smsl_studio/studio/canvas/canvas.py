@@ -231,6 +231,7 @@ class Canvas(QGraphicsView):
                 item.show_state(sheet, state)
         self.update_edges(edges)
         self.hand.show_grip()
+        self.overlays.picture_changed()
         self._describe()
 
     def show_banner(self, text: str) -> None:
@@ -362,6 +363,7 @@ class Canvas(QGraphicsView):
             if item is not None:
                 item.show_state(sheet, state)
         self.scene().update(before.united(self._dirty(list(places), edges)))
+        self.overlays.picture_changed()
 
     def _dirty(self, states: list[int], edges: list[int] | None = None) -> QRectF:
         """The part of the scene that states and their edges cover."""

@@ -155,13 +155,16 @@ class DragStates:
 class Connect:
     """Draws an operation from a state's handle; lets go over a state or over empty canvas."""
 
-    def __init__(self, canvas: Canvas, event: QMouseEvent, state: int, start: QPointF) -> None:
+    def __init__(
+        self, canvas: Canvas, event: QMouseEvent | None, state: int, start: QPointF
+    ) -> None:
+        """``event`` is the press it begins with; None where it follows the pointer unpressed."""
         sheet = canvas.sheet
         assert sheet is not None
         self._canvas, self._state, self._start = canvas, state, start
         self._source = sheet.address_of_state(state)
-        self._pressed = event.position().toPoint()
-        self._begun = False
+        self._pressed = event.position().toPoint() if event is not None else QPoint()
+        self._begun = event is None
         canvas.gestures.put("handle", None)
         canvas.gestures.put("drawn", Drawn(start, start))
 

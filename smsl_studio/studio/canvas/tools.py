@@ -37,7 +37,7 @@ class Hand:
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
         self._gesture: Gesture | None = None
-        self._space = False
+        self._space = self._sticky = False
 
     @property
     def busy(self) -> bool:
@@ -45,7 +45,7 @@ class Hand:
 
     def reset(self) -> None:
         """Forget what is under way: another picture is shown."""
-        self._gesture = None
+        self._gesture, self._sticky = None, False
         self._canvas.gestures.clear()
 
     # Mouse
@@ -54,7 +54,11 @@ class Hand:
         canvas = self._canvas
         canvas.setFocus(Qt.FocusReason.MouseFocusReason)
         canvas.overlays.hush()
+        canvas.overlays.pad.go()
         if self._gesture is not None:
+            if self._sticky:
+                self._sticky = False
+                self.release(event)
             return
         left = event.button() is Qt.MouseButton.LeftButton
         if event.button() is Qt.MouseButton.MiddleButton or (left and self._space):
@@ -90,6 +94,16 @@ class Hand:
             self.show_grip()
             return None
         return Band(canvas, event) if canvas.editing else Pan(canvas, event)
+
+    def begin_connect(self, address: Address) -> None:
+        """Draw an operation from a state to where the next click lies; Esc leaves it."""
+        sheet = self._canvas.sheet
+        state = sheet.picture.node(address) if sheet is not None else -1
+        if state >= 0:
+            self._gesture = Connect(self._canvas, None, state, self.handles(state)["right"])
+            self._sticky = True
+            self._canvas.setFocus()
+            self._canvas.say("Click the target state, or empty canvas for a new one.")
 
     def move(self, event: QMouseEvent) -> None:
         if self._gesture is not None:
@@ -299,7 +313,7 @@ class Hand:
                 self._cursor()
             return True
         if event.key() == Qt.Key.Key_Escape and self._gesture is not None:
-            gesture, self._gesture = self._gesture, None
+            gesture, self._gesture, self._sticky = self._gesture, None, False
             gesture.cancel()
             return True
         return keys.press(self._canvas, event)

@@ -12,9 +12,13 @@ from PySide6.QtGui import QCursor
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays.breadcrumb import Breadcrumb
+from smsl_studio.studio.canvas.overlays.hover_pad import HoverPad
+from smsl_studio.studio.canvas.overlays.key import Key
 from smsl_studio.studio.canvas.overlays.legend import Legend, RunLegend
+from smsl_studio.studio.canvas.overlays.mini_map import MiniMap
 from smsl_studio.studio.canvas.overlays.notice import Banner, EmptyHint, Word
 from smsl_studio.studio.canvas.overlays.zoom_control import ZoomControl
 from smsl_studio.studio.theme import Tokens
@@ -23,6 +27,8 @@ if TYPE_CHECKING:
     from smsl_studio.studio.canvas.canvas import Canvas
 
 EDGE = 14
+WIDE, TALL = 720, 420
+"""The mini-map is left out of a smaller view."""
 SPOKEN = 6000
 """How long a word at the pointer stays when nothing happens (ms)."""
 
@@ -37,6 +43,9 @@ class Overlays:
         self.legend = Legend(canvas, tokens)
         self.run_legend = RunLegend(canvas, tokens)
         self.run_legend.hide()
+        self.map = MiniMap(canvas, tokens)
+        self.key = Key(canvas, tokens)
+        self.pad = HoverPad(canvas, tokens)
         self.banner = Banner(canvas, tokens)
         self.word = Word(canvas, tokens)
         self.empty = EmptyHint(canvas, tokens)
@@ -47,9 +56,9 @@ class Overlays:
         self.breadcrumb.clicked.connect(self._crumb)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        for widget in (self.zoom, self.banner, self.word, self.empty):
+        for widget in (self.zoom, self.map, self.pad, self.banner, self.word, self.empty):
             widget.set_tokens(tokens)
-        for plain in (self.breadcrumb, self.legend, self.run_legend):
+        for plain in (self.breadcrumb, self.legend, self.run_legend, self.key):
             plain.tokens = tokens
             plain.update()
         self._canvas.gestures.ink = self._canvas.ink
@@ -67,7 +76,7 @@ class Overlays:
         self.legend.setVisible(bool(kinds))
         nothing = sheet is None or not len(sheet.picture)
         self.empty.setVisible(nothing and self._canvas.editing)
-        # A run has a head and buttons of its own above the canvas.
+        # A run has a head and buttons of its own in the breadcrumb's place.
         self.breadcrumb.setVisible(self._canvas.editing)
         self.zoom.setVisible(self._canvas.editing)
         self.place()
@@ -81,6 +90,14 @@ class Overlays:
 
     def show_zoom(self, zoom: float) -> None:
         self.zoom.show_zoom(zoom)
+        self._explain()
+
+    def _explain(self) -> None:
+        """Say what compact nodes and labels stand for, while they are shown."""
+        sheet = self._canvas.sheet
+        compact = sheet is not None and sheet.level is Level.COMPACT and self._canvas.editing
+        self.key.show_picture(sheet.picture if sheet is not None else None, compact)
+        self.key.move(self._canvas.width() - self.key.width() - EDGE, 12)
 
     def fitted(self) -> None:
         """Everything is in view now."""
@@ -91,8 +108,8 @@ class Overlays:
         self.place()
 
     def top_room(self) -> int:
-        """The height at the top that belongs to the breadcrumb."""
-        return 40 if self._canvas.editing else 0
+        """The height at the top that belongs to the breadcrumb, or to the head of a run."""
+        return 40
 
     def say(self, text: str, at: QPoint | None = None) -> None:
         """Say something beside the pointer, or beside a point of the viewport."""
@@ -112,21 +129,47 @@ class Overlays:
 
     def hover(self, address: Address | None) -> None:
         """The pointer is on something else now."""
+        self.pad.hover(address)
 
     def view_moved(self) -> None:
         """The picture moved under the floating widgets."""
+        self.pad.go()
+        if not self.map.isHidden():
+            self.map.update()
+        elif self._canvas.editing and not self._canvas.camera.fitted:
+            self._place_zoom()
+
+    def picture_changed(self) -> None:
+        """States stand elsewhere or look different."""
+        if not self.map.isHidden():
+            self.map.update()
 
     def _place_zoom(self) -> None:
         """At the bottom right, or below the breadcrumb where it would cover a node of a fit."""
-        canvas, zoom = self._canvas, self.zoom
-        place = QPoint(canvas.width() - zoom.width() - EDGE, canvas.height() - zoom.height() - EDGE)
-        sheet = canvas.sheet
-        if sheet is not None and canvas.camera.fitted:
-            corner = canvas.mapToScene(place - QPoint(6, 6))
-            far = canvas.mapToScene(QPoint(canvas.width(), canvas.height()))
-            if sheet.states_in(corner.x(), corner.y(), far.x(), far.y()):
-                place = QPoint(EDGE - 2, 44)
+        canvas, zoom, map_ = self._canvas, self.zoom, self.map
+        right, bottom = canvas.width() - EDGE, canvas.height() - EDGE
+        several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
+        roomy = canvas.width() >= WIDE and canvas.height() >= TALL
+        at = QPoint(right - map_.width(), bottom - map_.height())
+        shown = canvas.editing and several and roomy and not self._covers(at)
+        map_.move(at)
+        map_.setVisible(shown)
+        if shown:
+            right = at.x() - 12
+        place = QPoint(right - zoom.width(), bottom - zoom.height())
+        if self._covers(place):
+            place = QPoint(EDGE - 2, 44)
         zoom.move(place)
+
+    def _covers(self, corner: QPoint) -> bool:
+        """Whether what stands from this corner to the bottom right covers nodes of a fit."""
+        canvas = self._canvas
+        sheet = canvas.sheet
+        if sheet is None or not canvas.camera.fitted:
+            return False
+        near = canvas.mapToScene(corner - QPoint(6, 6))
+        far = canvas.mapToScene(QPoint(canvas.width(), canvas.height()))
+        return bool(sheet.states_in(near.x(), near.y(), far.x(), far.y()))
 
     def place(self) -> None:
         """Put everything where it belongs in the view's size."""
@@ -135,12 +178,15 @@ class Overlays:
         self.breadcrumb.move(EDGE, 10)
         self.breadcrumb.resize(self.breadcrumb.sizeHint())
         self.zoom.resize(self.zoom.sizeHint())
+        self.map.resize(self.map.sizeHint())
+        self._explain()
         self._place_zoom()
         self.legend.resize(self.legend.sizeHint())
         self.legend.move(EDGE + 4, height - self.legend.height() - EDGE)
-        self.run_legend.move(EDGE + 2, 44 if self._canvas.editing else 8)
         self.banner.adjustSize()
         self.banner.move((width - self.banner.width()) // 2, 44)
+        below = self.banner.height() + 4 if self.banner.text else 0
+        self.run_legend.move(EDGE + 2, 48 + below)
         self.empty.resize(self.empty.sizeHint())
         self.empty.move((width - self.empty.width()) // 2, (height - self.empty.height()) // 2)
 
