@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
 
@@ -27,7 +27,7 @@ class Action:
     """One thing to ask for.
 
     ``keys`` are shortcuts, the first one is shown. ``scope`` is ``window``, or ``canvas`` for keys
-    that act only while the canvas has the focus (single letters, Del, Enter). ``section`` groups
+    that the canvas itself answers while it has the focus (single letters, Del, Enter). ``section`` groups
     the actions of a menu; a rule stands between sections.
     """
 
@@ -69,7 +69,11 @@ class Actions(QObject):
             made = QAction(action.words, window)
             made.setObjectName(action.id)
             made.setCheckable(action.checked is not None)
-            made.setShortcuts([QKeySequence(key) for key in action.keys])
+            if action.scope == "window":
+                made.setShortcuts([QKeySequence(key) for key in action.keys])
+            elif action.keys:
+                # The canvas answers these keys itself; a menu only says them.
+                made.setText(f"{action.words}\t{key_words(action.keys[0])}")
             made.setIconText(f" {action.short or action.words.rstrip('…')}")
             made.setToolTip(action.hint)
             made.setStatusTip(action.tip)
@@ -85,14 +89,6 @@ class Actions(QObject):
 
     def __iter__(self) -> Iterator[Action]:
         return iter(self.table.values())
-
-    def bind_canvas(self, canvas: QWidget) -> None:
-        """Let the canvas have its own keys: they act only while it has the focus."""
-        for action in self:
-            if action.scope == "canvas":
-                made = self._made[action.id]
-                made.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-                canvas.addAction(made)
 
     def set_tokens(self, tokens: Tokens) -> None:
         for action in self:

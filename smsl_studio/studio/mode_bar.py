@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QAction, QColor, QPainter, QPaintEvent, QPalette, QPen
+from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.controls import row, rule
 from smsl_studio.studio.icons import draw, icon
+from smsl_studio.studio.key_button import KeyButton
 from smsl_studio.studio.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
 
 DRAW_TOOLS = (
@@ -50,9 +51,8 @@ class ModeBar(QToolBar):
         self.run.setFixedHeight(32)
         self.run.setToolTip(actions.table["run_play"].hint)
         self.run.clicked.connect(actions["run_play"].trigger)
-        self.stop = QPushButton("Stop  F8")
-        self.stop.setProperty("role", "stop")
-        self.stop.setFixedSize(136, 40)
+        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
         self.stop.setToolTip(actions.table["run_stop"].hint)
         self.stop.clicked.connect(actions["run_stop"].trigger)
         self.stop.hide()
@@ -73,7 +73,7 @@ class ModeBar(QToolBar):
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
-        self.stop.setIcon(icon("stop", tokens, 14, QColor("white")))
+        self.stop.set_tokens(tokens)
         self.search.set_tokens(tokens)
 
     def add_transport(self, transport: QWidget) -> None:

@@ -127,7 +127,9 @@ class FindingDelegate(QStyledItemDelegate):
         if isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonRelease:
             finding: Finding = index.data(Qt.ItemDataRole.UserRole)
             box = self.button(QRectF(option.rect), finding)
-            if event.button() is Qt.MouseButton.LeftButton and box.contains(event.pos()):
+            if event.button() is Qt.MouseButton.LeftButton and box.contains(
+                event.position().toPoint()
+            ):
                 self.pressed.emit(finding)
                 return True
         return super().editorEvent(event, model, option, index)

@@ -1,0 +1,191 @@
+"""Files as a person meets them: new, open, save, save as, recent, dropped, broken, unsaved."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMessageBox, QPushButton
+
+from smsl_studio.blueprint import editing
+from smsl_studio.smsl.files import read_document
+from smsl_studio.studio.dialogs import Dialogs
+from smsl_studio.studio.window import Window
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person, sample
+
+Key = Qt.Key
+
+
+def copy_of(name: str, folder: Path) -> Path:
+    return Path(shutil.copy(SAMPLES / name, folder / name))
+
+
+def edit(person: Person) -> None:
+    """Any edit: another state."""
+    person.window.session.edit(
+        "Add Z", lambda bp: editing.add_state(bp, next(iter(bp.branches)), "State_zzz")
+    )
+
+
+def answer(person: Person, words: str) -> None:
+    """Press a button of the question that comes up next."""
+
+    def press() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        button = next(b for b in box.buttons() if b.text().replace("&", "") == words)
+        button.click()
+
+    QTimer.singleShot(50, person.window, press)
+
+
+def test_a_window_without_a_file_is_an_empty_blueprint(sit: Sit) -> None:
+    person = sit()
+    assert list(person.blueprint.branches) == ["SB1"]
+    assert person.window.menu_row.title == "untitled.json"
+    assert person.window.canvas.overlays.empty.isVisible()
+
+
+def test_the_first_samples_are_offered_where_nothing_is_drawn(sit: Sit) -> None:
+    person = sit()
+    menus = set(person.window.findChildren(QMenu))
+    person.click(person.window.canvas.overlays.empty.sample)
+    menu = next(m for m in person.window.findChildren(QMenu) if m not in menus)
+    action = next(a for a in menu.actions() if a.text() == "hfsm.json")
+    action.trigger()
+    menu.close()
+    assert person.blueprint == sample("hfsm.json")
+    assert person.window.files.path is None, "a sample is opened as a copy"
+
+
+def test_open_edit_save_changes_only_what_was_edited(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("registration.json", tmp_path)
+    before = path.read_bytes()
+    person = sit(path)
+    assert person.window.menu_row.title == "registration.json"
+    edit(person)
+    assert person.window.menu_row.title == "registration.json edited"
+    person.ctrl(Key.Key_S)
+    assert person.window.menu_row.title == "registration.json"
+    after = path.read_bytes()
+    assert after != before
+    assert set(before.splitlines()) <= set(after.splitlines()) | {b"        }"}
+    person.ctrl(Key.Key_Z)
+    assert person.window.menu_row.title == "registration.json edited"
+    person.ctrl(Key.Key_S)
+    assert path.read_bytes() == before
+
+
+def test_save_as_asks_in_a_dialog_and_goes_on_there(sit: Sit, tmp_path: Path) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    target = tmp_path / "other"
+
+    def type_name() -> None:
+        dialog = QApplication.activeModalWidget()
+        assert isinstance(dialog, QFileDialog)
+        field = dialog.findChild(QLineEdit, "fileNameEdit")
+        assert field is not None
+        field.setText(str(target))
+        dialog.findChildren(QPushButton)[0].click() if False else dialog.accept()
+
+    QTimer.singleShot(100, person.window, type_name)
+    person.press(
+        Key.Key_S, [Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier]
+    )
+    assert person.window.files.path == target.with_suffix(".json")
+    assert read_document(target.with_suffix(".json")).text == (SAMPLES / "hfsm.json").read_text()
+    assert person.window.menu_row.title == "other.json"
+
+
+def test_a_broken_file_is_said_with_its_place_and_nothing_is_lost(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    broken = tmp_path / "broken.json"
+    broken.write_text('{\n  "SB1": {\n    "State_0": {"Op": }\n  }\n}\n')
+    person = sit(copy_of("hfsm.json", tmp_path))
+    monkeypatch.setattr(Dialogs, "file_to_open", lambda *_: broken)
+    person.ctrl(Key.Key_O)
+    said = person.window.toast.words
+    assert "broken.json:3:23" in said
+    assert person.blueprint == sample("hfsm.json")
+    assert person.window.menu_row.title == "hfsm.json"
+
+
+def test_a_save_that_fails_is_said_and_nothing_is_lost(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    edit(person)
+    path.unlink()
+    path.mkdir()
+    person.ctrl(Key.Key_S)
+    assert person.window.toast.words
+    assert person.window.session.edited
+    assert "State_zzz" in person.blueprint["SB1"].table
+
+
+@pytest.mark.parametrize(("words", "gone"), [("Cancel", False), ("Discard changes", True)])
+def test_unsaved_work_is_asked_about(sit: Sit, tmp_path: Path, words: str, gone: bool) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    edit(person)
+    answer(person, words)
+    person.ctrl(Key.Key_N)
+    assert ("State_zzz" not in person.blueprint["SB1"].table) is gone
+
+
+def test_closing_saves_where_that_is_the_answer(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    edit(person)
+    answer(person, "Cancel")
+    assert not person.window.close()
+    answer(person, "Save")
+    assert person.window.close()
+    assert "State_zzz" in path.read_text()
+
+
+def test_recent_files_are_offered_newest_first(sit: Sit, tmp_path: Path) -> None:
+    first, second = copy_of("hfsm.json", tmp_path), copy_of("hanoi.json", tmp_path)
+    person = sit(first)
+    person.window.files.open(second)
+    menu = _menu(person.window, "Open recent")
+    menu.aboutToShow.emit()
+    assert [a.text() for a in menu.actions()] == ["hanoi.json", "hfsm.json"]
+    menu.actions()[1].trigger()
+    assert person.blueprint == sample("hfsm.json")
+
+
+def test_a_file_dropped_on_the_window_is_opened(sit: Sit, tmp_path: Path) -> None:
+    person = sit()
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(os.fspath(copy_of("hanoi.json", tmp_path)))])
+    copy, none = Qt.DropAction.CopyAction, Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(QPoint(600, 400), copy, data, Qt.MouseButton.LeftButton, none)
+    QApplication.sendEvent(person.window, enter)
+    assert enter.isAccepted()
+    drop = QDropEvent(QPointF(600, 400), copy, data, Qt.MouseButton.LeftButton, none)
+    QApplication.sendEvent(person.window, drop)
+    person.until(lambda: person.window.files.name == "hanoi.json")
+
+
+def test_what_was_closed_is_as_it_was(sit: Sit, tmp_path: Path) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path), (1300, 820))
+    person.window.set_theme("dark")
+    person.ctrl(Key.Key_J)
+    assert not person.window.docks.bottom.isVisible()
+    assert person.window.close()
+    again = Window(QApplication.instance(), person.window.files._settings)  # type: ignore[arg-type]
+    again.show()
+    again.resize(1300, 820)
+    assert again.tokens.dark
+    assert not again.docks.bottom.isVisible()
+    assert again.docks.left.isVisible()
+    again.close()
+
+
+def _menu(window: Window, title: str) -> QMenu:
+    return next(menu for menu in window.findChildren(QMenu) if menu.title() == title)

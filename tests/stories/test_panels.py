@@ -1,0 +1,285 @@
+"""The panels as a person uses them: outline, header, properties, findings, source, history."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from smsl_studio.studio.panels.finding_rows import FindingsView
+from tests.stories.conftest import Sit
+from tests.stories.person import LEFT, SAMPLES, Person, sample
+
+Key = Qt.Key
+HANOI, HFSM = SAMPLES / "hanoi.json", SAMPLES / "hfsm.json"
+REGISTRATION = SAMPLES / "registration.json"
+
+
+# Outline
+
+
+def test_the_outline_shows_sub_sbs_below_their_fact_and_a_click_shows_them(sit: Sit) -> None:
+    person = sit(HFSM)
+    tree = person.window.outline.tree
+    texts = [item.text(0) for item in tree.items()]
+    assert texts == ["SB1", "Fact 1", "Fact 2", "SB2", "Fact 1", "Fact 3"]
+    sub = next(item for item in tree.items() if item.text(0) == "SB2")
+    QTest.mouseClick(tree.viewport(), LEFT, pos=tree.visualItemRect(sub).center())
+    assert person.window.session.branch == "SB2"
+    assert person.window.canvas.rect_of(person.blueprint.resolve("SB2/State0")) is not None
+
+
+def test_an_sb_is_renamed_in_the_outline_and_all_that_names_it_follows(sit: Sit) -> None:
+    person = sit(HFSM)
+    tree = person.window.outline.tree
+    sub = next(item for item in tree.items() if item.text(0) == "SB2")
+    QTest.mouseClick(tree.viewport(), LEFT, pos=tree.visualItemRect(sub).center())
+    person.press(Key.Key_F2)
+    person.type("Digits")
+    person.press(Key.Key_Return)
+    person.until(lambda: "Digits" in person.blueprint.branches)
+    assert person.blueprint["SB1"].subs == {1: "Digits"}
+    assert person.window.session.branch == "Digits"
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint == sample("hfsm.json")
+
+
+def test_an_sb_is_added_and_deleted_in_the_outline(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.click(person.window.outline.add_button)
+    person.press(Key.Key_Return)
+    assert list(person.blueprint.branches) == ["SB1", "SB2", "SB3"]
+    tree = person.window.outline.tree
+    person.until(lambda: not tree.naming)
+    QTest.keyClick(tree, Key.Key_Delete)
+    assert list(person.blueprint.branches) == ["SB1", "SB2"]
+
+
+# Header
+
+
+def test_the_header_form_says_a_refusal_beside_the_field(sit: Sit) -> None:
+    person = sit(HFSM)
+    header = person.window.properties.header
+    before = person.blueprint
+    person.write(header.num_facts, "2")
+    assert header.refusal.isVisible()
+    assert "cannot be cut into 2" in header.refusal.text()
+    assert person.blueprint is before
+    person.write(header.num_facts, "three")
+    assert "whole number" in header.refusal.text()
+    assert not person.window.toast.words, "what the form says needs no second line"
+
+
+def test_a_sub_sb_is_detached_and_attached_in_the_header_form(sit: Sit) -> None:
+    person = sit(HFSM)
+    header = person.window.properties.header
+    assert "on exactly while SB2 stands in its activating state, State1" in header.sentence.text()
+    person.choose(header.facts[1].sub, "None")
+    assert not person.blueprint["SB1"].subs
+    person.choose(header.facts[2].sub, "SB2")
+    assert person.blueprint["SB1"].subs == {2: "SB2"}
+    assert len(person.steps()) == 2
+
+
+def test_initial_and_activating_are_chosen_and_left_to_the_default(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    header = person.window.properties.header
+    assert header.initial.currentText() == "Default (State_0000)"
+    person.choose(header.initial, "State_1000")
+    assert person.blueprint["REGISTRATION"].header.initial == "State_1000"
+    person.choose(header.initial, "Default (State_0000)")
+    assert person.blueprint["REGISTRATION"].header.initial is None
+    assert person.blueprint == sample("registration.json")
+
+
+def test_a_fact_gets_a_name_that_the_outline_shows(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    person.write(person.window.properties.header.facts[1].name, "Landmarks digitised")
+    assert person.blueprint["REGISTRATION"].fact_name(1) == "Landmarks digitised"
+    assert "Landmarks digitised" in [i.text(0) for i in person.window.outline.tree.items()]
+
+
+# Properties
+
+
+def test_a_state_is_renamed_titled_and_marked_safe_in_its_properties(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.select("SB1/State110")
+    form = person.window.properties.state
+    person.write(form.name, "State010")
+    assert person.selected() == ["SB1/State010"]
+    assert person.blueprint["SB1"].table["State100"]["Operation100A"] == "State010"
+    person.write(form.title, "Half way")
+    person.click(form.safe)
+    note = person.blueprint["SB1"].state_note("State010")
+    assert note is not None
+    assert (note.title, note.safe) == ("Half way", True)
+    person.write(form.name, "State100")
+    assert "already a state" in form.refusal.text()
+
+
+def test_a_click_on_an_operation_out_selects_it_and_it_is_led_elsewhere(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.select("SB1/State100")
+    person.click_row(person.window.properties.state.operations, "Operation100B")
+    assert person.selected() == ["SB1/State100/Operation100B"]
+    form = person.window.properties.operation
+    person.choose(form.target, "State000")
+    assert person.blueprint["SB1"].table["State100"]["Operation100B"] == "State000"
+    person.write(form.cost, "2.5")
+    assert person.blueprint["SB1"].cost("State100", "Operation100B") == 2.5
+    person.choose(form.actor, "Human")
+    person.write(form.cost, "cheap")
+    assert "no number" in form.refusal.text()
+    assert person.blueprint["SB1"].operation_note("State100", "Operation100B").actor == "human"
+
+
+def test_several_are_deleted_as_one_step(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.select("SB1/State100", "SB1/State110")
+    several = person.window.properties.several
+    assert several.delete.text() == "Delete 2"
+    person.click(several.delete)
+    assert list(person.blueprint["SB1"].table) == ["State000", "State111"]
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint == sample("hfsm.json")
+
+
+def test_without_a_selection_the_branch_header_stands_alone(sit: Sit) -> None:
+    person = sit(HFSM)
+    properties = person.window.properties
+    person.select("SB1/State100")
+    assert properties.state.isVisible()
+    person.click_canvas(QPoint(20, 300))
+    assert not properties.state.isVisible()
+    assert properties.header.isVisible()
+
+
+# Findings
+
+
+def click_fix(person: Person, view: FindingsView, row: int) -> None:
+    QTest.mouseClick(view.viewport(), LEFT, pos=view.button_rect(row).center())
+
+
+def test_findings_jump_fix_and_are_undone(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    panel = person.window.findings
+    first = panel.findings[0]
+    assert (first.rule, str(first.address)) == ("R15", "SB1/State_cbb/Op_1c")
+    person.click_row(panel.list, "SB1/State_cbb/Op_1c")
+    assert person.selected() == ["SB1/State_cbb/Op_1c"]
+    click_fix(person, panel.list, 0)
+    assert "Op_1b" in person.blueprint["SB1"].table["State_cbb"]
+    person.until_inspected()
+    assert [f.rule for f in panel.findings].count("R15") == 1
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == HANOI.read_text()
+    person.until_inspected()
+    assert panel.summary.text() == "2 errors block approval"
+
+
+def test_all_errors_are_fixed_as_one_step(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    button = person.window.findings.fix_all_button
+    assert button.text() == "Fix both"
+    person.click(button)
+    assert person.blueprint == sample("hanoi-corrected.json")
+    assert len(person.steps()) == 1
+
+
+def test_findings_by_keys_alone(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    person.press(Key.Key_F3)
+    assert person.selected() == ["SB1/State_cbb/Op_1c"]
+    person.press(Key.Key_F3)
+    assert person.selected() == ["SB1/State_cbc/Op_2b"]
+    person.ctrl(Key.Key_Period)
+    assert "Op_2a" in person.blueprint["SB1"].table["State_cbc"]
+
+
+def test_a_clean_blueprint_says_how_many_rules_were_checked(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi-corrected.json")
+    person.until_inspected()
+    assert [f.rule for f in person.window.findings.findings] == ["R04"]
+    person.ctrl(Key.Key_Period)
+    person.until_inspected()
+    rules = person.window.inspector.rules
+    assert person.window.findings.empty.isVisible()
+    assert person.window.findings.empty.text() == f"No findings. {rules} rules checked."
+
+
+# Source
+
+
+def test_the_source_follows_the_selection_and_a_click_selects(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.window.actions_table["show_source"].trigger()
+    source = person.window.source
+    person.until(source.isVisible)
+    person.select("SB1/State_cbb")
+    assert source.marked_lines == (72, 73, 74, 75, 76)
+    cursor = source.textCursor()
+    assert cursor.blockNumber() == 71
+    block = source.document().findBlockByNumber(73)
+    at = source.blockBoundingGeometry(block).translated(source.contentOffset())
+    QTest.mouseClick(source.viewport(), LEFT, pos=QPoint(110, int(at.center().y())))
+    assert person.selected() == ["SB1/State_cbb/Op_1a"]
+    assert source.toPlainText() == HANOI.read_text()
+
+
+def test_the_source_shows_the_exact_text_after_every_edit_and_undo(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.window.actions_table["show_source"].trigger()
+    person.until(person.window.source.isVisible)
+    person.select("SB1/State100")
+    person.press(Key.Key_F2)
+    person.type("State010")
+    person.press(Key.Key_Return)
+    shown = person.window.source.toPlainText()
+    assert shown == person.blueprint.document.text
+    assert '"State010"' in shown
+    person.ctrl(Key.Key_Z)
+    assert person.window.source.toPlainText() == HFSM.read_text()
+
+
+# History
+
+
+def test_a_click_in_the_history_goes_there(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.select("SB1/State110")
+    form = person.window.properties.state
+    for name in ("State010", "State011", "State001"):
+        person.write(form.name, name)
+    person.window.actions_table["show_history"].trigger()
+    history = person.window.history
+    person.until(history.isVisible)
+    person.click_row(history, "Rename State110 to State010")
+    assert "State010" in person.blueprint["SB1"].table
+    person.click_row(history, "Rename State011 to State001")
+    assert "State001" in person.blueprint["SB1"].table
+    person.click_row(history, "As it was opened")
+    assert person.blueprint == sample("hfsm.json")
+
+
+# Library
+
+
+def test_the_library_counts_filters_and_selects(sit: Sit, tmp_path: Path) -> None:
+    person = sit(HANOI)
+    library = person.window.library
+    person.click_row(library.list, "Op_3a")
+    assert person.selected() == ["SB1/State_ccb/Op_3a", "SB1/State_bbc/Op_3a"] or (
+        len(person.selected()) == 2
+    )
+    person.click(library.filter)
+    person.type("op_2")
+    names = [r.text for r in library.list.rows.rows if isinstance(r.payload, str)]
+    assert names == ["Op_2a", "Op_2b", "Op_2c"]
+    person.until(lambda: person.window.library.hint.text() == "")

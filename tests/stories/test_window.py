@@ -1,0 +1,141 @@
+"""The window itself: palette, keys, themes, the drawer, what the status line says."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialog, QLabel
+
+from smsl_studio.errors import EditRefused
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+
+Key = Qt.Key
+HANOI, REGISTRATION = SAMPLES / "hanoi.json", SAMPLES / "registration.json"
+
+
+def test_the_palette_goes_to_a_state(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.ctrl(Key.Key_K)
+    palette = person.window.command_palette
+    assert palette.isVisible()
+    person.type("cbc")
+    person.press(Key.Key_Return)
+    assert person.selected() == ["SB1/State_cbc"]
+    assert not palette.isVisible()
+
+
+def test_the_palette_runs_a_command(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    before = person.window.canvas.positions
+    person.click(person.window.mode_bar.search)
+    person.type("tidy")
+    person.press(Key.Key_Return)
+    assert person.steps() == ["Tidy REGISTRATION"]
+    assert set(person.blueprint["REGISTRATION"].notes.layout) == set(before)
+    person.ctrl(Key.Key_Z)
+    assert not person.blueprint["REGISTRATION"].notes.layout
+
+
+def test_escape_closes_the_palette_and_gives_the_focus_back(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.window.canvas.setFocus()
+    person.ctrl(Key.Key_K)
+    person.press(Key.Key_Escape)
+    assert not person.window.command_palette.isVisible()
+    assert person.window.canvas.hasFocus()
+
+
+def test_every_action_has_words_and_a_tip_and_no_key_means_two_things(sit: Sit) -> None:
+    window = sit().window
+    seen: dict[str, str] = {}
+    for action in window.actions_table:
+        assert action.words[:1].isupper(), action.id
+        assert window.actions_table[action.id].toolTip(), action.id
+        for key in action.keys:
+            assert key not in seen, f"{key}: {seen.get(key)} and {action.id}"
+            seen[key] = action.id
+    said = {button.toolTip() for button in window.mode_bar.findChildren(QLabel)}
+    assert said is not None
+
+
+def test_the_list_of_keys_names_every_key(sit: Sit) -> None:
+    person = sit()
+    person.press(Key.Key_F1)
+    dialog = next(d for d in person.window.findChildren(QDialog) if d.isVisible())
+    words = {part.text() for part in dialog.findChildren(QLabel)}
+    for action in person.window.actions_table:
+        if action.keys:
+            assert action.words.rstrip("…") in words
+    dialog.close()
+    person.come_back()
+
+
+def test_a_theme_dresses_everything_and_is_remembered(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    window = person.window
+    window.actions_table["theme_dark"].trigger()
+    assert window.canvas.tokens.dark
+    assert window.actions_table["theme_dark"].isChecked()
+    assert window.theme == "dark"
+    picture = window.grab().toImage()
+    assert picture.pixelColor(1100, 16) == window.tokens.win
+    window.actions_table["theme_light"].trigger()
+    assert not window.canvas.tokens.dark
+
+
+def test_below_1280_the_left_panel_is_a_drawer(sit: Sit) -> None:
+    person = sit(REGISTRATION, (1100, 760))
+    docks = person.window.docks
+    assert not docks.left.isVisible()
+    person.click(person.window.mode_bar.left_button)
+    assert docks.drawer.isVisible()
+    assert person.window.outline.isVisible()
+    person.click_canvas(person.window.canvas.rect().center())
+    assert not docks.drawer.isVisible()
+    person.window.resize(1440, 900)
+    person.until(docks.left.isVisible)
+    assert person.window.outline.isVisible()
+
+
+def test_the_status_line_counts_and_places(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    status = person.window.status_line
+    assert status.words == "1 State Branch | 27 states | 78 operations | 2 errors, 1 note"
+    person.select("SB1/State_cbb")
+    assert status.place.text() == "Line 72, column 9"
+    assert status.form.text() == "JSON, UTF-8"
+    assert status.ending.text() == "Not a medical device"
+
+
+def test_what_is_refused_is_a_line_and_no_dialog(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.window.session.refused.emit(EditRefused("that cannot be", advice="Do this."))
+    assert person.window.toast.words == "That cannot be. Do this."
+    person.click(person.window.toast)
+    assert not person.window.toast.isVisible()
+
+
+def test_undo_and_redo_follow_the_buttons(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    undo = person.window.actions_table["undo"]
+    assert not undo.isEnabled()
+    person.window.actions_table["tidy"].trigger()
+    assert undo.isEnabled()
+    undo.trigger()
+    person.press(
+        Key.Key_Z, [Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier]
+    )
+    assert person.blueprint["REGISTRATION"].notes.layout
+
+
+def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.ctrl(Key.Key_2)
+    window = person.window
+    assert window.body.currentWidget() is window.run_pane
+    assert not window.docks.left.isVisible()
+    person.ctrl(Key.Key_1)
+    assert window.body.currentWidget() is window.canvas
+    assert window.docks.left.isVisible()
+    assert window.docks.bottom.isVisible()
