@@ -98,6 +98,17 @@ def test_clause_11_several_goals_bases_first_and_all_hold_at_the_end() -> None:
     }
 
 
+def test_clause_11_bases_come_first_also_where_the_file_has_them_last() -> None:
+    made = blueprint(
+        {
+            "SUB": branch({"0": "a>2", "2": "b>1", "1": ""}, activating="1"),
+            "BASE": branch({"00": "go>10", "10": ""}, subs={"SUB": 1}),
+        }
+    )
+    story = Story(made, LocalHost(made, "table"), goals=["SUB/State2", "BASE/State10"]).run()
+    assert short(story.started) == ["go", "a"]
+
+
 def test_clause_11_where_one_goal_after_the_other_leads_nowhere_they_are_sought_together() -> None:
     """Going to the base's goal by the cheap edge leaves the sub where it cannot move any more."""
     made = blueprint(

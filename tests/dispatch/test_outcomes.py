@@ -106,6 +106,7 @@ def test_clause_8_an_unknown_fact_holds() -> None:
     made = sample("hanoi-corrected")
     story = Story(made, Loses(made)).run()
     assert story.end.reason == "held"
+    assert story.commits == []
     assert "Fact 1 of SB1 is unknown, no valid reading" in story.end.sentence
 
 
@@ -154,6 +155,33 @@ def test_clause_8_while_pending_nothing_is_committed_and_default_is_hold() -> No
     assert story.end.configuration == {"BASE": "State00", "SUB": "State10"}
     (mismatch,) = story.of("mismatch")
     assert mismatch.candidates == ({"BASE": "State10", "SUB": "State11"},)
+
+
+def test_clause_8_a_crossing_that_ends_elsewhere_is_pending_and_not_relocalised_alone() -> None:
+    back = Fault(Outcome.FAILED, writes={("SUB", 0): "0", ("SUB", 1): "0"})
+    story = based({"SUB/State10/b": back}).run()
+    assert story.end.reason == "held"
+    assert story.of("mismatch")[0].candidates == ({"BASE": "State00", "SUB": "State00"},)
+
+
+def test_clause_8_two_agreeing_configurations_are_a_hold_also_where_one_may_be_adopted() -> None:
+    values = {"ONE": branch({"0": "go>1, far>2", "1": "", "2": ""}, activating="2")}
+    values["ONE"]["Twin_1"] = {}
+    made = blueprint(values)
+    faults = {"ONE/State0/far": Fault(Outcome.FAILED, writes={("ONE", 0): "1"})}
+    story = Story(made, FakeHost(made, faults=faults), on_mismatch="adopt").run()
+    assert len(story.of("mismatch")[0].candidates) == 2
+    assert story.end.reason == "held"
+
+
+def test_clause_8_a_candidate_must_agree_with_itself() -> None:
+    """Two states of the sub read alike; only the one in ACTIVATING goes with a base that is on."""
+    values = {**ROUTE, "SUB": {**LINE, "Twin_11": {}}}
+    made = blueprint(values)
+    host = FakeHost(made, faults={"SUB/State10/b": Fault(Outcome.FAILED)})
+    story = Story(made, host, goals=["BASE/State10"], on_mismatch="adopt").run()
+    assert story.of("mismatch")[0].candidates == ({"BASE": "State10", "SUB": "State11"},)
+    assert story.end.reason == "goal_reached"
 
 
 def test_clause_8_while_pending_the_one_agreeing_configuration_may_be_adopted() -> None:
