@@ -48,17 +48,15 @@ def arc(corner: Corner, box: Box, rank: int, unit: float) -> EdgeShape:
     radius = (INNER + STEP * rank) * unit
     if corner.name.startswith("right"):
         gap = corner.x - (box.x + box.w)
-        half = np.pi - np.arccos(min(gap / radius, 1.0)) if radius else np.pi
-        angles = np.linspace(-half, half * 0.86, 22)
+        angles = np.linspace(-_half(gap, radius), _half(gap - 2.0 * unit, radius), 22)
         points = np.column_stack(
             [corner.x + radius * np.cos(angles), corner.y + radius * np.sin(angles)]
         )
         return EdgeShape(points, "loop")
     away = -1.0 if corner.up else 1.0
     gap = abs(corner.y - (box.y + box.h * away))
-    half = np.pi - np.arccos(min(gap / radius, 1.0))
     # From the inner side around to the corner's side; the arrow comes down on the border.
-    angles = np.linspace(-half, half * 0.9, 22)
+    angles = np.linspace(-_half(gap, radius), _half(gap - 2.0 * unit, radius), 22)
     inner = 1.0 if corner.left else -1.0
     points = np.column_stack(
         [
@@ -67,6 +65,11 @@ def arc(corner: Corner, box: Box, rank: int, unit: float) -> EdgeShape:
         ]
     )
     return EdgeShape(points, "loop")
+
+
+def _half(gap: float, radius: float) -> float:
+    """Half the angle of an arc that begins at a line ``gap`` from its middle."""
+    return float(np.pi - np.arccos(min(gap / radius, 1.0)))
 
 
 def label_boxes(
