@@ -43,7 +43,7 @@ class LabelPlaces:
         key = at[:, 0] * 1_000_003 + at[:, 1]
         order = np.argsort(key, kind="stable")
         found, starts = np.unique(key[order], return_index=True)
-        stops = np.append(starts[1:], len(order))
+        stops = np.append(starts[1:], len(order))[: len(starts)]
         self._rows = {
             int(k): order[i:j] for k, i, j in zip(found, starts, stops, strict=True)
         }
