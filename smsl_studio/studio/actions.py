@@ -27,8 +27,8 @@ class Action:
     """One thing to ask for.
 
     ``keys`` are shortcuts, the first one is shown. ``scope`` is ``window``, or ``canvas`` for keys
-    that the canvas itself answers while it has the focus (single letters, Del, Enter). ``section`` groups
-    the actions of a menu; a rule stands between sections.
+    that the canvas itself answers while it has the focus (single letters, Del, Enter).
+    ``section`` groups the actions of a menu; a rule stands between sections.
     """
 
     id: str

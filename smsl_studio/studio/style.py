@@ -30,7 +30,10 @@ def style_sheet(tokens: Tokens) -> str:
 
 def dress(app: QApplication, tokens: Tokens) -> None:
     """Palette first, so that Fusion paints what the style sheet leaves alone in our colours."""
+    sheet = style_sheet(tokens)
+    if app.styleSheet() == sheet:
+        return
     app.setStyle("Fusion")
     app.setPalette(tokens.palette())
     app.setFont(text_font())
-    app.setStyleSheet(style_sheet(tokens))
+    app.setStyleSheet(sheet)
