@@ -10,22 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 from smsl_studio.errors import Place, ReadError
+from smsl_studio.smsl.scanning import Member, scan_container, skip_space
 
 Json = Any
 Path = tuple[str, ...]
-
-
-class Member(NamedTuple):
-    """One ``key: value`` of an object, as offsets into the text (ends are exclusive)."""
-
-    key: str
-    key_start: int
-    key_end: int
-    value_start: int
-    value_end: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,16 +75,12 @@ class Document:
         The elements of a list are members whose key is their index and takes no room. KeyError
         where neither opens.
         """
-        from smsl_studio.smsl.json_form import scan_container
-
         if start not in self._members:
             self._members[start] = tuple(scan_container(self.text, start))
         return self._members[start]
 
     def end_of(self, start: int) -> int:
         """The offset behind the object or list that opens at ``start``."""
-        from smsl_studio.smsl.json_form import skip_space
-
         members = self.scan(start)
         return skip_space(self.text, members[-1].value_end if members else start + 1) + 1
 
@@ -115,8 +102,6 @@ class Document:
     @cached_property
     def root(self) -> int:
         """The offset at which the file's object opens."""
-        from smsl_studio.smsl.json_form import skip_space
-
         return skip_space(self.text, 1 if self.text.startswith("\ufeff") else 0)
 
     @cached_property

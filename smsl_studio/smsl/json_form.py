@@ -1,31 +1,28 @@
 """The JSON form: text to Document, and where everything stands in it.
 
-Values come from the standard library's parser. Spans are found by walking one object at a time and
-letting the C scanner jump over each value, so that finding one element in a megabyte costs
-milliseconds, and nothing is spent on the rest.
+Values come from the standard library's parser; where they stand is found later (``scanning``).
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from math import isfinite
 from typing import Any, NoReturn
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.document import Document, Member
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.scanning import STRING, skip_space
+from smsl_studio.smsl.style import CANONICAL, render
 
 MAX_CHARACTERS = 256 * 1024 * 1024
 MAX_DEPTH = 64
 MAX_DIGITS = 4000
 
-_SPACE = re.compile(r"[ \t\n\r]*")
-_STRING = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
-_SCALAR = re.compile(r"[^ \t\n\r,\]}]+")
-_BRACKET = re.compile(_STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
+_BRACKET = re.compile(STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
 _NUMBER = r"-?\d+(?:\.\d+)?(?:[eE][+-]?\d+)?"
-_TOKEN = re.compile(rf"{_STRING.pattern}|NaN|-?Infinity|{_NUMBER}", re.DOTALL)
+_TOKEN = re.compile(rf"{STRING.pattern}|NaN|-?Infinity|{_NUMBER}", re.DOTALL)
 _SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|.)", re.DOTALL)
 
@@ -68,60 +65,7 @@ def parse_json(text: str, file: str) -> Document:
 
 def write_json(values: Mapping[str, Any]) -> str:
     """Values as a new text in the canonical layout: four spaces, one member a line."""
-    from smsl_studio.smsl.style import CANONICAL, render
-
     return render(dict(values), CANONICAL, "", 0) + "\n"
-
-
-def skip_space(text: str, at: int) -> int:
-    """The offset of the first character that is no white space."""
-    match = _SPACE.match(text, at)
-    return match.end() if match else at
-
-
-def scan_container(text: str, start: int) -> Iterator[Member]:
-    """The members of the object or list that opens at ``start`` in a text known to be valid JSON.
-
-    The elements of a list have their index for a key, which takes no room in the text.
-    """
-    mark = text[start : start + 1]
-    if mark not in ("{", "["):
-        raise KeyError(start)
-    at = skip_space(text, start + 1)
-    if mark == "[":
-        yield from _elements(text, at)
-        return
-    while text[at] != "}":
-        key, key_end = json.decoder.scanstring(text, at + 1)  # type: ignore[attr-defined]
-        value = skip_space(text, skip_space(text, key_end) + 1)
-        end = _value_end(text, value)
-        yield Member(key, at, key_end, value, end)
-        at = skip_space(text, end)
-        if text[at] == ",":
-            at = skip_space(text, at + 1)
-
-
-def _elements(text: str, at: int) -> Iterator[Member]:
-    index = 0
-    while text[at] != "]":
-        end = _value_end(text, at)
-        yield Member(str(index), at, at, at, end)
-        index += 1
-        at = skip_space(text, end)
-        if text[at] == ",":
-            at = skip_space(text, at + 1)
-
-
-def _value_end(text: str, at: int) -> int:
-    char = text[at]
-    if char in "{[":
-        return _SKIP.raw_decode(text, at)[1]
-    match = (_STRING if char == '"' else _SCALAR).match(text, at)
-    assert match is not None, "the text was parsed before it is scanned"
-    return match.end()
-
-
-_SKIP = json.JSONDecoder()
 
 
 def _no_number(name: str) -> NoReturn:
@@ -204,7 +148,7 @@ def _check_characters(document: Document) -> None:
         raise ReadError("half a surrogate pair is no character", place, advice) from None
     if not _SURROGATE.search(text):
         return
-    for match in _STRING.finditer(text):
+    for match in STRING.finditer(text):
         at = _half_pair(text, match.start(), match.end())
         if at is not None:
             sentence = f"{text[at : at + 6]} is half a surrogate pair, which is no character"

@@ -17,8 +17,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from smsl_studio.smsl.document import Document, Member
-from smsl_studio.smsl.json_form import parse_json, skip_space
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.json_form import parse_json
+from smsl_studio.smsl.scanning import Member, skip_space
 from smsl_studio.smsl.style import Style, render, scalar, style_of
 
 Json = Any
