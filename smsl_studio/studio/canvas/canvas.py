@@ -26,7 +26,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
 from smsl_studio.studio.canvas import batch
 from smsl_studio.studio.canvas.camera import STEP, Camera, fit_zoom
-from smsl_studio.studio.canvas.gesture_layer import GestureLayer
+from smsl_studio.studio.canvas.gesture_layer import Drawn, GestureLayer
 from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.layers import EdgeLayer, FarNodeLayer, LitLayer
 from smsl_studio.studio.canvas.levels import Level
@@ -217,7 +217,7 @@ class Canvas(QGraphicsView):
         sheet = self._sheet
         if sheet is None:
             return
-        states, edges = sheet.looks.change(marks)
+        states, edges = sheet.change_marks(marks)
         self.overlays.show_marks(marks)
         if len(states) > POOL or len(edges) > POOL:
             self._refresh_pool()
@@ -237,6 +237,21 @@ class Canvas(QGraphicsView):
     def show_banner(self, text: str) -> None:
         """Say something across the top, such as "The drawing has moved on"; empty hides it."""
         self.overlays.show_banner(text)
+
+    def show_pending(
+        self, source: Address | None, target: Address | None = None, at: QPointF | None = None
+    ) -> None:
+        """Show an operation that is being named: dashed, to a state or to a new one at a point.
+
+        None takes it away.
+        """
+        rect = self.rect_of(source) if source is not None else None
+        if source is None or rect is None or at is None or source == target:
+            self.gestures.put("drawn", None)
+            return
+        goal = self.rect_of(target) if target is not None else None
+        start, end = self.hand.pending_ends(source, at, goal)
+        self.gestures.put("drawn", Drawn(start, end, ghost=target is None))
 
     def say(self, text: str, at: QPointF | None = None) -> None:
         """Say a short sentence at the pointer, or at a scene point."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, QPointF, QRectF
+from PySide6.QtCore import QObject, QPoint, QPointF, QRect, QRectF
 from PySide6.QtGui import QCursor
 
 from smsl_studio.blueprint import editing
@@ -167,6 +167,7 @@ class CanvasEditor(QObject):
                 self.session.select((Address(branch, source.state, name),))
             return reason
 
+        self.canvas.show_pending(source, target, QPointF(*place) if target is None else at)
         self._open(
             ConnectCard(
                 self.canvas,
@@ -278,7 +279,9 @@ class CanvasEditor(QObject):
     def _open(
         self, field: NameField | ConnectCard, at: QPointF, centred: bool = False
     ) -> None:
-        self._close_field()
+        if self.field is not None:
+            previous, self.field = self.field, None
+            previous.close_field()
         self.field = field
         field.closed.connect(self._field_closed)
         field.adjustSize()
@@ -286,17 +289,47 @@ class CanvasEditor(QObject):
         if centred:
             point.setX(point.x() - field.width() // 2)
             point.setY(point.y() - 18)
+        if isinstance(field, ConnectCard):
+            point = self._clear_place(field, point)
         place_near(field, self.canvas, point)
         field.show()
         field.raise_()
         (field.field if isinstance(field, NameField) else field.operation).setFocus()
 
+    def _clear_place(self, card: ConnectCard, at: QPoint) -> QPoint:
+        """A place around a point of the view where a card covers no state."""
+        canvas, sheet = self.canvas, self.canvas.sheet
+        w, h, off = card.width(), card.height(), 16
+        # A new state is shown where it will stand; the card stands beside it.
+        aside = 16 if card.target.isHidden() else int(54 * max(canvas.zoom, 0.5)) + 14
+        inside = canvas.rect().adjusted(6, 6, -6, -6)
+        places = [
+            QPoint(at.x() + aside, at.y() - 20),
+            QPoint(at.x() - aside - w, at.y() - 20),
+            QPoint(at.x() + aside, at.y() - h // 2),
+            QPoint(at.x() - aside - w, at.y() - h // 2),
+            QPoint(at.x() - w // 2, at.y() + 40),
+            QPoint(at.x() - w // 2, at.y() - 40 - h),
+            QPoint(at.x() + off, at.y() - off - h),
+            QPoint(at.x() - off - w, at.y() - off - h),
+        ]
+        places += [QPoint(p.x(), inside.bottom() - h) for p in places[:4]]
+        for place in places:
+            if sheet is None or not inside.contains(QRect(place, card.size())):
+                continue
+            a, b = canvas.mapToScene(place), canvas.mapToScene(place + QPoint(w, h))
+            if not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
+                return place
+        return places[0]
+
     def _field_closed(self) -> None:
+        self.canvas.show_pending(None)
         if self.field is not None:
             self.field = None
             self.canvas.setFocus()
 
     def _close_field(self) -> None:
+        self.canvas.show_pending(None)
         if self.field is not None:
             field, self.field = self.field, None
             field.close_field()
@@ -309,11 +342,11 @@ class CanvasEditor(QObject):
         full = rect is not None and rect.height() * self.canvas.zoom > 40.0
         if full:
             at.setY(at.y() - 11.0)
-        return at, int(min(max(width + 16.0, 120.0), 300.0))
+        return at, int(min(max(width + 12.0, 110.0), 300.0))
 
     def _beside(self, at: QPointF) -> QPointF:
-        """Right below a scene point, in the view's pixels."""
-        return QPointF(self.canvas.mapFromScene(at)) + QPointF(14.0, 14.0)
+        """A scene point in the view's pixels."""
+        return QPointF(self.canvas.mapFromScene(at))
 
 
 def pointer(canvas: Canvas) -> QPointF:

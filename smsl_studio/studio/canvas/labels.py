@@ -129,13 +129,19 @@ def place(
             break
         rect = make()
         if rect is not None and places.is_free(rect):
-            total = cost + lines.covered(edge, [rect])[0] * 0.6
+            near = lines.covered(edge, [rect, _wider(rect, 4.0 * unit)])
+            total = cost + near[0] * 0.6 + min(near[1], 1) * 0.3
             if best is None or total < best[0]:
                 best = total, rect
     if best is None:
         return None
     places.take(best[1])
     return best[1]
+
+
+def _wider(rect: Rect, margin: float) -> Rect:
+    left, top, right, bottom = rect
+    return left - margin, top - margin, right + margin, bottom + margin
 
 
 Candidate = tuple[float, Callable[[], "Rect | None"]]

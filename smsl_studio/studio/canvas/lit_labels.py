@@ -55,8 +55,9 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
     if sheet.compact and (look.trail or look.planned or look.possible):
         # Short lines would vanish below their label: it stands beside them.
         size = _size(sheet, text)
+        gap = (4.0 if look.trail else 2.0) * sheet.unit
         rects = [
-            labels.outside(shape, shape.length * share, size, 2.0 * sheet.unit, side)
+            labels.outside(shape, shape.length * share, size, gap, side)
             for side in (1, -1)
             for share in (0.5, 0.35, 0.65)
         ]

@@ -12,7 +12,7 @@ import numpy as np
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.canvas import edge_paint, node_paint
-from smsl_studio.studio.canvas.edge_paint import EdgeText, label_size
+from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size
 from smsl_studio.studio.canvas.geometry import SMALL, Geometry
 from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.levels import (
@@ -94,6 +94,18 @@ class Sheet:
         self._geometry.clear()
         self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
         self.set_zoom(self.zoom)
+
+    def change_marks(self, marks: Marks) -> tuple[set[int], set[int]]:
+        """Take other marks; returns the states and edges that look different now.
+
+        Other findings make labels wider or narrower: small pictures are labelled anew.
+        """
+        relabel = marks.findings != self.looks.marks.findings and len(self.picture) <= SMALL
+        changed = self.looks.change(marks)
+        if relabel:
+            self._geometry.clear()
+            return changed[0], set(range(len(self.picture.operations)))
+        return changed
 
     # Nodes
 
@@ -185,6 +197,8 @@ class Sheet:
     def _label_size(self, edge: int) -> tuple[float, float]:
         text = self.text(edge)
         w, h = label_size(text, self.ink)
+        if self.looks.edge(edge).finding:
+            w, h = boxed_width(text, self.ink), 18.0
         return w * self.unit, h * self.unit
 
     def edges_in(self, left: float, top: float, right: float, bottom: float) -> Floats:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
 from smsl_studio.blueprint.address import Address
@@ -216,6 +216,30 @@ class Hand:
             "top": QPointF(x, y - h - out),
             "bottom": QPointF(x, y + h + out),
         }
+
+    def pending_ends(
+        self, source: Address, at: QPointF, goal: QRectF | None
+    ) -> tuple[QPointF, QPointF]:
+        """Where a pending operation leaves its source, and where it ends."""
+        sheet = self._canvas.sheet
+        assert sheet is not None
+        state = sheet.picture.node(source)
+        aim = goal.center() if goal is not None else at
+        x, y = sheet.at[state].tolist()
+        w, h = sheet.halves()[state].tolist()
+        dx, dy = aim.x() - x, aim.y() - y
+        across = abs(dx) / w >= abs(dy) / h
+        side = ("right" if dx > 0 else "left") if across else ("bottom" if dy > 0 else "top")
+        start = self.handles(state)[side]
+        if goal is None:
+            return start, at
+        step = goal.center() - start
+        # From the border of the target, not from its middle.
+        reach = min(
+            (goal.width() / 2 + 3.0) / max(abs(step.x()), 1e-6),
+            (goal.height() / 2 + 3.0) / max(abs(step.y()), 1e-6),
+        )
+        return start, goal.center() - step * min(reach, 0.9)
 
     def _side(self, state: int, point: QPointF) -> str:
         sheet = self._canvas.sheet

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QWidget
+from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QAbstractButton, QGraphicsDropShadowEffect, QLabel, QWidget
 
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN, faded
 from smsl_studio.studio.icons import draw
@@ -21,6 +21,14 @@ class Card(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
+    def float_up(self) -> None:
+        """Cast a soft shadow, as what floats over the picture does."""
+        shadow = QGraphicsDropShadowEffect(self)
+        shadow.setBlurRadius(22.0)
+        shadow.setOffset(0.0, 4.0)
+        shadow.setColor(QColor(10, 16, 28, 120 if self.tokens.dark else 46))
+        self.setGraphicsEffect(shadow)
+
     def set_tokens(self, tokens: Tokens) -> None:
         self.tokens = tokens
         for child in self.findChildren(IconButton):
@@ -35,6 +43,11 @@ class Card(QWidget):
         rect = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
         painter.drawRoundedRect(rect, self.radius, self.radius)
         painter.end()
+
+
+def tint(label: QLabel, colour: QColor) -> None:
+    """Give a label its colour, whatever the style sheet of the window says of labels."""
+    label.setStyleSheet(f"color: {colour.name()}; background: transparent;")
 
 
 class IconButton(QAbstractButton):

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from smsl_studio.studio.canvas.ink import NO_PEN, Type
-from smsl_studio.studio.canvas.overlays.card import Card
+from smsl_studio.studio.canvas.overlays.card import Card, tint
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
-ROWS, ROW = 6, 30
+ROWS, ROW = 4, 28
 
 
 class Field(QLineEdit):
@@ -84,6 +84,7 @@ class NameField(Card):
     ) -> None:
         super().__init__(parent, tokens, 8.0)
         self._commit, self._before, self._closing = commit, text, False
+        self.float_up()
         self.field = Field(self, tokens, hint)
         self.field.setText(text)
         self.field.selectAll()
@@ -104,10 +105,6 @@ class NameField(Card):
             if reason is not Qt.FocusReason.PopupFocusReason and not self._closing:
                 self._lost_focus()
         return False
-
-    def sizeHint(self) -> QSize:
-        width = max(self.field.fontMetrics().horizontalAdvance(self.field.text()) + 44, 160)
-        return QSize(min(width, 340), 36 if self.error.isHidden() else 40 + self.error.height())
 
     @property
     def complaint(self) -> str:
@@ -141,8 +138,9 @@ class NameField(Card):
             self.close_field()
 
     def _complain(self, reason: str) -> None:
-        _say(self.error, reason)
-        self.resize(self.sizeHint())
+        if reason:
+            self.setMinimumWidth(max(self.width(), 230))
+        _say(self.error, reason, max(self.width(), 230) - 12)
         self.adjustSize()
 
 
@@ -168,6 +166,7 @@ class ConnectCard(Card):
         super().__init__(parent, tokens, 10.0)
         self._names, self._commit, self._closing = list(names), commit, False
         self._target_for, self._own_target = target_for, False
+        self.float_up()
         self.operation = Field(self, tokens, "Operation")
         self.operation.setText(operation)
         self.operation.selectAll()
@@ -178,9 +177,7 @@ class ConnectCard(Card):
         self.error = _error_label(self, tokens)
         self._to = QLabel("to state", self)
         self._to.setFont(text_font(11, 500))
-        palette = self._to.palette()
-        palette.setColor(palette.ColorRole.WindowText, tokens.tx3)
-        self._to.setPalette(palette)
+        tint(self._to, tokens.tx3)
         self._to.setVisible(target is not None)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
@@ -265,7 +262,7 @@ class ConnectCard(Card):
         self.adjustSize()
 
     def _complain(self, reason: str) -> None:
-        _say(self.error, reason)
+        _say(self.error, reason, self.width() - 16)
         self.adjustSize()
 
 
@@ -326,15 +323,15 @@ def _error_label(parent: QWidget, tokens: Tokens) -> QLabel:
     label.setFont(text_font(12))
     label.setWordWrap(True)
     label.setTextFormat(Qt.TextFormat.PlainText)
-    palette = label.palette()
-    palette.setColor(palette.ColorRole.WindowText, tokens.bad)
-    label.setPalette(palette)
+    tint(label, tokens.bad)
     label.hide()
     return label
 
 
-def _say(label: QLabel, reason: str) -> None:
+def _say(label: QLabel, reason: str, width: int) -> None:
     label.setText(reason)
+    label.setFixedWidth(width)
+    label.setFixedHeight(label.heightForWidth(width) if reason else 0)
     label.setAccessibleName(reason)
     label.setVisible(bool(reason))
 

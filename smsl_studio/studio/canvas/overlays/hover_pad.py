@@ -26,6 +26,7 @@ class HoverPad(Card):
     def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
         super().__init__(canvas, tokens, 8.0)
         self._canvas = canvas
+        self.float_up()
         self._address: Address | None = None
         self._next: Address | None = None
         self.add = IconButton(self, tokens, "plus", "Add an operation to a new state (Tab)")

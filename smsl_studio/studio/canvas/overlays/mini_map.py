@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from smsl_studio.studio.canvas.canvas import Canvas
 
 MARGIN = 8.0
-MANY = 400
+MANY, MANY_LINES = 400, 2000
 
 
 class MiniMap(Card):
@@ -62,6 +62,11 @@ class MiniMap(Card):
         size = np.maximum(sheet.halves() * 2 * scale, (3.0, 2.0))
         if len(at) > MANY:
             size = np.full_like(at, 1.5)
+        source, target = sheet.picture.source, sheet.picture.target
+        if len(source) <= MANY_LINES:
+            keep = target >= 0
+            painter.setPen(QPen(self.tokens.line2, 1.0))
+            batch.draw_lines(painter, np.hstack([at[source[keep]], at[target[keep]]]))
         painter.setPen(NO_PEN)
         painter.setBrush(self.tokens.slate)
         batch.draw_rects(painter, np.hstack([at - size / 2, size]))

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
-from smsl_studio.studio.canvas.overlays.card import Card
+from smsl_studio.studio.canvas.overlays.card import Card, tint
 from smsl_studio.studio.theme import Tokens, text_font
 
 
@@ -27,9 +27,7 @@ class Banner(QWidget):
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.tokens = tokens
-        palette = self._text.palette()
-        palette.setColor(palette.ColorRole.WindowText, tokens.risk)
-        self._text.setPalette(palette)
+        tint(self._text, tokens.risk)
         self.update()
 
     def show_text(self, text: str) -> None:
@@ -56,6 +54,7 @@ class Word(Card):
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent, tokens)
+        self.float_up()
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._label = QLabel(self)
         self._label.setFont(text_font(12))
@@ -73,9 +72,7 @@ class Word(Card):
 
     def say(self, text: str) -> None:
         self._label.setText(text)
-        palette = self._label.palette()
-        palette.setColor(palette.ColorRole.WindowText, self.tokens.tx)
-        self._label.setPalette(palette)
+        tint(self._label, self.tokens.tx)
         self.setAccessibleName(text)
         self.adjustSize()
         self.setVisible(True)
@@ -107,9 +104,7 @@ class EmptyHint(QWidget):
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.tokens = tokens
-        palette = self._label.palette()
-        palette.setColor(palette.ColorRole.WindowText, tokens.tx2)
-        self._label.setPalette(palette)
+        tint(self._label, tokens.tx2)
 
     def sizeHint(self) -> QSize:
         return QSize(320, 96)
