@@ -62,16 +62,15 @@ def report(error: StudioError, name: str) -> None:
 def claimed_stdout() -> Iterator[TextIO]:
     """Standard output for us alone: what anyone else prints meanwhile goes to standard error.
 
-    Library code, and the C code below it, may print what it likes; data stays whole.
+    Library code, and the C code below it, may print what it likes; data stays whole. Where
+    standard output was already replaced in Python, the hosts keep prints apart by themselves.
     """
     try:
         ours = sys.stdout.fileno() == 1
     except (AttributeError, OSError, ValueError):
         ours = False
     if not ours:
-        stream = sys.stdout
-        with contextlib.redirect_stdout(sys.stderr):
-            yield stream
+        yield sys.stdout
         return
     sys.stdout.flush()
     kept = os.dup(1)

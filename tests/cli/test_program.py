@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.shell import Shell, sample
-from tests.plugin_folder import LAMP_PLUGIN, write_plugin
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
 COMMANDS = ("check", "route", "run", "sweep", "worlds", "plugins")
 
@@ -94,6 +94,19 @@ def test_a_reader_that_goes_away_is_no_traceback() -> None:
         os.close(writer)
         _, err = program.communicate(timeout=60)
     assert (program.returncode, err) == (1, "")
+
+
+def test_what_library_code_writes_below_python_is_no_data(home: Path, tmp_path: Path) -> None:
+    loud = LAMP_PLUGIN.replace('print("switching")', '__import__("os").write(1, b"from below\\n")')
+    write_plugin(home / "plugins", "lamp", loud)
+    file = tmp_path / "lamp.json"
+    file.write_text(blueprint_of(LAMP).document.text, "utf-8")
+    avoid = ("--avoid=State_0/Op_break", "--avoid=State_0/Op_spin")
+    with _start("run", str(file), "--world", "lamp", "--format", "json", *avoid) as program:
+        out, err = program.communicate(timeout=60)
+    assert program.returncode == 0
+    assert all(line.startswith('{"event":') for line in out.splitlines())
+    assert "from below" in err
 
 
 def test_ctrl_c_ends_a_run_in_order() -> None:

@@ -13,7 +13,7 @@ import smsl_studio as smsl
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front import running
 from smsl_studio.front.running import Run
-from smsl_studio.runlog.events import Event, OperationStarted, RunFinished
+from smsl_studio.runlog.events import EdgeSwept, Event, OperationStarted, RunFinished
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
@@ -112,6 +112,21 @@ def test_a_child_that_is_killed_fails_the_run(tmp_path: Path) -> None:
     assert "was killed by signal 9 (SIGKILL)" in run.sentence
     assert run.events[-2].event == "held"
     assert multiprocessing.active_children() == []
+
+
+def test_a_run_leaves_no_child_behind(tmp_path: Path) -> None:
+    assert _lamp(tmp_path, host="process").reason == "goal_reached"
+    assert multiprocessing.active_children() == []
+
+
+def test_a_sweep_goes_on_after_a_child_has_died(tmp_path: Path) -> None:
+    code = LAMP_PLUGIN.replace('raise RuntimeError("the bulb broke")', '__import__("os")._exit(3)')
+    write_plugin(tmp_path, "lamp", code)
+    values = {"LAMP": {**LAMP["LAMP"], "State_0": {"Op_break": "State_1", "Op_on": "State_1"}}}
+    swept = list(smsl.sweep(blueprint_of(values), "lamp", host="process", plugin_paths=[tmp_path]))
+    edges = [event for event in swept if isinstance(event, EdgeSwept)]
+    assert [event.passed for event in edges] == [False, True, True]
+    assert "ended by itself with exit status 3" in edges[0].sentence
 
 
 def test_a_log_that_dies_fails_the_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,6 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import HostError, PluginError, RunRefused, WorldError
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import Outcome, Tick
+from smsl_studio.world.table import TableWorld
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
 ON = Address("LAMP", "State_0", "Op_on")
@@ -72,13 +73,17 @@ def test_a_function_that_returns_false_has_failed(tmp_path: Path) -> None:
     assert [t.outcome.value for t in _until_done(host)] == ["running", "running", "failed"]
 
 
-def test_a_cancelled_call_never_resumes(host: LocalHost) -> None:
+def test_a_cancelled_call_never_resumes(host: LocalHost, monkeypatch: pytest.MonkeyPatch) -> None:
+    braked: list[float] = []
+    monkeypatch.setattr(TableWorld, "brake", lambda world: braked.append(world.time))
     host.open(START)
     host.begin(ON)
     host.tick()
     host.cancel("finish")
     assert host.tick().outcome is Outcome.RUNNING
+    assert braked == []
     host.cancel("hold")
+    assert braked == [0.1]
     assert host.tick().outcome is Outcome.IDLE
     assert [sample.value for sample in host.sense()] == ["0"]
 

@@ -151,12 +151,16 @@ def test_an_error_of_the_child_arrives_whole(lamp: Callable[..., ProcessHost]) -
 
 
 def test_what_the_child_prints_is_no_data(
-    lamp: Callable[..., ProcessHost], capfd: pytest.CaptureFixture[str]
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    host = lamp()
+    loud = LAMP_PLUGIN.replace('print("built")', '__import__("os").write(1, b"from below\\n")')
+    write_plugin(tmp_path, "lamp", loud)
+    host = ProcessHost(blueprint_of(LAMP), "lamp", 0, [tmp_path])
     host.open(START)
     host.close()
-    assert capfd.readouterr().out == ""
+    said = capfd.readouterr()
+    assert said.out == ""
+    assert "from below" in said.err
 
 
 PARENT = """
