@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from smsl_studio.errors import WorldError
 
 from .moves import carry
-from .table import Table
+from .table import HELD, NOWHERE, Table
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -40,7 +40,7 @@ def register(library: OperationLibrary) -> None:
         pegs = {table.disk(digit + 1): value for (_, digit), value in facts.items()}
         table.arrange(pegs)
 
-    @library.sensor("disk_{n}_peg", fact="{n}", period=0.02, max_age=0.3)
+    @library.sensor("disk_{n}_peg", fact="{n}", words={HELD: "held", NOWHERE: "nowhere"})
     def disk_peg(table: Table, n: int) -> str | None:
         return table.reading(table.disk(n))
 

@@ -230,4 +230,5 @@ def _info(sensor: Any) -> SensorInfo:
         sensor.period,
         sensor.max_age,
         sensor.aggregation,
+        dict(sensor.words),
     )

@@ -8,7 +8,7 @@ whichever host carries them out.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Protocol
 
@@ -44,7 +44,10 @@ class Bound:
 
 @dataclass(frozen=True, slots=True)
 class SensorInfo:
-    """One sensor of one fact: its name, its period and the age (s) after which it is stale."""
+    """One sensor of one fact: its name, its period and the age (s) after which it is stale.
+
+    ``words`` say for people what values mean that no state has, such as ``h``: held.
+    """
 
     name: str
     branch: str
@@ -52,6 +55,7 @@ class SensorInfo:
     period: float
     max_age: float
     aggregation: str = "single"
+    words: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

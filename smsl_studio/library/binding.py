@@ -213,6 +213,7 @@ class _Binder:
             entry.function,
             entry.signature.converted(texts),
             plugin.location,
+            entry.words,
         )
 
     def unknown_keys(self) -> Iterator[BindingFault]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
@@ -40,6 +40,7 @@ class BoundSensor:
     function: Callable[..., Any]
     arguments: Mapping[str, Any]
     location: str = ""
+    words: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,8 +22,9 @@ Every plugin fills a library of its own; ``binding`` reads them. Times are simul
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 from smsl_studio.errors import PluginError
@@ -35,6 +36,7 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 ENGINES = ("bullet", "table")
 STOP_MODES = ("abort", "hold", "finish")
 TABLE = "table"
+NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +77,7 @@ class SensorEntry:
     signature: Signature
     period: float
     max_age: float
+    words: Mapping[str, str]
 
 
 class OperationLibrary:
@@ -115,12 +118,18 @@ class OperationLibrary:
         return keep
 
     def sensor(
-        self, name: str, fact: str = "", period: float = 0.02, max_age: float = 0.3
+        self,
+        name: str,
+        fact: str = "",
+        period: float = 0.02,
+        max_age: float = 0.3,
+        words: Mapping[str, str] = NO_WORDS,
     ) -> Callable[[FunctionT], FunctionT]:
         """The decorated ``f(world, ...) -> str | None`` senses facts; None: no valid reading.
 
         ``fact`` says which: ``"{n}"`` or ``"SB/{n}"``, counted from 1, of the file's only root
-        where no SB is named. Without it the sensor serves only facts bound to it.
+        where no SB is named. Without it the sensor serves only facts bound to it. ``words`` say for
+        people what values mean that no state has: ``{"h": "held"}``.
         """
         _positive(period, "period")
         _positive(max_age, "max_age")
@@ -132,7 +141,8 @@ class OperationLibrary:
             _must_name_all(pattern, signature)
             if fact and set(where.parameters) != set(pattern.parameters):
                 raise PluginError(f"{name!r} and {fact!r} do not name the same parameters")
-            self.sensors.append(SensorEntry(function, pattern, where, signature, period, max_age))
+            entry = SensorEntry(function, pattern, where, signature, period, max_age, dict(words))
+            self.sensors.append(entry)
             return function
 
         return keep

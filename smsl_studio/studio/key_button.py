@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QIcon, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QPushButton, QStyle, QStyleOptionButton, QWidget
+from PySide6.QtWidgets import QPushButton, QStyle, QStyleOptionButton
 
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens, text_font
@@ -22,9 +22,8 @@ class KeyButton(QPushButton):
         name: str,
         role: str,
         tokens: Tokens,
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(words, parent)
+        super().__init__(words)
         self._key, self._icon, self._role, self._tokens = key, name, role, tokens
         self.setProperty("role", role)
         self.setFixedHeight(CONTROL_DECISION)
@@ -51,7 +50,7 @@ class KeyButton(QPushButton):
     def paintEvent(self, event: QPaintEvent) -> None:
         option = QStyleOptionButton()
         self.initStyleOption(option)
-        option.text, option.icon = "", QIcon()  # type: ignore[attr-defined]
+        option.text, option.icon = "", QIcon()
         painter = QPainter(self)
         self.style().drawControl(QStyle.ControlElement.CE_PushButton, option, painter, self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -15,11 +15,11 @@ Matrix = NDArray[np.float32]
 class Camera:
     """Looks at ``target`` from ``distance`` away; ``azimuth`` 0 looks along -x."""
 
-    target: tuple[float, float, float] = (0.45, 0.0, 0.12)
-    distance: float = 1.15
-    azimuth: float = 0.62
-    elevation: float = 0.42
-    field_of_view: float = 0.7
+    target: tuple[float, float, float] = (0.48, 0.0, 0.075)
+    distance: float = 0.62
+    azimuth: float = 0.36
+    elevation: float = 0.46
+    field_of_view: float = 0.6
 
     @property
     def eye(self) -> NDArray[np.float64]:
@@ -87,5 +87,6 @@ VIEWS = {
     "Front right": Camera(),
     "Front": Camera(azimuth=0.0, elevation=0.3),
     "Side": Camera(azimuth=pi / 2, elevation=0.3),
-    "Top": Camera(azimuth=0.0, elevation=pi / 2 - 0.02, distance=1.3),
+    "Top": Camera(azimuth=0.0, elevation=pi / 2 - 0.02, distance=0.8),
+    "Whole arm": Camera(target=(0.25, 0.0, 0.35), distance=1.9, azimuth=0.6, elevation=0.32),
 }

@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "Quality")
+WIDTHS = (86, 63, 60, 58)
+ROW = 32
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -92,19 +94,34 @@ class _Cells(QStyledItemDelegate):
         row: FactRow = index.data(Qt.ItemDataRole.UserRole)
         room = QRectF(option.rect)
         painter.save()
+        painter.fillRect(QRectF(room.left(), room.bottom() - 1, room.width(), 1), self.tokens.line)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         words = str(index.data(Qt.ItemDataRole.DisplayRole))
+        if row.group:
+            self._group(painter, room, row)
+            painter.restore()
+            return
         match index.column():
             case 1 | 2 if words:
                 self._chip(painter, room, words, row, sensed=index.column() == 2)
             case 3:
-                self._words(painter, room.adjusted(0, 0, -12, 0), words, self.tokens.tx, right=True)
+                painter.setFont(text_font(13))
+                self._words(painter, room.adjusted(0, 0, -6, 0), words, self.tokens.tx, right=True)
             case 4:
                 self._quality(painter, room, row)
             case _:
-                painter.setFont(text_font(13, 600 if row.group else 400))
+                painter.setFont(text_font(13))
                 self._words(painter, room.adjusted(12, 0, 0, 0), words, self.tokens.tx)
         painter.restore()
+
+    def _group(self, painter: QPainter, room: QRectF, row: FactRow) -> None:
+        """The line above the facts of one SB: its name and its active state."""
+        painter.fillRect(room.adjusted(0, 0, 0, -1), self.tokens.sunk)
+        painter.setFont(text_font(12, 600))
+        self._words(painter, room.adjusted(12, 0, 0, 0), row.name, self.tokens.tx)
+        wide = painter.fontMetrics().horizontalAdvance(row.name)
+        painter.setFont(text_font(12))
+        self._words(painter, room.adjusted(12 + wide + 8, 0, -8, 0), row.believed, self.tokens.tx2)
 
     def _words(
         self, painter: QPainter, room: QRectF, words: str, colour: QColor, right: bool = False
@@ -130,7 +147,7 @@ class _Cells(QStyledItemDelegate):
             }.get(row.quality, (t.sunk, t.sunk, t.tx3))
         painter.setFont(mono_font(12, 600))
         width = max(20.0, painter.fontMetrics().horizontalAdvance(words) + 10.0)
-        box = QRectF(room.left() + 8, room.center().y() - 10, min(width, room.width() - 12), 20)
+        box = QRectF(room.left(), room.center().y() - 10.5, min(width, room.width() - 12), 20)
         dashed = (
             Qt.PenStyle.DashLine if sensed and row.quality == "unknown" else Qt.PenStyle.SolidLine
         )
@@ -174,19 +191,30 @@ class FactsTable(QTableView):
         self.setShowGrid(False)
         self.setFrameShape(QTableView.Shape.NoFrame)
         self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(36)
+        self.verticalHeader().setDefaultSectionSize(ROW)
+        self.verticalHeader().setMinimumSectionSize(24)
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setStretchLastSection(True)
         header.setHighlightSections(False)
-        for column, width in enumerate((96, 72, 68, 70)):
+        header.setFixedHeight(30)
+        header.setMinimumSectionSize(40)
+        for column, width in enumerate(WIDTHS):
             header.resizeSection(column, width)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Interactive)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName("Facts: believed and sensed")
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
+        grouped = [row.group for row in rows]
+        anew = grouped != [row.group for row in self.facts.rows]
         self.facts.show(rows)
+        if anew:
+            self.clearSpans()
+            for at, group in enumerate(grouped):
+                self.setRowHeight(at, 28 if group else ROW)
+                if group:
+                    self.setSpan(at, 0, 1, len(COLUMNS))
+            self.setMaximumHeight(sum(28 if group else ROW for group in grouped) + 31)
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._cells.tokens = tokens

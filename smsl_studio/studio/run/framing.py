@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -16,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.studio.controls import label, rule
-from smsl_studio.studio.icons import icon
+from smsl_studio.studio.icons import draw, icon
 from smsl_studio.studio.theme import Tokens
 
 HEAD = 36
@@ -108,8 +109,8 @@ def split(
 
 def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
     """A tool of a floating box."""
-    made = QToolButton()
-    made.setProperty("role", "tool")
+    made = _Tool()
+    made.setProperty("role", "over")
     made.setText(words)
     made.setIcon(icon(name, tokens))
     made.setIconSize(QSize(16, 16))
@@ -119,3 +120,16 @@ def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
     made.setToolTip(tip)
     made.setAccessibleName(words or tip)
     return made
+
+
+class _Tool(QToolButton):
+    """A tool with a chevron where it opens a menu."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.menu() is not None:
+            painter = QPainter(self)
+            ink, paper = self.palette().buttonText().color(), self.palette().base().color()
+            box = QRectF(self.width() - 20, self.height() / 2 - 5.5, 12, 12)
+            draw(painter, "chevron-down", box, ink, paper)
+            painter.end()

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.run.story import Span, Story
 from smsl_studio.studio.run.view import expected_duration, short_name
 
@@ -34,8 +35,14 @@ class Lane:
     blocks: tuple[Block, ...]
 
 
-def lanes(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[Lane, ...]:
+Sensed = Sequence[SensorInfo]
+
+
+def lanes(
+    blueprint: Blueprint, status: DispatchStatus, story: Story, sensors: Sensed = ()
+) -> tuple[Lane, ...]:
     """The rows of the timeline: states of each SB, operations, then facts."""
+    words = {(sensor.branch, sensor.digit): sensor.words for sensor in sensors}
     several = len(blueprint) > 1
     soon = _soon(blueprint, status, story)
     found = []
@@ -52,7 +59,7 @@ def lanes(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[L
             if spans:
                 name = branch.fact_name(digit)
                 label = f"{branch.name} {name}" if several else name
-                found.append(Lane(label, "fact", tuple(_facts(branch, digit, spans))))
+                found.append(Lane(label, "fact", tuple(_facts(branch, digit, spans, words))))
     return tuple(found)
 
 
@@ -85,8 +92,14 @@ def _operations(story: Story) -> Iterator[Block]:
         yield Block(span.start, span.end, span.words.rpartition("/")[2], look)
 
 
-def _facts(branch: StateBranch, digit: int, spans: list[Span]) -> Iterator[Block]:
-    values = branch.alphabet[digit]
+def _facts(
+    branch: StateBranch,
+    digit: int,
+    spans: Sequence[Span],
+    words: Mapping[tuple[str, int], Mapping[str, str]],
+) -> Iterator[Block]:
+    known, said = branch.alphabet[digit], words.get((branch.name, digit), {})
     for span in spans:
-        look = "past" if span.words in values else "beyond"
-        yield Block(span.start, span.end, span.words, look if span.good else "unknown")
+        look = "past" if span.words in known else "beyond"
+        shown = span.words if span.words in known else said.get(span.words, span.words)
+        yield Block(span.start, span.end, shown, look if span.good else "unknown")

@@ -243,8 +243,9 @@ class RunPane(QWidget):
         rows = view.possible_rows(blueprint, status) if run.exists else ()
         choosable = run.exists and status.phase in view.CHOOSABLE
         self.possible.show_rows(rows, choosable, run.sentence or "Nothing is possible")
-        self.timeline.show_lanes(lanes(blueprint, status, run.story), run.story.time)
-        self.check.show_check(blueprint, status.check, waiting=status.running is not None)
+        self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.story.time)
+        check = status.check or view.last_check(blueprint, status)
+        self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running
         self._facts_note.setText(f"{running.operation} in transit" if running else "")
         self.moved.emit(status.configuration, running.branch if running else "")

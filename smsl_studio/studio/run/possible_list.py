@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtGui import QFontMetricsF
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -19,7 +20,10 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import pixmap
-from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.theme import Tokens, mono_font, text_font
+
+WIDEST = (150, 90)
+"""Pixels for the names of operations and of targets."""
 
 
 @dataclass(frozen=True)
@@ -119,11 +123,12 @@ class PossibleList(QScrollArea):
         across.setSpacing(8)
         across.addWidget(self._mark(row.kind))
         if row.kind in ("route", "possible") and self._by_hand:
-            across.addWidget(self._button(row.name, f"Carry out {row.address}", self.chosen, row))
+            hint = f"Carry out {row.address}"
+            across.addWidget(self._fixed(self._button(row.name, hint, self.chosen, row), 0))
         else:
             plain = row.kind in ("waits", "pruned", "refused", "later")
-            across.addWidget(label(row.name, "medium" if plain else "strong"))
-        across.addWidget(label(row.target, "mono"))
+            across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
+        across.addWidget(self._fixed(label(row.target, "mono"), 1))
         words = label(row.words, "small")
         words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         across.addWidget(words, 1)
@@ -135,6 +140,16 @@ class PossibleList(QScrollArea):
         line.setToolTip(f"{row.address} to {row.target}: {row.words}")
         line.setAccessibleName(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
         return line
+
+    def _fixed(self, widget: QWidget, column: int) -> QWidget:
+        """The names of all rows are as wide as the widest, within reason; so are the targets."""
+        fonts = text_font(13, 600), mono_font(12)
+        metrics = QFontMetricsF(fonts[column])
+        texts = ((row.name, row.target)[column] for row in self._rows)
+        pad = 24 if column == 0 and self._by_hand else 4
+        widest = max(metrics.horizontalAdvance(text) for text in texts) + pad
+        widget.setFixedWidth(round(min(widest, WIDEST[column])))
+        return widget
 
     def _mark(self, kind: str) -> QWidget:
         name, colour = {

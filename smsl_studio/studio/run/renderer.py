@@ -7,6 +7,7 @@ One buffer a shape, sent once; a frame sends one matrix a shape. Where no OpenGL
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import moderngl
@@ -76,6 +77,17 @@ void main() {
 """
 
 
+@dataclass(frozen=True)
+class Look:
+    """How a picture is made: its size in physical pixels, its theme, and whether edges are smooth,
+    which takes software renderers three times as long."""
+
+    width: int
+    height: int
+    dark: bool
+    fine: bool = True
+
+
 class _Program:
     """A shader program whose uniforms take plain values or bytes."""
 
@@ -104,7 +116,7 @@ class Renderer:
         )
         self._shapes: list[tuple[Shape, moderngl.VertexArray, moderngl.VertexArray]] = []
         self._size = (0, 0)
-        self._drawn: moderngl.Framebuffer | None = None
+        self._smooth: moderngl.Framebuffer | None = None
         self._plain: moderngl.Framebuffer | None = None
 
     def load(self, shapes: Sequence[Shape]) -> None:
@@ -114,22 +126,22 @@ class Renderer:
             flat.release()
         self._shapes = [self._sent(shape) for shape in shapes]
 
-    def draw(
-        self, poses: Sequence[float], camera: Camera, size: tuple[int, int], dark: bool
-    ) -> QImage:
-        """The picture, premultiplied on transparent ground; ``size`` in physical pixels."""
-        width, height = max(size[0], 1), max(size[1], 1)
+    def draw(self, poses: Sequence[float], camera: Camera, look: Look) -> QImage:
+        """The picture, premultiplied on transparent ground."""
+        width, height = max(look.width, 1), max(look.height, 1)
         self._prepare(width, height)
-        assert self._drawn is not None
+        assert self._smooth is not None
         assert self._plain is not None
         gl = self._gl
-        self._drawn.use()
-        self._drawn.clear(0.0, 0.0, 0.0, 0.0)
+        target = self._smooth if look.fine else self._plain
+        target.use()
+        target.clear(0.0, 0.0, 0.0, 0.0)
         gl.enable(moderngl.DEPTH_TEST)
         view = camera.view_projection(width / height).T.tobytes()
-        self._draw_ground(poses, view, dark)
-        self._draw_solids(poses, view, camera, dark)
-        gl.copy_framebuffer(self._plain, self._drawn)
+        self._draw_ground(poses, view, look.dark)
+        self._draw_solids(poses, view, camera, look.dark)
+        if look.fine:
+            gl.copy_framebuffer(self._plain, self._smooth)
         data = self._plain.read(components=4)
         image = QImage(data, width, height, width * 4, QImage.Format.Format_RGBA8888_Premultiplied)
         return image.flipped(Qt.Orientation.Vertical)
@@ -178,11 +190,11 @@ class Renderer:
     def _prepare(self, width: int, height: int) -> None:
         if self._size == (width, height):
             return
-        for old in (self._drawn, self._plain):
+        for old in (self._smooth, self._plain):
             if old is not None:
                 old.release()
         samples = min(4, self._gl.max_samples)
-        self._drawn = self._gl.framebuffer(
+        self._smooth = self._gl.framebuffer(
             self._gl.renderbuffer((width, height), 4, samples=samples),
             self._gl.depth_renderbuffer((width, height), samples=samples),
         )

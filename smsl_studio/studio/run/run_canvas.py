@@ -55,8 +55,10 @@ class RunCanvas(QWidget):
         self._follow = tool("Follow", "eye", "Show the State Branch in which it runs", tokens)
         self._follow.setCheckable(True)
         self._follow.setChecked(True)
+        self._follow.toggled.connect(lambda _: self._dress_follow())
         self._fit = tool("", "fit", "Fit everything (F)", tokens)
         self._fit.clicked.connect(self.canvas.fit)
+        self._dress_follow()
         whole = laid_over(
             self.canvas, words_over(buttons, self._steps), tools_over(self._follow, self._fit)
         )
@@ -132,8 +134,12 @@ class RunCanvas(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         self.canvas.set_tokens(tokens)
-        self._follow.setIcon(icon("eye", tokens))
+        self._dress_follow()
         self._fit.setIcon(icon("fit", tokens))
+
+    def _dress_follow(self) -> None:
+        colour = self._tokens.acc if self._follow.isChecked() else self._tokens.tx2
+        self._follow.setIcon(icon("eye", self._tokens, 16, colour))
 
     def _blueprint(self) -> Blueprint:
         """The run's snapshot while a run is there or was the last of this drawing."""

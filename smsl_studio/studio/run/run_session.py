@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
@@ -22,6 +22,9 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.studio.run.runner import Command, Runner
 from smsl_studio.studio.run.story import Story
 from smsl_studio.world.protocol import Shape
+
+FRAME = 33
+"""Milliseconds between two looks at the run."""
 
 
 @dataclass(frozen=True)
@@ -60,6 +63,9 @@ class RunSession(QObject):
         self._runner: Runner | None = None
         self._dispatcher: Dispatcher | None = None
         self._exists = False
+        self._clock = QTimer(self)
+        self._clock.setInterval(FRAME)
+        self._clock.timeout.connect(self._listen)
 
     @property
     def exists(self) -> bool:
@@ -99,7 +105,6 @@ class RunSession(QObject):
         self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
         runner = Runner(lambda: _opened(blueprint, choice), speed, self)
         runner.opened.connect(self._open)
-        runner.told.connect(self._tell)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
         self._runner = runner
@@ -107,6 +112,7 @@ class RunSession(QObject):
         if stepping:
             runner.command(_step_first)
         runner.start()
+        self._clock.start()
         self.changed.emit()
 
     def play(self) -> None:
@@ -148,6 +154,7 @@ class RunSession(QObject):
 
     def close(self) -> None:
         """End the run and its world, if there is one."""
+        self._clock.stop()
         runner, self._runner = self._runner, None
         self._dispatcher = None
         if runner is not None:
@@ -167,15 +174,19 @@ class RunSession(QObject):
             self.shapes, self.sensors = (opened.shapes, opened.sensors) if opened else ((), ())
             self.opened.emit()
 
+    def _listen(self) -> None:
+        news = self._runner.take() if self._runner is not None else None
+        if news is not None:
+            self._tell(*news)
+
     def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
-        if self.sender() is not self._runner:
-            return
         self.status = status
         if events:
             self.story.tell(events)
             self.events_told.emit(events)
         self.story.time = max(self.story.time, status.time)
         if self.story.finished is not None:
+            self._clock.stop()
             self._set_exists(False)
         self.changed.emit()
 

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import math
 import queue
+import threading
 from collections.abc import Callable
 from time import monotonic
 
 from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import StudioError
 from smsl_studio.runlog.events import Event
 
@@ -25,6 +27,7 @@ FASTEST = 1e6
 """Stands for "as fast as it can", in simulated seconds per wall second."""
 
 Command = Callable[[Dispatcher], None]
+News = tuple[tuple[Event, ...], DispatchStatus]
 
 
 class Runner(QThread):
@@ -32,8 +35,6 @@ class Runner(QThread):
 
     opened = Signal(object)
     """The dispatcher, once its world stands (read ``host.poses`` and ``opened`` from it only)."""
-    told = Signal(object, object)
-    """(events, status): what happened since the last report, and how things stand now."""
     refused = Signal(object)
     """A StudioError: the run could not be opened."""
     broke = Signal(object)
@@ -47,6 +48,8 @@ class Runner(QThread):
         self._speed = speed
         self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
         self._closing = False
+        self._lock = threading.Lock()
+        self._news: News | None = None
         self.latency = 0.0
         """Wall seconds the slowest of the newest ticks took, from command to answer."""
 
@@ -61,6 +64,20 @@ class Runner(QThread):
             self._speed = speed
 
         self._commands.put(change)
+
+    def take(self) -> News | None:
+        """What happened since this was asked last, and how things stand; None where nothing did.
+
+        It is asked for, not sent: a window that is busy must not find a queue of old news.
+        """
+        with self._lock:
+            news, self._news = self._news, None
+        return news
+
+    def _report(self, events: list[Event], status: DispatchStatus) -> None:
+        with self._lock:
+            before = self._news[0] if self._news else ()
+            self._news = ((*before, *events), status)
 
     def close(self) -> None:
         """End the loop and the world; returns when both are gone."""
@@ -93,7 +110,7 @@ class Runner(QThread):
             still = dispatcher.phase in ("finished", "paused")
             if still or monotonic() - reported >= FRAME:
                 self.latency, slowest = slowest, 0.0
-                self.told.emit(tuple(events), dispatcher.status)
+                self._report(events, dispatcher.status)
                 events, reported = [], monotonic()
             wait = None if still else pace.ahead(dispatcher.time)
             if self._obey(dispatcher, wait) or still or pace.speed != self._speed:

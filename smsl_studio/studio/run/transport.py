@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QIntValidator
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from smsl_studio.studio.controls import Combo, Field, label, rule
-from smsl_studio.studio.icons import icon
+from smsl_studio.studio.key_button import KeyButton
 from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
+LONGEST = 150
 PHASES = {
     "": ("Ready", "quiet"),
     "opening": ("Opening", "quiet"),
@@ -41,14 +42,13 @@ class Transport(QWidget):
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._tokens = tokens
         self._running = False
         across = QHBoxLayout(self)
         across.setContentsMargins(0, 0, 0, 0)
         across.setSpacing(8)
         self.world = self._choice(across, "World", 92, "Where the blueprint is run")
-        self.start = self._choice(across, "Start", 84, "The state the run starts in")
-        self.goal = self._choice(across, "Goal", 84, "The state the run ends in")
+        self.start = self._choice(across, "Start", 68, "The state the run starts in")
+        self.goal = self._choice(across, "Goal", 68, "The state the run ends in")
         across.addWidget(label("Seed", "small"))
         self.seed = Field()
         self.seed.setFixedWidth(44)
@@ -61,6 +61,7 @@ class Transport(QWidget):
         self.phase = QLabel()
         self.phase.setProperty("role", "phase")
         self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.phase.setFixedHeight(32)
         across.addWidget(self.phase)
         self.by_hand = QToolButton()
         self.by_hand.setText("By hand")
@@ -81,17 +82,20 @@ class Transport(QWidget):
             lambda _: self.speed_changed.emit(self.speed.currentData())
         )
         across.addWidget(self.speed)
-        self.step = self._button(across, "Step", "F10", "", "One operation, then pause")
+        self.step = KeyButton("Step", "F10", "step", "", tokens)
+        self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
-        self.play = self._button(across, "Play", "F5", "primary", "Run to the goal")
+        self.play = KeyButton("Play", "F5", "play", "primary", tokens)
+        self.play.setFixedWidth(112)
         self.play.clicked.connect(
             lambda: self.pause_wanted.emit() if self._running else self.play_wanted.emit()
         )
-        across.addWidget(rule(vertical=True, length=28))
-        self.stop = self._button(across, "Stop", "F8", "stop", "A controlled stop, at any time")
-        self.stop.setFixedSize(136, 40)
+        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
-        self.set_tokens(tokens)
+        for part in (self.step, self.play, rule(vertical=True, length=24), self.stop):
+            across.addWidget(part)
+        self._name_play()
         self.show_phase("", exists=False)
 
     def offer(
@@ -116,7 +120,7 @@ class Transport(QWidget):
     def show_phase(self, phase: str, exists: bool, tip: str = "") -> None:
         """Show how the run stands; ``exists`` says whether there is one to stop."""
         words, kind = PHASES.get(phase, (phase.replace("_", " ").capitalize(), "quiet"))
-        self.phase.setText(words)
+        self.phase.setText(f"●  {words}" if kind != "quiet" else words)
         self.phase.setToolTip(tip)
         if self.phase.property("kind") != kind:
             self.phase.setProperty("kind", kind)
@@ -131,39 +135,25 @@ class Transport(QWidget):
             self._name_play()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        self._tokens = tokens
-        self.step.setIcon(icon("step", tokens))
-        self.stop.setIcon(icon("stop", tokens, 16, tokens.surf if not tokens.dark else tokens.tx))
-        self._name_play()
+        for button in (self.step, self.play, self.stop):
+            button.set_tokens(tokens)
 
     def _name_play(self) -> None:
         words = "Pause" if self._running else "Play"
-        self.play.setText(f"{words}  {'F6' if self._running else 'F5'}")
+        self.play.set_words(words, "F6" if self._running else "F5", words.lower())
         tip = "Hold the run at the next tick (F6)" if self._running else "Run to the goal (F5)"
         self.play.setToolTip(tip)
-        self.play.setAccessibleName(words)
-        self.play.setIcon(icon(words.lower(), self._tokens, 16, self._tokens.onacc))
 
     def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> Combo:
         across.addWidget(label(words, "small"))
         combo = Combo()
         combo.setMinimumWidth(width)
-        combo.setMaximumWidth(width * 2)
+        combo.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
+        combo.setMaximumWidth(LONGEST)
         combo.setToolTip(tip)
         combo.setAccessibleName(words)
         across.addWidget(combo)
         return combo
-
-    @staticmethod
-    def _button(across: QHBoxLayout, words: str, key: str, role: str, tip: str) -> QPushButton:
-        button = QPushButton(f"{words}  {key}")
-        button.setProperty("role", role)
-        button.setFixedHeight(40)
-        button.setIconSize(QSize(16, 16))
-        button.setToolTip(f"{tip} ({key})")
-        button.setAccessibleName(words)
-        across.addWidget(button)
-        return button
 
 
 def _fill(combo: Combo, items: Sequence[tuple[str, str]]) -> None:

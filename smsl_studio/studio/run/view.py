@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.check import Reading
+from smsl_studio.blueprint.check import CheckResult, Reading, state_check
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.host.protocol import SensorInfo
@@ -116,6 +116,15 @@ def progress(blueprint: Blueprint, status: DispatchStatus, story: Story) -> floa
     if not whole or status.running_since is None:
         return None
     return min((status.time - status.running_since) / whole, 1.0)
+
+
+def last_check(blueprint: Blueprint, status: DispatchStatus) -> CheckResult | None:
+    """How the state check stood where a run ended: of its first goal's SB, else of the first."""
+    branch = next((goal.branch for goal in status.goals), next(iter(status.configuration), ""))
+    state = status.configuration.get(branch)
+    if state is None or not status.scene.readings:
+        return None
+    return state_check(blueprint, branch, state, status.scene, status.configuration)
 
 
 def rate_words(sensors: Sequence[SensorInfo]) -> str:

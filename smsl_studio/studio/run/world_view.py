@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from time import perf_counter
 
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QFontMetricsF,
@@ -24,9 +24,14 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.studio.run.camera import VIEWS, Camera
-from smsl_studio.studio.run.renderer import Renderer, open_renderer
+from smsl_studio.studio.run.renderer import Look, Renderer, open_renderer
 from smsl_studio.studio.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
 from smsl_studio.world.protocol import Shape
+
+LIMIT = 0.025
+"""Wall seconds a smooth picture may take, so that all pictures are smooth."""
+REST = 160
+"""Milliseconds without a move after which a rough picture is made smooth."""
 
 
 class WorldView(QWidget):
@@ -48,6 +53,12 @@ class WorldView(QWidget):
         self._image: QImage | None = None
         self._drag: QPointF | None = None
         self._frames: list[float] = []
+        self._fine = self._quick = True
+        self._took = 0.0
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST)
+        self._rest.timeout.connect(self._refine)
         self.setMinimumSize(240, 160)
         self.setAccessibleName("World")
         self.setToolTip("Drag turns, Shift-drag pans, the wheel zooms, a double click comes back")
@@ -81,13 +92,14 @@ class WorldView(QWidget):
 
     def show_poses(self, poses: tuple[float, ...], status: Mapping[str, str]) -> None:
         """Draw the newest poses, if they moved."""
-        words = tuple(f"{key} {value}".strip() for key, value in status.items())
-        if poses == self._poses and words == self._status:
-            return
-        if poses != self._poses:
-            self._image = None
-        self._poses, self._status = poses, words
-        self.update()
+        words = tuple(f"{key.capitalize()} {value}".strip() for key, value in status.items())
+        if words != self._status:
+            self._status = words
+            self.update()
+        early = self._frames and perf_counter() - self._frames[-1] < 2 * self._took
+        if poses != self._poses and not early:
+            self._poses = poses
+            self._moving()
 
     def set_view(self, name: str) -> None:
         """Look from one of the named places (``VIEWS``)."""
@@ -115,11 +127,8 @@ class WorldView(QWidget):
         if not self.has_picture or not self._poses:
             self._paint_sentence(painter)
             return
-        if self._image is None:
-            self._image = self._rendered()
-            self._frames = [*self._frames[-29:], perf_counter()]
-            self.drawn.emit()
-        painter.drawImage(self.rect(), self._image)
+        image = self._image or self._render()
+        painter.drawImage(self.rect(), image)
         self._paint_labels(painter)
         self._paint_chips(painter)
 
@@ -150,16 +159,35 @@ class WorldView(QWidget):
         event.accept()
 
     def _look(self, camera: Camera) -> None:
-        self._camera, self._image = camera, None
+        self._camera = camera
+        self._moving()
+
+    def _render(self) -> QImage:
+        """Draw anew; where smooth edges take too long, only once nothing moves any more."""
+        assert isinstance(self._renderer, Renderer)
+        began, ratio = perf_counter(), self.devicePixelRatioF()
+        fine = self._quick or not self._rest.isActive()
+        size = round(self.width() * ratio), round(self.height() * ratio)
+        image = self._renderer.draw(self._poses, self._camera, Look(*size, self._tokens.dark, fine))
+        image.setDevicePixelRatio(ratio)
+        self._image, self._fine = image, fine
+        if fine:
+            self._quick = perf_counter() - began <= LIMIT
+        self._took = perf_counter() - began
+        self._frames = [*self._frames[-29:], perf_counter()]
+        self.drawn.emit()
+        return image
+
+    def _moving(self) -> None:
+        """Something moved: the picture is old, and may be rough until it rests."""
+        self._image = None
+        self._rest.start()
         self.update()
 
-    def _rendered(self) -> QImage:
-        assert isinstance(self._renderer, Renderer)
-        ratio = self.devicePixelRatioF()
-        size = (round(self.width() * ratio), round(self.height() * ratio))
-        image = self._renderer.draw(self._poses, self._camera, size, self._tokens.dark)
-        image.setDevicePixelRatio(ratio)
-        return image
+    def _refine(self) -> None:
+        if not self._fine:
+            self._image = None
+            self.update()
 
     def _paint_sky(self, painter: QPainter) -> None:
         sky = QLinearGradient(0, 0, 0, self.height())
