@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 
 from smsl_studio.library.loading import discover
 from smsl_studio.shipped import resources_dir
+from smsl_studio.studio.canvas import accessible_tree
 from smsl_studio.studio.recovery import crash_hook, keep_work
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of
@@ -42,6 +43,7 @@ def make_application(argv: Sequence[str]) -> QApplication:
     application.setApplicationName("smsl-studio")
     application.setApplicationDisplayName("SMSL Studio")
     application.setDesktopFileName("smsl-studio")
+    accessible_tree.install(application)
     application.setWindowIcon(QIcon(str(resources_dir() / "smsl-studio.svg")))
     return application
 

@@ -135,7 +135,8 @@ class Drawer:
     def write(self, text: str, finish: Qt.Key | None = Qt.Key.Key_Return) -> None:
         """Type into the field that is open; all of it is selected at first."""
         field = QApplication.focusWidget()
-        assert field is not None and field is not self.canvas, "no field is open"
+        assert field is not None, "nothing has the focus"
+        assert field is not self.canvas, "no field is open"
         QTest.keyClicks(field, text)
         if finish is not None:
             QTest.keyClick(field, finish)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import QObject, QRect
+from PySide6.QtCore import QCoreApplication, QObject, QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from shiboken6 import isValid
 
@@ -33,7 +33,7 @@ class CanvasAccessible(QAccessibleInterface):
     def window(self) -> Any:
         return self._canvas.window().windowHandle()
 
-    def parent(self) -> QAccessibleInterface | None:
+    def parent(self) -> Any:
         parent = self._canvas.parentWidget()
         return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
 
@@ -41,7 +41,7 @@ class CanvasAccessible(QAccessibleInterface):
         sheet = self._canvas.sheet if self.isValid() else None
         return len(sheet.picture) if sheet is not None else 0
 
-    def child(self, index: int) -> QAccessibleInterface | None:
+    def child(self, index: int) -> Any:
         if not 0 <= index < self.childCount():
             return None
         if index not in self._children:
@@ -51,7 +51,7 @@ class CanvasAccessible(QAccessibleInterface):
     def indexOfChild(self, child: QAccessibleInterface) -> int:
         return child.index if isinstance(child, StateAccessible) else -1
 
-    def childAt(self, x: int, y: int) -> QAccessibleInterface | None:
+    def childAt(self, x: int, y: int) -> Any:
         sheet = self._canvas.sheet
         if sheet is None:
             return None
@@ -59,7 +59,7 @@ class CanvasAccessible(QAccessibleInterface):
                                                                            .topLeft()))  # fmt: skip
         return self.child(sheet.state_at(at.x(), at.y()))
 
-    def focusChild(self) -> QAccessibleInterface | None:
+    def focusChild(self) -> Any:
         """The state that is selected last."""
         sheet = self._canvas.sheet
         for address in reversed(self._canvas.marks.selection):
@@ -106,7 +106,7 @@ class StateAccessible(QAccessibleInterface):
     def isValid(self) -> bool:
         return self._parent.isValid() and self.index < self._parent.childCount()
 
-    def object(self) -> QObject | None:
+    def object(self) -> Any:
         return None
 
     def window(self) -> Any:
@@ -118,13 +118,13 @@ class StateAccessible(QAccessibleInterface):
     def childCount(self) -> int:
         return 0
 
-    def child(self, index: int) -> None:
+    def child(self, index: int) -> Any:
         return None
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
         return -1
 
-    def childAt(self, x: int, y: int) -> None:
+    def childAt(self, x: int, y: int) -> Any:
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
@@ -175,6 +175,11 @@ class Factory:
         return made
 
 
-def install() -> None:
-    """Let assistive tools see the states of every canvas."""
-    QAccessible.installFactory(Factory())
+INSTALLED = "smsl canvas accessible"
+
+
+def install(application: QCoreApplication) -> None:
+    """Let assistive tools see the states of every canvas; once an application."""
+    if not application.property(INSTALLED):
+        application.setProperty(INSTALLED, True)
+        QAccessible.installFactory(Factory())

@@ -41,9 +41,7 @@ def _wrapped(buffer: Floats, kind: type) -> Any:
     return shiboken6.wrapInstance(buffer.ctypes.data, kind)
 
 
-def draw_grid(
-    painter: QPainter, area: QRectF, step: float, size: float, colour: QColor
-) -> None:
+def draw_grid(painter: QPainter, area: QRectF, step: float, size: float, colour: QColor) -> None:
     """Draw a dot (a small square) every ``step`` in an area, at the multiples of ``step``."""
     xs = np.arange(np.floor(area.left() / step), np.ceil(area.right() / step) + 1) * step
     ys = np.arange(np.floor(area.top() / step), np.ceil(area.bottom() / step) + 1) * step

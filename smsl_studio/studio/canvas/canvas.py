@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleEvent,
     QContextMenuEvent,
     QFocusEvent,
     QKeyEvent,
@@ -321,9 +323,7 @@ class Canvas(QGraphicsView):
             whole = whole.united(QRectF(left, top, right - left, bottom - top))
             rect = geometry.label(edge)
             if rect is not None:
-                whole = whole.united(
-                    QRectF(rect[0], rect[1], rect[2] - rect[0], rect[3] - rect[1])
-                )
+                whole = whole.united(QRectF(rect[0], rect[1], rect[2] - rect[0], rect[3] - rect[1]))
         sheet.set_zoom(zoom)
         return whole
 
@@ -399,9 +399,7 @@ class Canvas(QGraphicsView):
             left, top, right, bottom = geometry.shape(edge).bounds
             rect = rect.united(QRectF(left, top, right - left, bottom - top))
             place = geometry.label(edge) or geometry.fallback(edge)
-            rect = rect.united(
-                QRectF(place[0], place[1], place[2] - place[0], place[3] - place[1])
-            )
+            rect = rect.united(QRectF(place[0], place[1], place[2] - place[0], place[3] - place[1]))
         return rect.adjusted(-pad, -pad, pad, pad)
 
     def settle(self) -> None:
@@ -489,6 +487,10 @@ class Canvas(QGraphicsView):
         elif chosen:
             words += f", {len(chosen)} selected"
         self.setAccessibleDescription(words)
+        if QAccessible.isActive() and chosen:
+            event = QAccessibleEvent(self, QAccessible.Event.Focus)
+            event.setChild(sheet.picture.node(chosen[-1]))
+            QAccessible.updateAccessibility(event)
 
     def describe(self, address: Address) -> str:
         """A state or operation in words: "State_1100, active, 7 operations out"."""
@@ -584,4 +586,3 @@ class Canvas(QGraphicsView):
         if self.editing and any(a.state for a in self._marks.selection):
             return False
         return super().focusNextPrevChild(forward)
-

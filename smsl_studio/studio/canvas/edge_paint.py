@@ -49,9 +49,10 @@ class EdgeLook:
     def lit(self) -> bool:
         """Whether the edge is drawn after the others, with its label, at every level."""
         return bool(
-            self.selected or self.out or self.running is not None or self.trail or self.planned or self.pruned
-            or self.held_back or self.risky or self.finding or self.hovered or self.possible
-        )  # fmt: skip
+            (self.selected or self.out or self.hovered or self.finding or self.possible)
+            or (self.running is not None or self.trail or self.planned)
+            or (self.pruned or self.held_back or self.risky)
+        )
 
 
 PLAIN = EdgeLook()
@@ -120,9 +121,7 @@ class Drawn:
         return found[1], found[2]
 
 
-def _stroke(
-    look: EdgeLook, ink: Ink, compact: bool
-) -> tuple[QColor, float, tuple[float, ...]]:
+def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tuple[float, ...]]:
     """Colour, width and dashes, the strongest statement first."""
     tokens = ink.tokens
     if look.finding == "E":
@@ -146,9 +145,7 @@ def _stroke(
     return tokens.edge, 1.5, ()
 
 
-def _running(
-    painter: QPainter, shape: EdgeShape, share: float, ink: Ink, unit: float
-) -> None:
+def _running(painter: QPainter, shape: EdgeShape, share: float, ink: Ink, unit: float) -> None:
     tokens = ink.tokens
     end = shape.length - 11.0 * unit
     painter.setBrush(NO_BRUSH)
@@ -212,7 +209,13 @@ def paint_label(
     if ground:
         area = QRectF(left + 1.0, centre.y() - height / 2, width - 2.0, height)
         painter.fillRect(area, tokens.canvas)
-    lit = look.selected or (look.out and not text.mono) or look.trail or look.planned or look.running is not None
+    lit = (
+        look.selected
+        or (look.out and not text.mono)
+        or look.trail
+        or look.planned
+        or look.running is not None
+    )
     colour = tokens.acc if lit else tokens.risk if look.risky else tokens.tx2
     if look.dimmed and not look.lit:
         colour = tokens.tx3

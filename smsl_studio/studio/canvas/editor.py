@@ -125,9 +125,7 @@ class CanvasEditor(QObject):
 
         def commit(name: str) -> str:
             def change(blueprint: Blueprint) -> Blueprint:
-                return editing.add_state(
-                    editing.add_branch(blueprint, "SB1"), "SB1", name, place
-                )
+                return editing.add_state(editing.add_branch(blueprint, "SB1"), "SB1", name, place)
 
             camera = self.canvas.camera
             seen = camera.centre, camera.zoom
@@ -208,7 +206,12 @@ class CanvasEditor(QObject):
             words = f"Rename {old} to {new}"
             reason = self._edit(words, lambda bp: editing.rename(bp, address, new))
             if not reason:
-                self.session.select((Address(*address.path[:-1], new),))
+                renamed = (
+                    replace(address, operation=new)
+                    if address.operation
+                    else replace(address, state=new)
+                )
+                self.session.select((renamed,))
             return reason
 
         hint = "Operation" if address.operation else "State"
@@ -276,9 +279,7 @@ class CanvasEditor(QObject):
         field.setMinimumWidth(width)
         self._open(field, at, centred=True)
 
-    def _open(
-        self, field: NameField | ConnectCard, at: QPointF, centred: bool = False
-    ) -> None:
+    def _open(self, field: NameField | ConnectCard, at: QPointF, centred: bool = False) -> None:
         if self.field is not None:
             previous, self.field = self.field, None
             previous.close_field()

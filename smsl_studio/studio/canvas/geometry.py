@@ -182,9 +182,7 @@ class Geometry:
         if places is None:
             places = self._places = self._fresh_places()
         unit, compact = self.style.unit, self.style.compact
-        self._labels[edge] = labels.place(
-            edge, shape, size, places, self._lines, unit, compact
-        )
+        self._labels[edge] = labels.place(edge, shape, size, places, self._lines, unit, compact)
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)
@@ -196,7 +194,8 @@ class Geometry:
     def _route_loops(self, state: int) -> None:
         """The self loops of a state, at the corner where they and their labels cover least."""
         picture, unit = self.picture, self.style.unit
-        own = [e for e in picture.edges_of(state) if picture.source[e] == picture.target[e] == state]
+        at_state = picture.edges_of(state)
+        own = [e for e in at_state if picture.source[e] == picture.target[e] == state]
         box = self.box(state)
         places = self._places or self._fresh_places()
         sizes = [self._label_size(e) for e in own]

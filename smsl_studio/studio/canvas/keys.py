@@ -40,9 +40,7 @@ def press(canvas: Canvas, event: QKeyEvent) -> bool:
     return _edit_key(canvas, key, event.text())
 
 
-def _is_view_key(
-    canvas: Canvas, key: Qt.Key, text: str, modifiers: Qt.KeyboardModifier
-) -> bool:
+def _is_view_key(canvas: Canvas, key: Qt.Key, text: str, modifiers: Qt.KeyboardModifier) -> bool:
     shift = modifiers == Modifier.ShiftModifier
     if (not modifiers and key == Key.Key_F) or (shift and key in (Key.Key_1, Key.Key_Exclam)):
         canvas.fit()

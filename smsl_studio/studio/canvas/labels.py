@@ -22,6 +22,11 @@ LANE_SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.2, 0.8)
 BESIDE_GAP = 6.0
 
 
+def meet(a: Rect, b: Rect) -> bool:
+    """Whether two rectangles overlap."""
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
 class LabelPlaces:
     """The places taken so far, in a grid of cells; nodes and labels are never covered.
 
@@ -44,9 +49,7 @@ class LabelPlaces:
         order = np.argsort(key, kind="stable")
         found, starts = np.unique(key[order], return_index=True)
         stops = np.append(starts[1:], len(order))[: len(starts)]
-        self._rows = {
-            int(k): order[i:j] for k, i, j in zip(found, starts, stops, strict=True)
-        }
+        self._rows = {int(k): order[i:j] for k, i, j in zip(found, starts, stops, strict=True)}
 
     def take(self, rect: Rect, margin: float = 1.0) -> None:
         """Keep a rectangle free of labels from now on."""
@@ -56,11 +59,9 @@ class LabelPlaces:
             self._cells.setdefault(cell, []).append(wide)
 
     def is_free(self, rect: Rect) -> bool:
-        left, top, right, bottom = rect
         for cell in self._over(rect):
-            for l, t, r, b in self._cells.get(cell, ()):
-                if l < right and left < r and t < bottom and top < b:
-                    return False
+            if any(meet(rect, other) for other in self._cells.get(cell, ())):
+                return False
         return not self._covers_node(rect)
 
     def _covers_node(self, rect: Rect) -> bool:
@@ -71,9 +72,8 @@ class LabelPlaces:
             rows = self._rows.get(x * 1_000_003 + y)
             if rows is None:
                 continue
-            for l, t, r, b in self._nodes[rows].tolist():
-                if l < right and left < r and t < bottom and top < b:
-                    return True
+            if any(meet(rect, other) for other in self._nodes[rows].tolist()):
+                return True
         return False
 
     def _over(self, rect: Rect) -> list[tuple[int, int]]:
@@ -119,8 +119,13 @@ class Lines:
 
 
 def place(
-    edge: int, shape: EdgeShape, size: tuple[float, float], places: LabelPlaces, lines: Lines,
-    unit: float, compact: bool,
+    edge: int,
+    shape: EdgeShape,
+    size: tuple[float, float],
+    places: LabelPlaces,
+    lines: Lines,
+    unit: float,
+    compact: bool,
 ) -> Rect | None:
     """The best free place of one label, taken; None where there is none."""
     best: tuple[float, Rect] | None = None
@@ -192,7 +197,7 @@ def _fits(shape: EdgeShape, along: float, size: tuple[float, float], unit: float
 def outside(
     shape: EdgeShape, along: float, size: tuple[float, float], gap: float, side: int = 1
 ) -> Rect:
-    """Beside a line with a gap to it, on its outer side (or, with ``side`` -1, on its inner one)."""
+    """Beside a line with a gap to it, on its outer side; ``side`` -1 is its inner one."""
     x, y = shape.at(along)
     dx, dy = shape.direction(along)
     nx, ny = -dy * shape.out * side, dx * shape.out * side
@@ -209,7 +214,7 @@ def _centred(point: Point, size: tuple[float, float]) -> Rect:
 def _beside(shape: EdgeShape, along: float, size: tuple[float, float], unit: float) -> Rect:
     """Beside a steep line, on the side that is turned away from its neighbour."""
     x, y = shape.at(along)
-    dx, dy = shape.direction(along)
+    _, dy = shape.direction(along)
     # Right of the way as it runs is (-dy, dx), y down.
     to_right = (-dy if shape.side > 0 else dy) > 0
     gap = BESIDE_GAP * unit - 4.0 * unit

@@ -108,7 +108,7 @@ def _levels(row: Sequence[Passing], box: dict[int, Box]) -> dict[int, int]:
     for p in sorted(row, key=order):
         low, high = sorted((box[p.source].x, box[p.target].x))
         level = 0
-        while level < len(spans) and any(low < h and l < high for l, h in spans[level]):
+        while level < len(spans) and any(low < b and a < high for a, b in spans[level]):
             level += 1
         if level == len(spans):
             spans.append([])
@@ -127,7 +127,9 @@ def _slots(
         for state, leaves, goes_right in ((p.source, True, right), (p.target, False, not right)):
             rank = float(levels[p.edge] + 1)
             # What goes to the right and runs inside stands nearest to the right border.
-            ends.setdefault(state, []).append((1 / rank if goes_right else -1 / rank, p.edge, leaves))
+            ends.setdefault(state, []).append(
+                (1 / rank if goes_right else -1 / rank, p.edge, leaves)
+            )
     found: dict[tuple[int, bool], float] = {}
     for state, own in ends.items():
         own.sort()

@@ -7,6 +7,7 @@ are painted one by one from their shapes; what is lit lies in a layer of its own
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
@@ -22,9 +23,10 @@ from smsl_studio.studio.canvas.edge_paint import (
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
 from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.lit_labels import lit_labels
-from smsl_studio.studio.canvas.shape import Floats
-from smsl_studio.studio.canvas.sheet import Sheet
+from smsl_studio.studio.canvas.picture import Ints
+from smsl_studio.studio.canvas.sheet import Numbers, Sheet
 
+Bools = NDArray[np.bool_]
 MANY_EDGES = 700
 """Beyond so many edges in view they are painted in a batch."""
 
@@ -53,7 +55,7 @@ class Layer(QGraphicsItem):
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
         if self.sheet is not None and len(self.sheet.picture):
-            exposed = option.exposedRect  # type: ignore[attr-defined]
+            exposed = option.exposedRect
             self.paint_sheet(painter, self.sheet, exposed)
 
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
@@ -102,7 +104,7 @@ class EdgeLayer(Layer):
                 paint_label(painter, sheet.text(edge), centre, looks.edge(edge), sheet.ink)
         painter.restore()
 
-    def _far(self, painter: QPainter, sheet: Sheet, edges: Floats) -> None:
+    def _far(self, painter: QPainter, sheet: Sheet, edges: Numbers) -> None:
         """Straight lines; opposite edges lie on each other, heads are two strokes."""
         tokens = sheet.ink.tokens
         source, target = sheet.picture.source[edges], sheet.picture.target[edges]
@@ -143,10 +145,10 @@ class EdgeLayer(Layer):
         )
 
 
-def _has_opposite(source: Floats, target: Floats, count: int) -> Floats:
+def _has_opposite(source: Ints, target: Ints, count: int) -> Bools:
     forward = source.astype(np.int64) * count + target
     back = target.astype(np.int64) * count + source
-    found: Floats = np.isin(back, forward)
+    found: Bools = np.isin(back, forward)
     return found
 
 
@@ -232,7 +234,16 @@ class LitLayer(Layer):
 
 def _weight(look: object) -> int:
     """What is painted last lies on top."""
-    order = ("possible", "out", "pruned", "held_back", "risky", "planned", "selected", "trail", "finding")
+    order = (
+        "possible",
+        "out",
+        "pruned",
+        "held_back",
+        "risky",
+        "planned",
+        "selected",
+        "trail",
+        "finding",
+    )
     weight = max((i + 1 for i, key in enumerate(order) if getattr(look, key)), default=0)
     return 20 if getattr(look, "running", None) is not None else weight
-

@@ -8,7 +8,8 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
-Floats, Ints = NDArray[np.float64], NDArray[np.int64]
+Floats = NDArray[np.float64]
+Ints = NDArray[np.int64]
 FULL_SIZE, COMPACT_SIZE, BOX_SIZE, DOT_SIZE = (108.0, 54.0), (46.0, 24.0), (28.0, 16.0), (6.0, 6.0)
 FULL_MAX, COMPACT_MAX = 200.0, 132.0
 ROOM = (36.0, 24.0)

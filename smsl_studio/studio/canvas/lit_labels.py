@@ -90,7 +90,7 @@ def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
     left, top, right, bottom = rect
     if sheet.states_in(left, top, right, bottom):
         return False
-    return not any(l < right and left < r and t < bottom and top < b for l, t, r, b in taken)
+    return not any(labels.meet(rect, other) for other in taken)
 
 
 def _near_sign(sheet: Sheet, text: EdgeText, shape: EdgeShape) -> list[Rect]:

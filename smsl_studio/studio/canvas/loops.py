@@ -33,8 +33,14 @@ def corner_of(name: str, box: Box, count: int, unit: float) -> Corner:
     if first == "right":
         y = box.y + (box.h - radius - 3 * unit) * (1 if second == "bottom" else -1) * 0.35
         return Corner(
-            name, box.x + box.w + 4 * unit, y, radius, box.x + box.w + radius + 9 * unit, y,
-            False, second == "top",
+            name,
+            box.x + box.w + 4 * unit,
+            y,
+            radius,
+            box.x + box.w + radius + 9 * unit,
+            y,
+            False,
+            second == "top",
         )
     up, left = first == "top", second == "left"
     x = box.x + (box.w - radius - 4 * unit) * (-1 if left else 1)

@@ -114,9 +114,7 @@ def paint_node(
         ink.plain.draw(painter, 0.0, rect.bottom() + 15.0, "goal", ink.tokens.tx2)
 
 
-def _surroundings(
-    painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: Ink
-) -> None:
+def _surroundings(painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: Ink) -> None:
     tokens = ink.tokens
     painter.setBrush(NO_BRUSH)
     if look.active:
@@ -184,9 +182,7 @@ def _short(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink
     ink.short.draw(painter, 0.0, 0.0, ink.short.elided(face.short, width - 8.0), colour)
 
 
-def _name_and_chips(
-    painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink
-) -> None:
+def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink) -> None:
     tokens = ink.tokens
     colour = tokens.onacc if look.active else tokens.tx
     name = ink.name.elided(face.name, width - 16.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from os.path import commonprefix
+from itertools import takewhile
 
 SEPARATORS = "_-"
 
@@ -17,7 +17,8 @@ def shared_prefix(names: Iterable[str]) -> str:
     found = sorted(set(names))
     if len(found) < 2:
         return ""
-    common = commonprefix([found[0], found[-1]])
+    pairs = zip(found[0], found[-1], strict=False)
+    common = "".join(a for a, _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
     while common and (common[-1] not in SEPARATORS or common in found):
         common = common[:-1]
     return common

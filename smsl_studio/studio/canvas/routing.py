@@ -96,9 +96,7 @@ def _offsets(count: int, opposite: bool, source: Box, target: Box, style: Style)
     return [(i - (count - 1) / 2) * step * style.unit for i in range(count)]
 
 
-def _straight(
-    source: Box, target: Box, offset: float, normal: Point, style: Style
-) -> EdgeShape:
+def _straight(source: Box, target: Box, offset: float, normal: Point, style: Style) -> EdgeShape:
     dx, dy = normal[0] * offset, normal[1] * offset
     ends = np.array([[source.x + dx, source.y + dy], [target.x + dx, target.y + dy]])
     line = ends[0] + (ends[1] - ends[0]) * _SHARES[:, None]

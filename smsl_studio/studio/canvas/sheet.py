@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 import numpy as np
+from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.canvas import edge_paint, node_paint
@@ -33,6 +34,7 @@ from smsl_studio.studio.canvas.routing import Style
 from smsl_studio.studio.canvas.shape import Floats
 
 Position = tuple[float, float]
+Numbers = NDArray[np.intp]
 
 
 class Sheet:
@@ -201,11 +203,11 @@ class Sheet:
             w, h = boxed_width(text, self.ink), 18.0
         return w * self.unit, h * self.unit
 
-    def edges_in(self, left: float, top: float, right: float, bottom: float) -> Floats:
+    def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
         """The numbers of edges whose straight way (with room for bends) meets a rectangle."""
         source, target = self.picture.source, self.picture.target
         if not len(source):
-            return np.zeros(0, dtype=np.int64)
+            return np.zeros(0, dtype=np.intp)
         a, b = self.at[source], self.at[np.where(target < 0, source, target)]
         low, high = np.minimum(a, b), np.maximum(a, b)
         # Lanes and loops reach out of the way between two states.

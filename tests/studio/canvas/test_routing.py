@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -142,7 +143,7 @@ def test_self_loops_are_concentric_and_end_at_the_border(name: str, count: int) 
     spans = [float(np.hypot(*(s.points - (corner.x, corner.y)).T).max()) for s in shapes]
     assert np.diff(spans) == pytest.approx(5.0)
     boxes = label_boxes(corner, [(80.0, 15.0)] * count, 1.0)
-    for (_, top, _, bottom), (_, other_top, _, other_bottom) in zip(boxes, boxes[1:], strict=False):
+    for (_, top, _, bottom), (_, other_top, _, other_bottom) in pairwise(boxes):
         assert bottom <= other_top or other_bottom <= top
 
 

@@ -28,7 +28,7 @@ def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
 
 
 class Breadcrumb(QWidget):
-    """Stands at the top left of the canvas; ``clicked`` names the SB to show, empty for the file."""
+    """Stands at the top left; ``clicked`` names the SB to show, empty for the file."""
 
     clicked = Signal(str)
 

@@ -1,4 +1,4 @@
-"""Names edited in place: one field, or the fields of a new operation, with errors said beside them."""
+"""Names edited in place: one field, or those of a new operation; errors are said beside them."""
 
 from __future__ import annotations
 

@@ -131,7 +131,10 @@ class HoverPad(Card):
             (node.right() + AWAY, node.bottom() - size.height()),
         ]
         for x, y in places:
-            corner, far = QPoint(int(x), int(y)), QPoint(int(x) + size.width(), int(y) + size.height())
+            corner, far = (
+                QPoint(int(x), int(y)),
+                QPoint(int(x) + size.width(), int(y) + size.height()),
+            )
             if not canvas.rect().contains(corner) or not canvas.rect().contains(far):
                 continue
             a, b = canvas.mapToScene(corner), canvas.mapToScene(far)

@@ -1,4 +1,4 @@
-"""What the canvas says: the banner across its top, the short word at the pointer, the empty pane."""
+"""What the canvas says: a banner at its top, a word at the pointer, the empty pane."""
 
 from __future__ import annotations
 
