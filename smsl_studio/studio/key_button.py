@@ -25,6 +25,7 @@ class KeyButton(QPushButton):
     ) -> None:
         super().__init__(words)
         self._key, self._icon, self._role, self._tokens = key, name, role, tokens
+        self._short = False
         self.setProperty("role", role)
         self.setFixedHeight(CONTROL_DECISION)
         self.setAccessibleName(words)
@@ -36,6 +37,14 @@ class KeyButton(QPushButton):
         self.setAccessibleName(words)
         self.updateGeometry()
         self.update()
+
+    def set_short(self, short: bool) -> None:
+        """Show the icon and the key alone, where there is little room."""
+        if short != self._short:
+            self._short = short
+            self.setMinimumWidth(0)
+            self.updateGeometry()
+            self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
@@ -60,11 +69,12 @@ class KeyButton(QPushButton):
         left += ICON + GAP
         painter.setPen(ink)
         painter.setFont(self._font())
-        wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
-        painter.drawText(
-            QRectF(left, 0, wide + 1, self.height()), Qt.AlignmentFlag.AlignVCenter, self.text()
-        )
-        self._paint_key(painter, QRectF(left + wide + GAP, middle - CHIP / 2, self._chip(), CHIP))
+        if not self._short:
+            wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
+            room = QRectF(left, 0, wide + 1, self.height())
+            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, self.text())
+            left += wide + GAP
+        self._paint_key(painter, QRectF(left, middle - CHIP / 2, self._chip(), CHIP))
         painter.end()
 
     def _paint_key(self, painter: QPainter, box: QRectF) -> None:
@@ -96,5 +106,7 @@ class KeyButton(QPushButton):
         return QFontMetricsF(text_font(11, 500)).horizontalAdvance(self._key) + 12
 
     def _wide(self) -> float:
+        if self._short:
+            return ICON + GAP + self._chip()
         wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
         return ICON + GAP + wide + GAP + self._chip()

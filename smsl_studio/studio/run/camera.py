@@ -15,7 +15,7 @@ Matrix = NDArray[np.float32]
 class Camera:
     """Looks at ``target`` from ``distance`` away; ``azimuth`` 0 looks along -x."""
 
-    target: tuple[float, float, float] = (0.48, 0.0, 0.075)
+    target: tuple[float, float, float] = (0.48, 0.0, 0.095)
     distance: float = 0.62
     azimuth: float = 0.36
     elevation: float = 0.46

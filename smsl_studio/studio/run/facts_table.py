@@ -15,10 +15,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
-COLUMNS = ("Fact", "Believed", "Sensed", "Age", "Quality")
-WIDTHS = (86, 63, 60, 58)
+COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
+WIDTHS = (86, 63, 60, 62)
 ROW = 32
 Index = QModelIndex | QPersistentModelIndex
 
@@ -165,16 +166,23 @@ class _Cells(QStyledItemDelegate):
         colour = {"agrees": t.ok, "differs": t.bad, "unknown": t.unk, "transit": t.acc}.get(
             row.quality, t.tx3
         )
-        bars = {"agrees": 4, "transit": 4, "differs": 4, "unknown": 0}.get(row.quality, 0)
+        ink = t.tx if row.quality in ("agrees", "believed") else colour
+        room = room.adjusted(8, 0, -4, 0)
+        if row.quality == "transit":
+            draw(painter, "arrow", QRectF(room.left(), room.center().y() - 7, 14, 14), ink, t.surf)
+        else:
+            self._bars(painter, room, colour, 4 if row.quality in ("agrees", "differs") else 0)
+        painter.setFont(text_font(13))
+        after = 20 if row.quality == "transit" else 31
+        self._words(painter, room.adjusted(after, 0, 0, 0), row.words, ink)
+
+    def _bars(self, painter: QPainter, room: QRectF, colour: QColor, bars: int) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         for bar in range(4):
             height = 4 + 2 * bar
-            painter.setBrush(colour if bar < bars else t.line2)
-            left = room.left() + 8 + 6 * bar
+            painter.setBrush(colour if bar < bars else self.tokens.line2)
+            left = room.left() + 6 * bar
             painter.drawRoundedRect(QRectF(left, room.center().y() + 5 - height, 4, height), 1, 1)
-        ink = t.tx if row.quality in ("agrees", "believed") else colour
-        painter.setFont(text_font(13))
-        self._words(painter, room.adjusted(38, 0, -4, 0), row.words, ink)
 
 
 class FactsTable(QTableView):

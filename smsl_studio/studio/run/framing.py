@@ -94,15 +94,15 @@ def panel(*parts: QWidget) -> QWidget:
 
 
 def split(
-    way: Qt.Orientation, parts: Sequence[QWidget], sizes: Sequence[int], grows: int
+    way: Qt.Orientation, parts: Sequence[QWidget], sizes: Sequence[int], grow: Sequence[int]
 ) -> QSplitter:
-    """Parts side by side with a line between; part ``grows`` takes what a larger window gives."""
+    """Parts side by side with a line between; ``grow`` are their shares of a larger window."""
     made = QSplitter(way)
     made.setHandleWidth(1)
     made.setChildrenCollapsible(False)
     for index, part in enumerate(parts):
         made.addWidget(part)
-        made.setStretchFactor(index, 1 if index == grows else 0)
+        made.setStretchFactor(index, grow[index])
     made.setSizes(list(sizes))
     return made
 

@@ -83,8 +83,9 @@ class RunPane(QWidget):
     # What is asked of the run.
 
     def play(self) -> None:
-        """Start a run, or go on with the one that is paused or held."""
+        """Start a run, or go on with the one that is paused, held or waits for a hand."""
         if self.run.exists:
+            self.transport.by_hand.setChecked(False)
             self.run.play()
         else:
             self._begin(stepping=False)
@@ -142,7 +143,7 @@ class RunPane(QWidget):
         )
         self.events.clear()
         self.world.clear()
-        self.canvas.show_banner("")
+        self.canvas.show_refusal("")
         self.run.begin(self._session.blueprint, choice, transport.speed.currentData(), stepping)
         self._frames.start()
 
@@ -156,12 +157,12 @@ class RunPane(QWidget):
                     Qt.Orientation.Horizontal,
                     (self.canvas, self._right()),
                     (628, 811),
-                    grows=0,
+                    (44, 56),
                 ),
                 self.timeline,
             ),
             (626, 160),
-            grows=0,
+            (1, 0),
         )
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -177,8 +178,8 @@ class RunPane(QWidget):
         cost.setContentsMargins(0, 0, 8, 0)
         self._lists.add("Possible now", self.possible, cost)
         self._lists.add("Events", self.events)
-        below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), grows=1)
-        return split(Qt.Orientation.Vertical, (self._world(), below), (300, 325), grows=0)
+        below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), (0, 1))
+        return split(Qt.Orientation.Vertical, (self._world(), below), (300, 325), (1, 1))
 
     def _world(self) -> QWidget:
         self._views = tool("Front right", "camera", "Where to look from", self._tokens)
@@ -192,7 +193,9 @@ class RunPane(QWidget):
         self._world_name = label("", "second")
         words = words_over(label("World", "heading"), self._world_name)
         words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        return laid_over(self.world, words, tools_over(self._views, self._home))
+        self._world_tools = tools_over(self._views, self._home)
+        self._world_tools.hide()
+        return laid_over(self.world, words, self._world_tools)
 
     def _connect(self) -> None:
         transport = self.transport
@@ -239,12 +242,13 @@ class RunPane(QWidget):
         if status is None or blueprint is None:
             self._show_nothing()
             return
-        self.facts.show_rows(view.fact_rows(blueprint, status))
+        lost = run.phase == "failed"
+        self.facts.show_rows(view.fact_rows(blueprint, status, lost))
         rows = view.possible_rows(blueprint, status) if run.exists else ()
         choosable = run.exists and status.phase in view.CHOOSABLE
-        self.possible.show_rows(rows, choosable, run.sentence or "Nothing is possible")
+        self.possible.show_rows(rows, choosable, capital(run.sentence) or "Nothing is possible")
         self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.story.time)
-        check = status.check or view.last_check(blueprint, status)
+        check = status.check or view.last_check(blueprint, status, lost)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running
         self._facts_note.setText(f"{running.operation} in transit" if running else "")
@@ -273,6 +277,7 @@ class RunPane(QWidget):
     def _show_world(self) -> None:
         name = self.run.choice.world if self.run.choice else ""
         self._world_name.setText(f"{name}, from poses" if self.run.shapes else name)
+        self._world_tools.setVisible(bool(self.run.shapes))
         self._facts_rate.setText(view.rate_words(self.run.sensors))
         self.world.load(self.run.shapes, name)
         self._draw_world()
@@ -289,4 +294,4 @@ class RunPane(QWidget):
 
     def _say_refused(self, error: StudioError) -> None:
         self._frames.stop()
-        self.canvas.show_banner(f"{capital(error.sentence)} {error.advice}".strip())
+        self.canvas.show_refusal(f"{capital(error.sentence)} {error.advice}".strip())

@@ -152,8 +152,8 @@ class Renderer:
     def _draw_ground(self, poses: Sequence[float], view: bytes, dark: bool) -> None:
         flat = self._flat
         flat.put("view", view)
-        flat.put("ground", (0.155, 0.185, 0.235) if dark else (0.865, 0.885, 0.915))
-        flat.put("line", (0.23, 0.27, 0.33) if dark else (0.77, 0.80, 0.845))
+        flat.put("ground", (0.155, 0.185, 0.235) if dark else (0.915, 0.93, 0.95))
+        flat.put("line", (0.23, 0.27, 0.33) if dark else (0.82, 0.845, 0.88))
         flat.put("shadow", 0.0)
         flat.put("model", np.eye(4, dtype="f4").tobytes())
         self._gl.enable(moderngl.BLEND)

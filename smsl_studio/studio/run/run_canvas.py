@@ -6,10 +6,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.marks import Marks
-from smsl_studio.studio.canvas.places import Places
+from smsl_studio.studio.canvas.places import Places, Position
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.run import view
@@ -17,8 +17,15 @@ from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_ov
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.words import counted
+from smsl_studio.studio.words import capital, counted
 
+TROUBLE = {
+    "held": "Held",
+    "failed": "Fault hold",
+    "no_route": "No route",
+    "refused": "Refused",
+}
+TALLER = 1.25
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 
 
@@ -40,7 +47,7 @@ class RunCanvas(QWidget):
         self._shown: tuple[Blueprint, str] | None = None
         self._branch = ""
         self._places = Places()
-        self._banner = ""
+        self._banner = self._refusal = ""
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
         self.canvas.overlays.breadcrumb.hide()
@@ -100,18 +107,32 @@ class RunCanvas(QWidget):
             marks = Marks()
         if marks != self.canvas.marks:
             self.canvas.set_marks(marks)
-        if not self._run.exists and self._banner == MOVED_ON:
-            self.show_banner("")
+        self._show_banner()
 
     def drawing_changed(self) -> None:
         """The drawing was edited: a run that is there goes on with its own version, and says so."""
-        self.show_banner(MOVED_ON if self.moved_on else "")
+        self._refusal = ""
         self.refresh()
 
-    def show_banner(self, words: str) -> None:
-        """Say one thing above the canvas; the empty text takes it away."""
-        self._banner = words
-        self.canvas.show_banner(words)
+    def show_refusal(self, words: str) -> None:
+        """Say why a run could not begin; the empty text takes it away."""
+        self._refusal = words
+        self._show_banner()
+
+    def _show_banner(self) -> None:
+        words = [self._refusal, self._trouble(), MOVED_ON if self.moved_on else ""]
+        said = "\n".join(word for word in words if word)
+        if said != self._banner:
+            self._banner = said
+            self.canvas.show_banner(said)
+
+    def _trouble(self) -> str:
+        """Why the run holds, or ended before its goal."""
+        run = self._run
+        if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
+            return ""
+        advice = "Decide below what is to be done." if run.exists else "Play starts a new run."
+        return f"{TROUBLE[run.phase]}: {capital(run.sentence)} {advice}"
 
     def say(self, words: str) -> None:
         """Say a short sentence at the pointer."""
@@ -152,7 +173,8 @@ class RunCanvas(QWidget):
         if self._shown is None or self._shown[0].file != blueprint.file:
             self._places.clear()
         self._shown = (blueprint, self._branch)
-        places = self._places.of(blueprint[self._branch]) if self._branch else None
+        branch = blueprint.branches.get(self._branch)
+        places = _filling(branch, self._places.of(branch)) if branch else None
         self.canvas.show_branch(blueprint, self._branch, places)
 
     def _name_branches(self, blueprint: Blueprint) -> None:
@@ -173,7 +195,8 @@ class RunCanvas(QWidget):
                 button.setAccessibleName(f"{name}, {state} active" if state else name)
                 button.setChecked(name == self._branch)
                 running = status.running if status else None
-                _set(button, "live", running is not None and running.branch == name)
+                live = running is not None and running.branch == name
+                _set(button, "live", live and len(names) > 1)
 
     def _button(self, index: int) -> QToolButton:
         button = QToolButton()
@@ -191,6 +214,15 @@ class RunCanvas(QWidget):
         if left and self._run.exists:
             return f"step {status.operations + 1} of {status.operations + left}"
         return counted(status.operations, "operation")
+
+
+def _filling(branch: StateBranch, places: dict[str, Position]) -> dict[str, Position]:
+    """A picture nobody arranged is made a little taller, because the run's canvas is upright."""
+    if branch.notes.layout or len(places) < 3:
+        return places
+    wide, high = (max(side) - min(side) for side in zip(*places.values(), strict=True))
+    factor = min(max(wide / max(high, 1.0), 1.0), TALLER)
+    return {name: (x, y * factor) for name, (x, y) in places.items()}
 
 
 def _set(widget: QWidget, name: str, value: bool) -> None:

@@ -49,7 +49,7 @@ class StateCheckView(QWidget):
         self, blueprint: Blueprint | None, check: CheckResult | None, waiting: bool
     ) -> None:
         """Show one result; ``waiting`` says that an operation that leads there still runs."""
-        key = (check, waiting)
+        key = (check, waiting, blueprint is None)
         if key == self._shown:
             return
         self._shown = key
@@ -57,7 +57,11 @@ class StateCheckView(QWidget):
         if check is None or blueprint is None:
             self._name.setText("")
             self._terms.setText("")
-            self._why.setText("Starts with the run. What an operation returns is not evidence.")
+            self._why.setText(
+                "Nothing is sensed, so no state can be checked."
+                if blueprint is not None
+                else "Starts with the run. What an operation returns is not evidence."
+            )
             return
         truth = None if waiting and check.truth is False else check.truth
         words, kind = VERDICTS[truth]

@@ -17,7 +17,9 @@ from smsl_studio.studio.run.lanes import Block, Lane
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 AXIS = 27
-LABELS = 112
+LABELS = 94
+EARLY = 0.0125
+"""The share of the shown time that lies before the start, so that "0 s" has room."""
 PITCH = {"state": 27, "operation": 27, "fact": 22}
 SHORTEST = 8.0
 """Simulated seconds shown at least."""
@@ -34,6 +36,7 @@ class Timeline(QScrollArea):
         self.setAccessibleName("Timeline")
         self.setToolTip("The wheel zooms in time, a drag pans, a double click shows all")
         self._inner = QWidget()
+        self._inner.setProperty("role", "panel")
         self._lanes = _Lanes(tokens)
         self._labels = _Labels(tokens)
         self._box = _TimeBox()
@@ -71,7 +74,7 @@ class Timeline(QScrollArea):
         self._following = True
         ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
         end = max(self._time * 1.05, *ends, SHORTEST) if ends else SHORTEST
-        self._box.setXRange(0, end, padding=0)
+        self._box.setXRange(-EARLY * end, end, padding=0)
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._plot.setBackground(tokens.surf)
@@ -105,7 +108,8 @@ class Timeline(QScrollArea):
         plot.hideAxis("bottom")
         plot.hideAxis("left")
         plot.invertY(True)
-        self._axis.setStyle(tickFont=text_font(12), tickLength=0)
+        self._axis.setStyle(tickFont=text_font(12), tickLength=0, maxTickLevel=0)
+        self._axis.setZValue(-1000)
         self._axis.setHeight(AXIS)
         self._axis.setGrid(90)
         plot.addItem(self._lanes)
@@ -184,7 +188,7 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
     def __init__(self) -> None:
         super().__init__(enableMenu=False, defaultPadding=0)
         self.setMouseEnabled(x=True, y=False)
-        self.setLimits(xMin=0, minXRange=0.05)
+        self.setLimits(minXRange=0.05)
 
     def wheelEvent(self, event: object, axis: int | None = None) -> None:
         self.moved.emit()

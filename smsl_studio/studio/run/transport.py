@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QIntValidator
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtGui import QIntValidator, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from smsl_studio.studio.controls import Combo, Field, label, rule
 from smsl_studio.studio.key_button import KeyButton
@@ -15,6 +15,9 @@ from smsl_studio.studio.theme import Tokens
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
 LONGEST = 150
+WIDE, NARROW, NARROWEST = 1140, 990, 720
+"""Pixels from which the choices have labels, buttons their words, and choices are shown at all."""
+
 PHASES = {
     "": ("Ready", "quiet"),
     "opening": ("Opening", "quiet"),
@@ -43,57 +46,42 @@ class Transport(QWidget):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._running = False
+        self._labels: list[QLabel] = []
+        self._choices = QWidget()
+        self._choices.setMinimumWidth(0)
+        self._choices.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        chosen = QHBoxLayout(self._choices)
+        chosen.setContentsMargins(0, 0, 0, 0)
+        chosen.setSpacing(8)
+        self.world = self._choice(chosen, "World", 92, "Where the blueprint is run")
+        self.start = self._choice(chosen, "Start", 60, "The state the run starts in")
+        self.goal = self._choice(chosen, "Goal", 60, "The state the run ends in")
+        self.seed = self._seed(chosen)
+        chosen.addStretch(1)
         across = QHBoxLayout(self)
         across.setContentsMargins(0, 0, 0, 0)
         across.setSpacing(8)
-        self.world = self._choice(across, "World", 92, "Where the blueprint is run")
-        self.start = self._choice(across, "Start", 68, "The state the run starts in")
-        self.goal = self._choice(across, "Goal", 68, "The state the run ends in")
-        across.addWidget(label("Seed", "small"))
-        self.seed = Field()
-        self.seed.setFixedWidth(44)
-        self.seed.setValidator(QIntValidator(0, 999_999, self.seed))
-        self.seed.settle("0")
-        self.seed.setToolTip("Draws the jitter of the world; the same seed gives the same run")
-        self.seed.setAccessibleName("Seed")
-        across.addWidget(self.seed)
-        across.addStretch(1)
+        across.addWidget(self._choices, 1)
         self.phase = QLabel()
         self.phase.setProperty("role", "phase")
         self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.phase.setFixedHeight(32)
         across.addWidget(self.phase)
-        self.by_hand = QToolButton()
-        self.by_hand.setText("By hand")
-        self.by_hand.setProperty("role", "tool")
-        self.by_hand.setFixedHeight(32)
-        self.by_hand.setCheckable(True)
-        self.by_hand.setToolTip("Nothing moves until you choose an operation: click its arrow")
-        self.by_hand.toggled.connect(self.by_hand_changed)
-        across.addWidget(self.by_hand)
-        self.speed = Combo()
-        self.speed.setFixedWidth(68)
-        self.speed.setToolTip("Simulated seconds for each second")
-        self.speed.setAccessibleName("Speed")
-        for words, factor in SPEEDS.items():
-            self.speed.addItem(words, factor)
-        self.speed.setCurrentText("1×")
-        self.speed.currentIndexChanged.connect(
-            lambda _: self.speed_changed.emit(self.speed.currentData())
-        )
-        across.addWidget(self.speed)
+        self.by_hand = self._by_hand()
+        self.speed = self._speed()
         self.step = KeyButton("Step", "F10", "step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
         self.play = KeyButton("Play", "F5", "play", "primary", tokens)
-        self.play.setFixedWidth(112)
+        self.play.setMinimumWidth(112)
         self.play.clicked.connect(
             lambda: self.pause_wanted.emit() if self._running else self.play_wanted.emit()
         )
         self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
-        for part in (self.step, self.play, rule(vertical=True, length=24), self.stop):
+        parts = (self.by_hand, self.speed, self.step, self.play, rule(vertical=True, length=24))
+        for part in (*parts, self.stop):
             across.addWidget(part)
         self._name_play()
         self.show_phase("", exists=False)
@@ -129,7 +117,7 @@ class Transport(QWidget):
         self.stop.setToolTip(
             "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
         )
-        running = phase in ("running", "opening", "ready")
+        running = phase in ("running", "opening")
         if running != self._running:
             self._running = running
             self._name_play()
@@ -144,8 +132,54 @@ class Transport(QWidget):
         tip = "Hold the run at the next tick (F6)" if self._running else "Run to the goal (F5)"
         self.play.setToolTip(tip)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is narrow, words give way before buttons; Stop never does."""
+        super().resizeEvent(event)
+        wide = self.width()
+        for words in self._labels:
+            words.setVisible(wide >= WIDE)
+        for button in (self.step, self.play):
+            button.set_short(wide < NARROW)
+        self._choices.setVisible(wide >= NARROWEST)
+
+    def _by_hand(self) -> QToolButton:
+        button = QToolButton()
+        button.setText("By hand")
+        button.setProperty("role", "tool")
+        button.setFixedHeight(32)
+        button.setCheckable(True)
+        button.setToolTip("Nothing moves until you choose an operation: click its arrow")
+        button.toggled.connect(self.by_hand_changed)
+        return button
+
+    def _speed(self) -> Combo:
+        speed = Combo()
+        speed.setFixedWidth(64)
+        speed.setToolTip("Simulated seconds for each second")
+        speed.setAccessibleName("Speed")
+        for words, factor in SPEEDS.items():
+            speed.addItem(words, factor)
+        speed.setCurrentText("1×")
+        speed.currentIndexChanged.connect(lambda _: self.speed_changed.emit(speed.currentData()))
+        return speed
+
+    def _seed(self, across: QHBoxLayout) -> Field:
+        self._label(across, "Seed")
+        seed = Field()
+        seed.setFixedWidth(44)
+        seed.setValidator(QIntValidator(0, 999_999, seed))
+        seed.settle("0")
+        seed.setToolTip("Draws the jitter of the world; the same seed gives the same run")
+        seed.setAccessibleName("Seed")
+        across.addWidget(seed)
+        return seed
+
+    def _label(self, across: QHBoxLayout, words: str) -> None:
+        self._labels.append(label(words, "small"))
+        across.addWidget(self._labels[-1])
+
     def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> Combo:
-        across.addWidget(label(words, "small"))
+        self._label(across, words)
         combo = Combo()
         combo.setMinimumWidth(width)
         combo.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)

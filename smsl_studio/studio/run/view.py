@@ -16,6 +16,7 @@ from smsl_studio.studio.run.story import Story
 
 CHOOSABLE = ("ready", "paused", "held")
 """The phases in which a person may have an operation carried out by hand."""
+LOST = "its process is gone"
 Choices = list[tuple[str, str]]
 
 
@@ -46,8 +47,13 @@ def _first(states: Choices, default: str) -> Choices:
     return sorted(states, key=lambda pair: pair[1] != default)
 
 
-def fact_rows(blueprint: Blueprint, status: DispatchStatus) -> tuple[FactRow, ...]:
-    """Every fact of every SB; with several SBs a line names each first."""
+def fact_rows(
+    blueprint: Blueprint, status: DispatchStatus, lost: bool = False
+) -> tuple[FactRow, ...]:
+    """Every fact of every SB; with several SBs a line names each first.
+
+    ``lost``: the world is gone, and what was sensed last is no knowledge of now.
+    """
     rows: list[FactRow] = []
     expected = _expected(blueprint, status)
     for branch in blueprint:
@@ -64,6 +70,9 @@ def fact_rows(blueprint: Blueprint, status: DispatchStatus) -> tuple[FactRow, ..
                 rows.append(FactRow(name, believed, "", None, "believed", words))
                 continue
             reading = status.scene.get(branch.name, digit)
+            if lost and reading is not None:
+                rows.append(FactRow(name, believed, None, None, "unknown", LOST))
+                continue
             rows.append(_fact_row(name, believed, reading, expected.get((branch.name, digit))))
     return tuple(rows)
 
@@ -81,7 +90,8 @@ def marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Stor
     """What glows, trails and is planned on the canvas of one SB."""
     active = status.configuration.get(branch)
     running = _running_in(branch, status)
-    planned = tuple(a for a in status.route if a.branch == branch and a != running)
+    ended = story.finished is not None
+    planned = tuple(a for a in status.route if a.branch == branch and a != running and not ended)
     shown = running or next(iter(planned), None)
     following = [blueprint[branch].table[shown.state][shown.operation]] if shown else []
     return Marks(
@@ -118,11 +128,11 @@ def progress(blueprint: Blueprint, status: DispatchStatus, story: Story) -> floa
     return min((status.time - status.running_since) / whole, 1.0)
 
 
-def last_check(blueprint: Blueprint, status: DispatchStatus) -> CheckResult | None:
+def last_check(blueprint: Blueprint, status: DispatchStatus, lost: bool) -> CheckResult | None:
     """How the state check stood where a run ended: of its first goal's SB, else of the first."""
     branch = next((goal.branch for goal in status.goals), next(iter(status.configuration), ""))
     state = status.configuration.get(branch)
-    if state is None or not status.scene.readings:
+    if state is None or lost or not status.scene.readings:
         return None
     return state_check(blueprint, branch, state, status.scene, status.configuration)
 
@@ -230,7 +240,7 @@ def _kind(status: DispatchStatus, item: Possible) -> tuple[str, str]:
         return "running", "running, on the route" if status.route else "running"
     if item.pruned or item.risky:
         return "pruned", "; ".join(item.reasons) or ("risky" if item.risky else "pruned")
-    if status.running is not None and (item.permitted or not item.reasons):
+    if status.running is not None:
         return "waits", "waits: one operation at a time"
     if not item.permitted:
         return "refused", "; ".join(item.reasons)
@@ -248,9 +258,13 @@ def _predicted(blueprint: Blueprint, status: DispatchStatus) -> Iterator[Possibl
     here = branch.table[running.state][running.operation]
     if here == running.state:
         return
-    for name, target in branch.table[here].items():
-        address = Address(branch.name, here, name)
-        following = bool(status.route) and status.route[0] == address
+    ahead = status.route[:1]
+    names = sorted(
+        branch.table[here], key=lambda name: Address(branch.name, here, name) not in ahead
+    )
+    for name in names:
+        address, target = Address(branch.name, here, name), branch.table[here][name]
+        following = address in ahead
         if following:
             goal = next((goal for goal in status.goals if goal.branch == branch.name), None)
             to = f" to {short_name(branch, goal.state)}" if goal else ""

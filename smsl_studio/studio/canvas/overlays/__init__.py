@@ -183,7 +183,7 @@ class Overlays:
         self._place_zoom()
         self.legend.resize(self.legend.sizeHint())
         self.legend.move(EDGE + 4, height - self.legend.height() - EDGE)
-        self.banner.adjustSize()
+        self.banner.fit(width - 2 * EDGE)
         self.banner.move((width - self.banner.width()) // 2, 44)
         below = self.banner.height() + 4 if self.banner.text else 0
         self.run_legend.move(EDGE + 2, 48 + below)

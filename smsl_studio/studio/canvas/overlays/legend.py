@@ -85,6 +85,7 @@ class RunLegend(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), faded(self.tokens.canvas, 0.88))
         for i, text in enumerate(RUN_WORDS):
             y = i * RUN_ROW + RUN_ROW / 2
             self._sign(painter, text, y)

@@ -22,6 +22,7 @@ class Banner(QWidget):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 5, 14, 5)
         layout.addWidget(self._text)
+        self._text.setWordWrap(True)
         self.set_tokens(tokens)
         self.hide()
 
@@ -33,8 +34,15 @@ class Banner(QWidget):
     def show_text(self, text: str) -> None:
         self._text.setText(text)
         self.setAccessibleName(text)
-        self.adjustSize()
         self.setVisible(bool(text))
+
+    def fit(self, room: int) -> None:
+        """As wide as the words, at most ``room``; then they go on in another line."""
+        metrics = self._text.fontMetrics()
+        lines = self._text.text().split("\n")
+        wide = max(metrics.horizontalAdvance(line) for line in lines) + 32
+        wide = max(min(wide, room), 60)
+        self.resize(wide, self._text.heightForWidth(wide - 28) + 10)
 
     @property
     def text(self) -> str:
