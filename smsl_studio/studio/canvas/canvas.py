@@ -32,6 +32,7 @@ from smsl_studio.studio.canvas.gesture_layer import Drawn, GestureLayer
 from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.layers import EdgeLayer, FarNodeLayer, LitLayer
 from smsl_studio.studio.canvas.levels import Level
+from smsl_studio.studio.canvas.lit_labels import LitLabel
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_item import NodePool
 from smsl_studio.studio.canvas.overlays import Overlays
@@ -219,6 +220,7 @@ class Canvas(QGraphicsView):
         sheet = self._sheet
         if sheet is None:
             return
+        labels = self.lit_layer.shown()
         states, edges = sheet.change_marks(marks)
         self.overlays.show_marks(marks)
         if len(states) > POOL or len(edges) > POOL:
@@ -232,6 +234,7 @@ class Canvas(QGraphicsView):
             if item is not None:
                 item.show_state(sheet, state)
         self.update_edges(edges)
+        self.update_lit(labels)
         self.hand.show_grip()
         self.overlays.picture_changed()
         self._describe()
@@ -416,6 +419,23 @@ class Canvas(QGraphicsView):
         if edges and self._sheet is not None:
             self.scene().update(self._dirty([], list(edges)))
 
+    def update_lit(self, before: Mapping[int, LitLabel]) -> None:
+        """Paint again the labels of lit edges that are not what they were."""
+        sheet = self._sheet
+        if sheet is None:
+            return
+        after = self.lit_layer.shown()
+        for edge in before.keys() | after.keys():
+            old, new = before.get(edge), after.get(edge)
+            if old == new:
+                continue
+            for label in (old, new):
+                if label is not None:
+                    left, top, right, bottom = label.rect
+                    rect = QRectF(left, top, right - left, bottom - top)
+                    pad = 4.0 * sheet.unit
+                    self.scene().update(rect.adjusted(-pad, -pad, pad, pad))
+
     def update_node(self, state: int) -> None:
         """Paint this node again."""
         item = self.pool.used.get(state)
@@ -458,6 +478,9 @@ class Canvas(QGraphicsView):
             return
         states: list[int] = []
         view = self.mapToScene(self.viewport().rect()).boundingRect()
+        labels = self.lit_layer.shown() if self._marks.running is not None else {}
+        self.lit_layer.view = view.left(), view.top(), view.right(), view.bottom()
+        self.update_lit(labels)
         pad = 40.0 * sheet.unit
         view.adjust(-pad, -pad, pad, pad)
         seen = sheet.states_in(view.left(), view.top(), view.right(), view.bottom())

@@ -62,9 +62,8 @@ class GestureLayer(QGraphicsItem):
         rect = QRectF()
         if self.band is not None:
             rect = rect.united(self.band.normalized())
-        if self.drawn is not None:
-            rect = rect.united(QRectF(self.drawn.start, self.drawn.end).normalized())
-        for point in (self.handle, self.grip):
+        ends = (self.drawn.start, self.drawn.end) if self.drawn is not None else ()
+        for point in (self.handle, self.grip, *ends):
             if point is not None:
                 rect = rect.united(QRectF(point.x(), point.y(), pixel, pixel))
         pad = 16.0 * pixel

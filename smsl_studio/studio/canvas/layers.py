@@ -21,8 +21,9 @@ from smsl_studio.studio.canvas.edge_paint import (
     paint_sign,
 )
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
+from smsl_studio.studio.canvas.labels import Rect
 from smsl_studio.studio.canvas.levels import Level
-from smsl_studio.studio.canvas.lit_labels import lit_labels
+from smsl_studio.studio.canvas.lit_labels import LitLabel, LitLabels, by_weight
 from smsl_studio.studio.canvas.picture import Ints
 from smsl_studio.studio.canvas.sheet import Numbers, Sheet
 
@@ -202,11 +203,21 @@ class FarNodeLayer(Layer):
 class LitLayer(Layer):
     """Edges that are selected, hovered, on a route or have a finding: above the nodes."""
 
+    def __init__(self, z: float) -> None:
+        super().__init__(z)
+        self.labels = LitLabels()
+        self.view: Rect = (0.0, 0.0, 0.0, 0.0)
+        """What of the scene is in view."""
+
+    def shown(self) -> dict[int, LitLabel]:
+        """The labels by edge, as they are painted now."""
+        if self.sheet is None or not len(self.sheet.picture):
+            return {}
+        return {label.edge: label for label in self.labels.of(self.sheet, self.view)}
+
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         geometry, looks, unit = sheet.geometry, sheet.looks, sheet.unit
-        # Selecting everything in a large SB must not paint 20,000 edges one by one.
-        edges = looks.lit_edges[:2000]
-        order = sorted(edges, key=lambda e: _weight(looks.edge(e)))
+        order = by_weight(sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for edge in order:
             shape = geometry.shape(edge)
@@ -218,7 +229,7 @@ class LitLayer(Layer):
             if look.pruned or look.held_back or look.risky:
                 x, y = shape.at(shape.length / 2)
                 paint_sign(painter, x / unit, y / unit, look, sheet.ink)
-        for label in lit_labels(sheet, order):
+        for label in self.labels.of(sheet, self.view):
             left, top, right, bottom = (value / unit for value in label.rect)
             middle = QPointF((left + right) / 2, (top + bottom) / 2)
             if label.pill:
@@ -230,20 +241,3 @@ class LitLayer(Layer):
         painter.restore()
         painter.setPen(NO_PEN)
         painter.setBrush(NO_BRUSH)
-
-
-def _weight(look: object) -> int:
-    """What is painted last lies on top."""
-    order = (
-        "possible",
-        "out",
-        "pruned",
-        "held_back",
-        "risky",
-        "planned",
-        "selected",
-        "trail",
-        "finding",
-    )
-    weight = max((i + 1 for i, key in enumerate(order) if getattr(look, key)), default=0)
-    return 20 if getattr(look, "running", None) is not None else weight

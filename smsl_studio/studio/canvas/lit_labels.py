@@ -6,7 +6,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from smsl_studio.studio.canvas import labels
-from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size, pill_width
+from smsl_studio.studio.canvas.edge_paint import (
+    EdgeLook,
+    EdgeText,
+    boxed_width,
+    label_size,
+    pill_width,
+)
 from smsl_studio.studio.canvas.labels import Rect
 from smsl_studio.studio.canvas.shape import EdgeShape
 from smsl_studio.studio.canvas.sheet import Sheet
@@ -26,12 +32,52 @@ class LitLabel:
     pill: str = ""
 
 
-def lit_labels(sheet: Sheet, edges: Iterable[int]) -> list[LitLabel]:
+class LitLabels:
+    """The labels of all lit edges of a sheet, worked out anew only when something changed."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+        self._found: list[LitLabel] = []
+
+    def of(self, sheet: Sheet, view: Rect) -> list[LitLabel]:
+        """The labels now; what runs is named where it is in view."""
+        looks = sheet.looks
+        seen = view if looks.marks.running is not None else None
+        key = (looks.marks, looks.hovered_edge, sheet.version, sheet.level, sheet.unit, seen)
+        if key != self._key:
+            self._key = key
+            self._found = lit_labels(sheet, by_weight(sheet), view)
+        return self._found
+
+
+def by_weight(sheet: Sheet) -> list[int]:
+    """The lit edges; what is painted last lies on top."""
+    # Selecting everything in a large SB must not paint 20,000 edges one by one.
+    return sorted(sheet.looks.lit_edges[:2000], key=lambda e: _weight(sheet.edge_look(e)))
+
+
+def _weight(look: EdgeLook) -> int:
+    order = (
+        look.possible,
+        look.out,
+        look.pruned,
+        look.held_back,
+        look.risky,
+        look.planned,
+        look.selected,
+        look.trail,
+        bool(look.finding),
+        look.running is not None,
+    )
+    return max((i + 1 for i, holds in enumerate(order) if holds), default=0)
+
+
+def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]:
     """The labels of these edges, the most important last in ``edges``; some may find no place."""
     taken: list[Rect] = []
     found: list[LitLabel] = []
     for count, edge in enumerate(reversed(list(edges))):
-        label = _label(sheet, edge, taken) if count < MOST else _plain(sheet, edge)
+        label = _label(sheet, edge, taken, view) if count < MOST else _plain(sheet, edge)
         if label is not None:
             taken.append(label.rect)
             found.append(label)
@@ -39,7 +85,7 @@ def lit_labels(sheet: Sheet, edges: Iterable[int]) -> list[LitLabel]:
     return found
 
 
-def _label(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
+def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel | None:
     look, shape, text = sheet.edge_look(edge), sheet.geometry.shape(edge), sheet.text(edge)
     if look.finding:
         w, h = boxed_width(text, sheet.ink) * sheet.unit, 18.0 * sheet.unit
@@ -47,7 +93,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
         x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
         return LitLabel(edge, text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2))
     if look.running is not None:
-        return _pill(sheet, edge, shape, taken)
+        return _pill(sheet, edge, shape, taken, view)
     if look.pruned or look.held_back or look.risky:
         if look.pruned:
             text = EdgeText(f"{text.text} pruned", text.kind, text.mono)
@@ -93,6 +139,10 @@ def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
     return not any(labels.meet(rect, other) for other in taken)
 
 
+def _lies_in(rect: Rect, view: Rect) -> bool:
+    return rect[0] >= view[0] and rect[1] >= view[1] and rect[2] <= view[2] and rect[3] <= view[3]
+
+
 def _near_sign(sheet: Sheet, text: EdgeText, shape: EdgeShape) -> list[Rect]:
     """Places around the sign in the middle of a line."""
     unit = sheet.unit
@@ -111,7 +161,7 @@ def _near_sign(sheet: Sheet, text: EdgeText, shape: EdgeShape) -> list[Rect]:
     return [(a - w, b - h, a + w, b + h) for a, b in middles]
 
 
-def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect]) -> LitLabel:
+def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Rect) -> LitLabel:
     """What runs and for how long, beside the line."""
     unit = sheet.unit
     name = sheet.picture.operations[edge]
@@ -127,5 +177,6 @@ def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect]) -> LitLa
         (x - gap - width, y + 26.0 * unit),
     ]
     rects = [(a, b - half, a + width, b + half) for a, b in corners]
-    rect = next((r for r in rects if _is_free(sheet, r, taken)), rects[0])
+    inside = [r for r in rects if _lies_in(r, view)] or rects
+    rect = next((r for r in inside if _is_free(sheet, r, taken)), inside[0])
     return LitLabel(edge, EdgeText(name), rect, False, words or " ")

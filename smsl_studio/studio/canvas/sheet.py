@@ -49,6 +49,8 @@ class Sheet:
         ).reshape(-1, 2)
         self.looks = Looks(picture, marks)
         self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
+        self.version = 0
+        """Grows whenever lines or labels lie elsewhere."""
         self._measure()
         self._geometry: dict[tuple[bool, float], Geometry] = {}
         self._texts: dict[int, EdgeText] = {}
@@ -82,6 +84,7 @@ class Sheet:
 
     def move(self, places: Mapping[int, Position]) -> list[int]:
         """Put states elsewhere while they are dragged; returns the edges that changed."""
+        self.version += 1
         for state, place in places.items():
             self.at[state] = place
         edges: dict[int, None] = {}
@@ -93,6 +96,7 @@ class Sheet:
 
     def settle(self) -> None:
         """Route and label anew: states have come to rest elsewhere."""
+        self.version += 1
         self._geometry.clear()
         self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
         self.set_zoom(self.zoom)
@@ -105,6 +109,7 @@ class Sheet:
         relabel = marks.findings != self.looks.marks.findings and len(self.picture) <= SMALL
         changed = self.looks.change(marks)
         if relabel:
+            self.version += 1
             self._geometry.clear()
             return changed[0], set(range(len(self.picture.operations)))
         return changed

@@ -263,7 +263,9 @@ class Hand:
         before = looks.hovered_state, looks.hovered_edge
         if before == (state, edge):
             return
+        labels = canvas.lit_layer.shown()
         looks.hovered_state, looks.hovered_edge = state, edge
+        canvas.update_lit(labels)
         canvas.update_edges({e for e in (before[1], edge) if 0 <= e < len(sheet.picture.source)})
         for node in (before[0], state):
             canvas.update_node(node)

@@ -37,6 +37,19 @@ def picture(drawer: Drawer) -> QImage:
     return drawer.canvas.viewport().grab().toImage()
 
 
+def on_screen(drawer: Drawer) -> QImage:
+    """What stands on the screen, without painting it again."""
+    return QApplication.primaryScreen().grabWindow(drawer.canvas.winId()).toImage()
+
+
+def alike(a: QImage, b: QImage) -> bool:
+    """Whether two pictures are one but for the rounding of a clipped line's colours."""
+    first, second = (
+        np.frombuffer(bytes(image.constBits()), np.uint8).astype(int) for image in (a, b)
+    )
+    return bool(np.abs(first - second).max() <= 3)
+
+
 @pytest.mark.parametrize(
     ("zoom", "level"),
     [(0.1, Level.DOT), (0.2, Level.BOX), (0.5, Level.COMPACT), (0.7, Level.FULL), (2, Level.FULL)],
@@ -205,8 +218,9 @@ def test_the_hover_pad_stands_beside_a_state_and_renames_it(hfsm: Drawer, qtbot:
     hfsm.hover(hfsm.place("State110"))
     pad = hfsm.canvas.overlays.pad
     qtbot.waitUntil(lambda: pad.address == Address("SB1", "State110"))
-    node = hfsm.canvas.mapFromScene(hfsm.canvas.rect_of(Address("SB1", "State110")))
-    assert not node.boundingRect().intersects(pad.geometry())
+    rect = hfsm.canvas.rect_of(Address("SB1", "State110"))
+    assert rect is not None
+    assert not hfsm.canvas.mapFromScene(rect).boundingRect().intersects(pad.geometry())
     QTest.mouseClick(pad.rename, Qt.MouseButton.LeftButton)
     hfsm.write("State011")
     assert "State011" in hfsm.table()
@@ -220,6 +234,27 @@ def test_the_hover_pad_connects_by_the_next_click(hfsm: Drawer, qtbot: QtBot) ->
     hfsm.click(hfsm.place("State000"))
     hfsm.write("Restart")
     assert hfsm.table()["State111"] == {"Restart": "State000"}
+
+
+def test_only_what_changed_is_painted_and_nothing_stale_stays(hanoi3: Drawer) -> None:
+    """A run seen tick by tick looks at every tick as if it were painted whole."""
+    route = [("State_aaa", "Op_1c"), ("State_caa", "Op_2b"), ("State_cba", "Op_1b")]
+    for state, operation in route:
+        for share in (0.0, 0.4, 0.9):
+            address = Address("SB1", state, operation)
+            words = f"{share:.1f} of 1.0 s"
+            hanoi3.canvas.set_marks(
+                Marks(active=state, running=(address, share), running_words=words, dimmed=True)
+            )
+            QApplication.processEvents()
+            seen = on_screen(hanoi3)
+            hanoi3.canvas.viewport().update()
+            QApplication.processEvents()
+            assert alike(on_screen(hanoi3), seen)
+            rect = hanoi3.canvas.lit_layer.shown()[hanoi3.sheet.picture.edge(address)].rect
+            view = hanoi3.canvas.lit_layer.view
+            assert view[0] <= rect[0]
+            assert rect[2] <= view[2]
 
 
 def test_reveal_brings_a_state_into_view(hanoi3: Drawer) -> None:
@@ -238,3 +273,54 @@ def test_a_canvas_that_grows_fits_again_until_somebody_looked_elsewhere(hanoi3: 
     hanoi3.canvas.resize(900, 600)
     QApplication.processEvents()
     assert hanoi3.canvas.zoom == 1.5
+
+
+def test_gestures_leave_nothing_stale_on_the_screen(hfsm: Drawer) -> None:
+    def same_when_painted_whole(what: str) -> None:
+        QApplication.processEvents()
+        seen = on_screen(hfsm)
+        hfsm.canvas.viewport().update()
+        QApplication.processEvents()
+        assert alike(on_screen(hfsm), seen), what
+
+    hands, left = hfsm.hands_on, Qt.MouseButton.LeftButton
+    none = Qt.KeyboardModifier.NoModifier
+    hfsm.hover(hfsm.place("State100"))
+    same_when_painted_whole("hover a state")
+    hfsm.hover(hfsm.label_of("State100", "Operation100B"))
+    same_when_painted_whole("hover an operation")
+    hfsm.click(hfsm.label_of("State100", "Operation100B"))
+    same_when_painted_whole("select an operation")
+    hfsm.click(hfsm.place("State110"))
+    same_when_painted_whole("select a state")
+    start = hfsm.place("State110")
+    hfsm.press(start)
+    for step in range(10, 120, 30):
+        QTest.mouseMove(hands, start + QPoint(step, -step))
+        same_when_painted_whole("drag a state")
+    QTest.mouseRelease(hands, left, none, start + QPoint(100, -100))
+    same_when_painted_whole("let it go")
+    hfsm.session.history.undo()
+    same_when_painted_whole("undo")
+    hfsm.click(QPoint(20, 600))
+    same_when_painted_whole("select nothing")
+    hfsm.press(QPoint(40, 200))
+    for x, y in ((200, 300), (600, 550), (300, 250)):
+        QTest.mouseMove(hands, QPoint(x, y))
+        same_when_painted_whole("rubber band")
+    QTest.mouseRelease(hands, left, none, QPoint(300, 250))
+    same_when_painted_whole("end of the band")
+    handle = hfsm.handle_of("State111", "bottom")
+    hfsm.hover(handle)
+    same_when_painted_whole("handle")
+    hfsm.press(handle)
+    for x, y in ((700, 600), (300, 600), (560, 240), (620, 330)):
+        QTest.mouseMove(hands, QPoint(x, y))
+        same_when_painted_whole("draw an operation")
+    hfsm.key(Qt.Key.Key_Escape)
+    QTest.mouseRelease(hands, left, none, QPoint(620, 330))
+    same_when_painted_whole("leave it")
+    hfsm.canvas.camera.pan(-37, 21)
+    same_when_painted_whole("pan")
+    hfsm.canvas.camera.zoom_at(1.3, QPointF(300, 300))
+    same_when_painted_whole("zoom")
