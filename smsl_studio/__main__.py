@@ -26,10 +26,16 @@ def main(argv: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if argv is None else argv)
     wanted = window_arguments(arguments)
     if wanted is None:
-        from smsl_studio.cli import main as command_line
-
-        return command_line(arguments)
+        return _command_line(arguments)
     return _open_window(wanted)
+
+
+def _command_line(arguments: list[str]) -> int:
+    try:
+        from smsl_studio.cli import main as command_line
+    except KeyboardInterrupt:  # so early that the command line cannot say so itself
+        return 1
+    return command_line(arguments)
 
 
 def _open_window(arguments: list[str]) -> int:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from importlib import import_module
 
 from smsl_studio.cli.arguments import COMMANDS, Parser, overview
-from smsl_studio.cli.output import Output, claimed_stdout, report
+from smsl_studio.cli.output import Output, claimed_stdout, note, report
 from smsl_studio.errors import RunRefused, StudioError, UsageError, did_you_mean
 
 __all__ = ["main"]
@@ -36,13 +36,11 @@ def main(argv: Sequence[str] | None = None) -> int:
             except StudioError as error:
                 report(error, name)
                 return 2
-            finally:
-                stream.flush()
     except BrokenPipeError:
         _nobody_listens()
         return 1
     except KeyboardInterrupt:
-        print(f"{name}: interrupted", file=sys.stderr)
+        note(f"{name}: interrupted")
         return 1
 
 

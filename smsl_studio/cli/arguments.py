@@ -9,6 +9,9 @@ from typing import IO, NoReturn
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError
 
+MOST_DIGITS = 100
+"""A seed has no more digits than this."""
+
 
 @dataclass(frozen=True, slots=True)
 class Command:
@@ -65,7 +68,11 @@ def add_world(parser: Parser, required: bool) -> None:
 def add_seed_and_host(parser: Parser) -> None:
     """``--seed N`` and ``--host local|process``."""
     parser.add_argument(
-        "--seed", type=int, default=0, metavar="N", help="draws the jitter of the world (default 0)"
+        "--seed",
+        type=_seed,
+        default=0,
+        metavar="N",
+        help="draws the jitter of the world (default 0)",
     )
     parser.add_argument(
         "--host",
@@ -73,6 +80,14 @@ def add_seed_and_host(parser: Parser) -> None:
         default="local",
         help="run the world in this process (default) or in a child of it",
     )
+
+
+def _seed(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and len(text) <= MOST_DIGITS):
+        raise argparse.ArgumentTypeError(
+            f"invalid int value: {text!r} is no whole number from 0 up"
+        )
+    return int(text)
 
 
 def overview() -> str:

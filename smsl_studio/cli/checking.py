@@ -7,7 +7,7 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import Parser, add_format, add_world
-from smsl_studio.cli.output import Output, report
+from smsl_studio.cli.output import Output, one_line, report
 from smsl_studio.cli.reading import read_argument
 from smsl_studio.errors import ReadError
 from smsl_studio.front.reading import inspect
@@ -78,12 +78,13 @@ def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> 
         counts[finding.severity] += 1
         mark = paint[finding.severity](f"{finding.severity.value} {finding.rule}")
         advice = f"; {finding.advice}" if finding.advice else ""
-        out.line(f"{finding.place}: {mark} {finding.address}: {finding.message}{advice}")
+        words = one_line(f"{finding.address}: {finding.message}{advice}")
+        out.line(f"{one_line(str(finding.place))}: {mark} {words}")
     said = ", ".join(
         f"{counts[severity]} {word}{'' if counts[severity] == 1 else 's'}"
         for severity, word in zip(Severity, ("error", "warning", "note"), strict=True)
     )
     out.line(
-        f"{blueprint.file}: {blueprint.state_count} states, "
+        f"{one_line(blueprint.file)}: {blueprint.state_count} states, "
         f"{blueprint.operation_count} operations: {said}"
     )

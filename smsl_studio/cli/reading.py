@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.reading import read, read_bytes
 
 STDIN = "<stdin>"
@@ -14,5 +15,16 @@ def read_argument(file: str) -> Blueprint:
     """The blueprint in a file, or on standard input."""
     if file != "-":
         return read(file)
-    stream = getattr(sys.stdin, "buffer", None)
-    return read_bytes(stream.read() if stream else sys.stdin.read().encode(), STDIN)
+    return read_bytes(_standard_input(), STDIN)
+
+
+def _standard_input() -> bytes:
+    try:
+        if sys.stdin is not None:
+            stream = getattr(sys.stdin, "buffer", None)
+            return stream.read() if stream else sys.stdin.read().encode()
+        reason = "it is closed"
+    except OSError as error:
+        reason = error.strerror or str(error)
+    place = Place(STDIN, 1, 1)
+    raise ReadError(f"standard input cannot be read: {reason}", place, "Name a file instead of -.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 from smsl_studio.cli.arguments import Parser, add_format
-from smsl_studio.cli.output import Output, note
+from smsl_studio.cli.output import Output, note, one_line
 from smsl_studio.cli.reading import read_argument
 from smsl_studio.front.routes import plan_route
 
@@ -29,7 +29,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     blueprint = read_argument(options.file)
     route = plan_route(blueprint, options.start, options.goal, options.avoid, options.sb)
     if route is None:
-        note(f"no route leads from {options.start} to {options.goal}")
+        note(one_line(f"no route leads from {options.start} to {options.goal}"))
         if options.format == "json":
             out.json({"operations": [], "states": [], "cost": None})
         return 1
@@ -38,7 +38,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         out.json({"operations": operations, "states": list(route.states), "cost": route.cost})
         return 0
     for address, state in zip(route.operations, route.states[1:], strict=True):
-        out.line(f"{address} -> {state}")
+        out.line(one_line(f"{address} -> {state}"))
     count = len(route.operations)
     out.line(f"{count} operation{'' if count == 1 else 's'}, cost {route.cost:g}")
     return 0
