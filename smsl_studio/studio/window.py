@@ -139,6 +139,7 @@ class Window(QMainWindow):
         self.mode_bar.search_wanted.connect(self.open_palette)
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self.status_line.show_run)
+        self.run_pane.moved.connect(self.outline.set_run)
         self._application.styleHints().colorSchemeChanged.connect(
             lambda *_: self.set_theme("system") if self.theme == "system" else None
         )

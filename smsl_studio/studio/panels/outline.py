@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, QTimer
 from PySide6.QtGui import QAction, QKeySequence
@@ -65,6 +65,10 @@ class Outline(Panel):
         self._tokens = tokens
         self.add_button.setIcon(icon("plus", tokens, 14))
         self.tree.set_tokens(tokens)
+
+    def set_run(self, active: Mapping[str, str], running: str) -> None:
+        """Show the active state of every SB, and let the one glow in which an operation runs."""
+        self.tree.set_run(active, running)
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Mark every SB with the gravest of its findings."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QMouseEvent, QPainter
+from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import (
     QLineEdit,
     QStyle,
@@ -20,7 +20,7 @@ from smsl_studio.studio.chips import VALUE, paint_chip
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.panels.outline_lines import Line
 from smsl_studio.studio.rows import Ink, paint_text
-from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.theme import Tokens, mono_font
 
 ROW, INDENT = 28, 13
 Index = QModelIndex | QPersistentModelIndex
@@ -44,6 +44,17 @@ class OutlineTree(QTreeWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = self._delegate.tokens = tokens
         self.viewport().update()
+
+    def set_run(self, active: Mapping[str, str], running: str) -> None:
+        """Mark the active state of each SB; ``running`` is the SB in which an operation runs."""
+        if (active, running) != (self._delegate.active, self._delegate.running):
+            self._delegate.active, self._delegate.running = dict(active), running
+            self.viewport().update()
+
+    @property
+    def active(self) -> Mapping[str, str]:
+        """The active state of each SB that a run shows here."""
+        return self._delegate.active
 
     @property
     def naming(self) -> bool:
@@ -112,6 +123,8 @@ class OutlineDelegate(QStyledItemDelegate):
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.tokens = tokens
+        self.active: Mapping[str, str] = {}
+        self.running = ""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         return QSize(10, ROW)
@@ -145,10 +158,30 @@ class OutlineDelegate(QStyledItemDelegate):
             colour = severity_colour(line.severity, tokens)
             draw(painter, SEVERITY_ICON[line.severity], box, colour, tokens.surf)
             right -= 21
+        if line.branch in self.active:
+            right = self._active(painter, rect, right, line.branch)
         box = QRectF(rect.left() + 14, mid - 7.5, 15, 15)
         draw(painter, "layers", box, tokens.acc if chosen else tokens.tx2, tokens.surf)
         room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
         paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
+
+    def _active(self, painter: QPainter, rect: QRectF, right: float, branch: str) -> float:
+        """The active state of an SB as a chip, filled while it runs; how far the name may go."""
+        tokens, live = self.tokens, branch == self.running
+        font = mono_font(11, 500)
+        metrics = QFontMetricsF(font)
+        room = max(rect.width() / 2 - 30, 20.0)
+        words = metrics.elidedText(self.active[branch], Qt.TextElideMode.ElideLeft, room)
+        wide = metrics.horizontalAdvance(words) + 10
+        chip = QRectF(right - wide, rect.center().y() - 9, wide, 18)
+        painter.setPen(QPen(tokens.acc if live else tokens.accl, 1))
+        painter.setBrush(tokens.acc if live else tokens.accs)
+        painter.drawRoundedRect(chip, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(tokens.onacc if live else tokens.acc)
+        painter.setFont(font)
+        painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, words)
+        return chip.left() - 6
 
     def _fact(self, painter: QPainter, rect: QRectF, line: Line) -> None:
         tokens = self.tokens

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.run.runner import FASTEST
+from smsl_studio.studio.words import capital
 
 Words = tuple[tuple[str, ...], tuple[str, ...]]
 
@@ -20,7 +21,7 @@ def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
         left.append(_pace(speed))
         left.append(f"Frozen copy, drawing {'has moved on' if moved_on else 'unchanged'}")
     if run.sentence:
-        left.append(run.sentence)
+        left.append(capital(run.sentence))
     right = ("Simulation only",)
     if run.latency is not None and status is not None:
         return tuple(left), (f"Process alive, {max(run.latency * 1000, 0.1):.1f} ms", *right)

@@ -108,7 +108,7 @@ class Timeline(QScrollArea):
         plot.hideAxis("bottom")
         plot.hideAxis("left")
         plot.invertY(True)
-        self._axis.setStyle(tickFont=text_font(12), tickLength=0, maxTickLevel=0)
+        self._axis.setStyle(tickFont=text_font(12), tickLength=0, maxTickLevel=0, tickTextOffset=6)
         self._axis.setZValue(-1000)
         self._axis.setHeight(AXIS)
         self._axis.setGrid(90)
@@ -125,6 +125,8 @@ class Timeline(QScrollArea):
         self._badge.setText(f"{self._time:.1f} s")
         self._badge.adjustSize()
         (left, right), _ = self._box.viewRange()
+        room = 0.9 * self._badge.width() * (right - left) / max(self._box.width(), 1.0)
+        self._axis.hidden = (self._time - room, self._time + room)
         share = (self._time - left) / max(right - left, 1e-9)
         at = round(share * self._box.width()) - self._badge.width() // 2
         at = min(max(at, 0), max(self._plot.width() - self._badge.width(), 0))
@@ -174,9 +176,15 @@ class _Labels(QWidget):
 class _Seconds(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
     """Ticks that say their unit."""
 
+    def __init__(self, orientation: str) -> None:
+        super().__init__(orientation)
+        self.hidden = (0.0, 0.0)
+        """From when to when the badge of the present covers the axis."""
+
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
         digits = 0 if spacing >= 1 else 1 if spacing >= 0.1 else 2
-        return [f"{value:.{digits}f} s" for value in values]
+        low, high = self.hidden
+        return ["" if low < v < high else f"{v:.{digits}f} s" for v in values]
 
 
 class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types

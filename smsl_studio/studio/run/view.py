@@ -16,7 +16,7 @@ from smsl_studio.studio.run.story import Story
 
 CHOOSABLE = ("ready", "paused", "held")
 """The phases in which a person may have an operation carried out by hand."""
-LOST = "its process is gone"
+LOST = "process gone"
 Choices = list[tuple[str, str]]
 
 

@@ -106,10 +106,12 @@ class Overlays:
     def show_banner(self, text: str) -> None:
         self.banner.show_text(text)
         self.place()
+        if self._canvas.camera.fitted:
+            self._canvas.fit(smooth=False)
 
     def top_room(self) -> int:
         """The height at the top that belongs to the breadcrumb, or to the head of a run."""
-        return 40
+        return 40 + (self.banner.height() + 8 if self.banner.text else 0)
 
     def say(self, text: str, at: QPoint | None = None) -> None:
         """Say something beside the pointer, or beside a point of the viewport."""
