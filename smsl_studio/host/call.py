@@ -28,7 +28,9 @@ class Call:
             if end.value is False:
                 return Outcome.FAILED, f"{self._bound.name} says that it failed"
             return Outcome.RETURNED, ""
-        except (Exception, SystemExit) as error:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # SystemExit, and what compiled libraries raise
             return Outcome.RAISED, words_of(error, self._bound.location)
         return Outcome.RUNNING, ""
 
@@ -37,7 +39,9 @@ class Call:
         if self._generator is not None:
             try:
                 self._generator.close()
-            except (Exception, SystemExit):
+            except KeyboardInterrupt:
+                raise
+            except BaseException:
                 return
 
 

@@ -35,7 +35,9 @@ class Sensing:
         reason = ""
         try:
             value = sensor.function(subject, **sensor.arguments)
-        except (Exception, SystemExit) as error:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # SystemExit, and what compiled libraries raise
             value, reason = None, words_of(error, sensor.location)
         if value is not None and type(value) is not str:
             value, reason = None, f"it reads {value!r}, which is no text"

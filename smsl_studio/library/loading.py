@@ -119,7 +119,9 @@ def _load(found: _Found, plugins: list[Plugin], faults: list[PluginFault]) -> No
         place = error.place or place_of(error, found.location)
         sentence = f"{error.sentence} {error.advice}".strip()
         faults.append(PluginFault(found.name, sentence, place, found.location))
-    except (Exception, SystemExit) as error:
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:  # SystemExit, and what compiled libraries raise
         words = f"{type(error).__name__}: {error}".removesuffix(": ")
         place = place_of(error, found.location)
         faults.append(PluginFault(found.name, words, place, found.location))
@@ -152,13 +154,22 @@ def _in_folder(folder: Path, source: str, must_exist: bool) -> Iterator[_Found |
         yield _folder_plugin(folder, source)
         return
     try:
-        inner = sorted(path for path in folder.iterdir() if (path / MANIFEST).is_file())
+        inner = sorted(path for path in folder.iterdir() if _is_plugin(path))
     except OSError as error:
         if must_exist:
             yield PluginFault(folder.name, error.strerror or str(error), None, str(folder))
         return
     for path in inner:
-        yield _folder_plugin(path, source)
+        if (path / MANIFEST).is_file():
+            yield _folder_plugin(path, source)
+        else:
+            place = Place(str(path / "plugin.py"), 1, 1)
+            yield PluginFault(path.name, f"it has no {MANIFEST}", place, str(path))
+
+
+def _is_plugin(path: Path) -> bool:
+    """Whether a folder is a plugin, or means to be one."""
+    return (path / MANIFEST).is_file() or (path / "plugin.py").is_file()
 
 
 def _folder_plugin(folder: Path, source: str) -> _Found:

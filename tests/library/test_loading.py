@@ -23,6 +23,7 @@ BROKEN = {
     "syntax": ("def register(library)\n    pass\n", 1, "SyntaxError"),
     "importing": ("\nimport no_such_module\n", 2, "ModuleNotFoundError"),
     "exiting": ("import sys\nsys.exit(3)\n", 2, "SystemExit: 3"),
+    "panicking": ("class Panic(BaseException): ...\nraise Panic('boom')\n", 2, "Panic: boom"),
     "registering": ("def register(library):\n    x = 1\n    raise ValueError('boom')\n", 3, "boom"),
     "deeper": ("def f():\n    return 1 / 0\n\ndef register(library):\n    f()\n", 2, "Zero"),
     "nothing": ("x = 1\n", 1, "no function register"),
@@ -106,6 +107,15 @@ def test_a_folder_without_code_is_a_fault(tmp_path: Path) -> None:
     place = write_plugin(tmp_path, "empty", "")
     (place / "plugin.py").unlink()
     assert "no plugin.py" in _faults(tmp_path)["empty"].sentence
+
+
+def test_code_without_a_manifest_is_a_fault(tmp_path: Path) -> None:
+    place = write_plugin(tmp_path, "bare", GOOD)
+    (place / "plugin.toml").unlink()
+    (tmp_path / "notes").mkdir()
+    faults = _faults(tmp_path)
+    assert faults.keys() == {"bare"}
+    assert "no plugin.toml" in faults["bare"].sentence
 
 
 def test_plugins_are_found_in_the_path_and_at_home(
