@@ -13,7 +13,6 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import AddressError
 
 
 class _Edit(QUndoCommand):
@@ -135,11 +134,13 @@ class Session(QObject):
         self.edited_changed.emit(not clean)
 
     def _stands(self, address: Address) -> bool:
-        try:
-            self._blueprint.resolve(address)
-        except AddressError:
-            return False
-        return True
+        branch = self._blueprint.branches.get(address.branch)
+        if branch is None or not address.state:
+            return branch is not None
+        operations = branch.table.get(address.state)
+        return operations is not None and (
+            not address.operation or address.operation in operations
+        )
 
     def _show(self, blueprint: Blueprint) -> None:
         before, self._blueprint = self._blueprint, blueprint

@@ -139,3 +139,22 @@ def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
     assert window.body.currentWidget() is window.canvas
     assert window.docks.left.isVisible()
     assert window.docks.bottom.isVisible()
+
+
+def test_stop_keeps_its_place_in_every_mode_while_a_run_exists(sit: Sit) -> None:
+    person = sit(HANOI)
+    window, pane = person.window, person.window.run_pane
+    stop = window.mode_bar.stop
+    assert not stop.isVisible()
+    person.ctrl(Key.Key_2)
+    person.choose(pane.transport.world, "table")
+    place = pane.transport.stop.mapTo(window, pane.transport.stop.rect().center())
+    person.press(Key.Key_F10)
+    person.until(lambda: pane.run.exists)
+    person.ctrl(Key.Key_1)
+    assert stop.isVisible()
+    assert stop.size() == pane.transport.stop.size()
+    assert abs(stop.mapTo(window, stop.rect().center()).x() - place.x()) <= 2
+    person.press(Key.Key_F8)
+    person.until(lambda: not pane.run.exists)
+    assert not stop.isVisible()

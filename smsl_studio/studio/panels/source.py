@@ -25,7 +25,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QTextEdit, QWidget
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
-from smsl_studio.studio.panels.source_text import SourceText, patch
+from smsl_studio.studio.panels.source_text import SourceText, patches
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens, mono_font
 
@@ -103,13 +103,18 @@ class Source(QPlainTextEdit):
         if not old:
             self.setPlainText(new)
             return
-        start, end, text = patch(old, new)
-        if start == end and not text:
-            return
+        found = patches(old, new)
         cursor = QTextCursor(self.document())
-        cursor.setPosition(_utf16(old, start))
-        cursor.setPosition(_utf16(old, end), QTextCursor.MoveMode.KeepAnchor)
-        cursor.insertText(text)
+        # Few patches one by one: a block of edits is coloured anew from its first line to its last.
+        together = len(found) > MAX_SQUIGGLES
+        if together:
+            cursor.beginEditBlock()
+        for start, end, text in found:
+            cursor.setPosition(_utf16(old, start))
+            cursor.setPosition(_utf16(old, end), QTextCursor.MoveMode.KeepAnchor)
+            cursor.insertText(text)
+        if together:
+            cursor.endEditBlock()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -297,5 +302,6 @@ class _Colours(QSyntaxHighlighter):
 
 def _utf16(text: str, at: int) -> int:
     """Qt counts in UTF-16 units."""
-    part = text[:at]
-    return at if part.isascii() else len(part.encode("utf-16-le", "surrogatepass")) // 2
+    if text.isascii():
+        return at
+    return len(text[:at].encode("utf-16-le", "surrogatepass")) // 2

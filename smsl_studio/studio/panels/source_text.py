@@ -74,12 +74,31 @@ class SourceText:
         return [0, *(match.end() for match in re.finditer("\n", self._text))]
 
 
-def patch(old: str, new: str) -> tuple[int, int, str]:
-    """What to replace to turn ``old`` into ``new``: start, end (in ``old``) and the new part."""
+Patch = tuple[int, int, str]
+
+
+def patches(old: str, new: str) -> list[Patch]:
+    """What to replace to turn ``old`` into ``new``: start, end (in ``old``) and the new part.
+
+    The last one comes first, so that each can be applied without moving the others. Where only
+    single lines differ (a state renamed wherever it is a target), only these are replaced.
+    """
     start = _common_prefix(old, new)
     most = min(len(old), len(new)) - start
     tail = _common_suffix(old, new, most)
-    return start, len(old) - tail, new[start : len(new) - tail]
+    before, after = old[start : len(old) - tail], new[start : len(new) - tail]
+    if not before and not after:
+        return []
+    lines, fresh = before.split("\n"), after.split("\n")
+    if len(lines) != len(fresh) or len(lines) < 3:
+        return [(start, len(old) - tail, after)]
+    found: list[Patch] = []
+    at = start
+    for line, other in zip(lines, fresh, strict=True):
+        if line != other:
+            found.append((at, at + len(line), other))
+        at += len(line) + 1
+    return found[::-1]
 
 
 def _common_prefix(a: str, b: str) -> int:

@@ -1,0 +1,161 @@
+"""Makes the pictures in docs/images: Draw and Run modes, three samples, two themes, three sizes.
+
+    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--mode draw|run] [--sample NAME]
+
+Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
+real run: ``hanoi`` in its physical world, the others in ``table``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+if sys.platform == "linux" and not os.environ.get("DISPLAY"):
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from PySide6.QtWidgets import QApplication  # noqa: E402
+
+from smsl_studio.studio.app import make_application, make_window  # noqa: E402
+from smsl_studio.studio.settings import Settings  # noqa: E402
+from smsl_studio.studio.style import dress  # noqa: E402
+from smsl_studio.studio.theme import LIGHT  # noqa: E402
+from smsl_studio.studio.window import Window  # noqa: E402
+
+SIZES = ((1280, 800), (1440, 900), (1920, 1080))
+THEMES = ("light", "dark")
+FRONT = (1440, 900)
+PATIENCE = 60.0
+"""Seconds within which a run must have come to where its picture is taken."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A sample and what is selected in its picture; the world, and after how many operations."""
+
+    sample: str
+    select: str
+    tab: str
+    world: str
+    after: int
+    drawn: str = ""
+    """Another file to draw (the printed Hanoi has findings to show)."""
+
+
+SCENES = (
+    Scene("hanoi-corrected", "SB1/State_cbb/Op_1c", "Source", "hanoi", 3, drawn="hanoi"),
+    Scene("registration", "REGISTRATION/State_1100", "Properties", "table", 1),
+    Scene("hfsm", "SB1/State100", "Properties", "table", 1),
+)
+
+
+def main() -> int:
+    """Take the pictures that were asked for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
+    parser.add_argument("--mode", choices=("draw", "run"))
+    parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
+    asked = parser.parse_args()
+    asked.out.mkdir(parents=True, exist_ok=True)
+    application = make_application(sys.argv)
+    dress(application, LIGHT)
+    with TemporaryDirectory() as folder:
+        for scene in SCENES:
+            if asked.sample in (None, scene.sample):
+                studio = Studio(application, Settings(Path(folder)), asked.out)
+                studio.take(scene, [asked.mode] if asked.mode else ["draw", "run"])
+    return 0
+
+
+class Studio:
+    """Opens windows on scenes and photographs them."""
+
+    def __init__(self, application: QApplication, settings: Settings, out: Path) -> None:
+        self._application, self._settings, self._out = application, settings, out
+
+    def take(self, scene: Scene, modes: list[str]) -> None:
+        """Every picture of a scene."""
+        for mode in modes:
+            name = (scene.drawn or scene.sample) if mode == "draw" else scene.sample
+            self._settings.theme = "light"
+            window = make_window(self._application, self._settings)
+            window.files.open_copy(ROOT / "samples" / f"{name}.json")
+            self._until(lambda window=window: window.inspector.current)
+            {"draw": self._draw, "run": self._run}[mode](window, scene)
+            for theme, size in self._dressed(window):
+                self._shoot(window, f"{mode}-{name}-{theme}-{size[0]}x{size[1]}")
+                if size == FRONT and scene.world == "hanoi":
+                    self._shoot(window, f"{mode}-{theme}")
+            window.session.history.setClean()
+            window.close()
+
+    def _draw(self, window: Window, scene: Scene) -> None:
+        window.show_tab(scene.tab)
+        window.session.select([window.session.blueprint.resolve(scene.select)])
+        window.canvas.fit(smooth=False)
+
+    def _run(self, window: Window, scene: Scene) -> None:
+        window.set_mode("run")
+        pane, transport = window.run_pane, window.run_pane.transport
+        transport.world.setCurrentIndex(transport.world.findData(scene.world))
+        transport.speed.setCurrentText("Max")
+        if scene.world == "table":
+            for done in range(1, scene.after + 1):
+                pane.step()
+                self._until(lambda done=done: self._operations(window) >= done)
+            return
+        pane.play()
+        self._until(lambda: self._operations(window) >= scene.after)
+        transport.speed.setCurrentText("1×")
+        self._until(lambda: self._well_under_way(window))
+
+    def _operations(self, window: Window) -> int:
+        status = window.run_pane.run.status
+        return status.operations if status is not None else 0
+
+    def _well_under_way(self, window: Window) -> bool:
+        status = window.run_pane.run.status
+        return (
+            status is not None
+            and status.running is not None
+            and status.time - status.running_since > 1.5
+        )
+
+    def _dressed(self, window: Window) -> Iterator[tuple[str, tuple[int, int]]]:
+        for theme in THEMES:
+            window.set_theme(theme)
+            for size in SIZES:
+                window.resize(*size)
+                if window.mode == "draw":
+                    window.docks.set_first_sizes()
+                self._wait(0.5)
+                yield theme, size
+
+    def _shoot(self, window: Window, name: str) -> None:
+        window.grab().save(str(self._out / f"{name}.png"))
+        print(f"{name}.png")
+
+    def _until(self, condition: Callable[[], bool]) -> None:
+        end = time.monotonic() + PATIENCE
+        while not condition():
+            if time.monotonic() > end:
+                raise SystemExit("the window did not come to where its picture is taken")
+            self._wait(0.02)
+
+    def _wait(self, seconds: float) -> None:
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self._application.processEvents()
+            time.sleep(0.005)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
