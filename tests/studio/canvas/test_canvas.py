@@ -39,6 +39,8 @@ def picture(drawer: Drawer) -> QImage:
 
 def on_screen(drawer: Drawer) -> QImage:
     """What stands on the screen, without painting it again."""
+    for _ in range(3):
+        QApplication.processEvents()
     return QApplication.primaryScreen().grabWindow(drawer.canvas.winId()).toImage()
 
 

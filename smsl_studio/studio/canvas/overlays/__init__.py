@@ -61,8 +61,6 @@ class Overlays:
         for plain in (self.breadcrumb, self.legend, self.run_legend, self.key):
             plain.tokens = tokens
             plain.update()
-        self._canvas.gestures.ink = self._canvas.ink
-        self._canvas.viewport().update()
 
     def show_branch(self, blueprint: Blueprint, branch: str) -> None:
         self.breadcrumb.show_branch(blueprint, branch)
