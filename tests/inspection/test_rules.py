@@ -72,6 +72,17 @@ PLANTED = [
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
   "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
   "More": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "Sub is written twice in SUB_SBS, for digit 0 and digit 1", """{"SB": {
+  "HEADER": {"SUB_SBS": [{"Sub": 0},
+    {^"Sub": 1}]},
+  "State_00": {"a": "State_11"}, "State_11": {"b": "State_00"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "More expands digit 0, which Sub expands already", """{"SB": {
+  "HEADER": {"SUB_SBS": [{"Sub": 0}, {"_note": 1},
+    {^"More": 0}]},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "Sub": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}},
+  "More": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R07", "E", "SB", "digit 0 takes 3 values (a, b and c)", """{"SB": {
   "HEADER": {"SUB_SBS": {^"Sub": 0}},
   "State_a": {"x": "State_b"}, "State_b": {"y": "State_c"}, "State_c": {"z": "State_a"}},

@@ -19,11 +19,22 @@ ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
     """SUB_SBS: unknown SB, digit out of range or of three values, two subs on one digit, one sub
-    in two bases (a note)."""
+    twice in a list, one sub in two bases (a note)."""
     owner: dict[str, str] = {}
     for branch in blueprint:
         taken: dict[int, str] = {}
+        digits: dict[str, int] = {}
         for sub, digit in branch.header.sub_sbs:
+            if sub in digits:
+                yield _entry(
+                    blueprint,
+                    branch,
+                    sub,
+                    f"{sub} is written twice in SUB_SBS, for digit {digits[sub]} and digit {digit}",
+                    "let each sub-SB expand one digit",
+                    fix=_detach(branch, sub),
+                )
+            digits[sub] = digit
             if sub not in blueprint.branches:
                 yield _unknown_sub(blueprint, branch, sub, digit)
             yield from _digit(blueprint, branch, sub, digit)
@@ -115,10 +126,27 @@ def _entry(
     severity: Severity = ERROR,
 ) -> Finding:
     """A finding at one entry of SUB_SBS."""
-    below = (HEADER, "SUB_SBS", sub)
     return Finding.at(
-        blueprint, rule, severity, branch.address, message, advice=advice, fix=fix, below=below
+        blueprint,
+        rule,
+        severity,
+        branch.address,
+        message,
+        advice=advice,
+        fix=fix,
+        below=_below(branch, sub),
     )
+
+
+def _below(branch: StateBranch, sub: str) -> tuple[str, ...]:
+    """The keys that lead to an entry of SUB_SBS, the last one where it is written twice."""
+    written = branch.header.subs_as_written
+    at = [
+        str(index)
+        for index, item in enumerate(written if isinstance(written, list) else ())
+        if isinstance(item, dict) and sub in item
+    ]
+    return (HEADER, "SUB_SBS", *at[-1:], sub)
 
 
 def r08_cycles(blueprint: Blueprint) -> Iterator[Finding]:
@@ -269,5 +297,5 @@ def _mixed(
         mixed[0].address if one else branch.address,
         message,
         advice=f"{sub} moves first, then the operation; mark as load what needs no move of {sub}",
-        below=() if one else (HEADER, "SUB_SBS", sub),
+        below=() if one else _below(branch, sub),
     )
