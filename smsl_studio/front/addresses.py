@@ -52,13 +52,21 @@ def states_at(
 
 
 def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Address, ...]:
-    """Operations to avoid, written ``SB/State/Operation``; a state stands for all that leads out.
+    """Operations to avoid, written ``SB/State/Operation``.
 
-    UsageError for an SB: avoiding all of it leaves nothing.
+    A state stands for all that leads out of it, an operation's name alone for every edge that has
+    it. AddressError where there is none, UsageError for an SB: avoiding all of it leaves nothing.
     """
     found: list[Address] = []
     for text in written:
-        address = blueprint.resolve(text)
+        try:
+            address = blueprint.resolve(text)
+        except AddressError:
+            named = _named(blueprint, text)
+            if not named:
+                raise
+            found += named
+            continue
         if not address.state:
             raise UsageError(f"{text} is no operation", advice="Write SB/State/Operation.")
         if address.operation:
@@ -67,3 +75,15 @@ def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Add
             out = blueprint[address.branch].table[address.state]
             found += [Address(address.branch, address.state, name) for name in out]
     return tuple(found)
+
+
+def _named(blueprint: Blueprint, text: Written) -> list[Address]:
+    """Every edge whose operation has this name."""
+    if isinstance(text, Address):
+        return []
+    return [
+        edge.address
+        for branch in blueprint
+        for edge in branch.edges()
+        if (edge.name,) == Address.split(text)
+    ]

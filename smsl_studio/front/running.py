@@ -26,6 +26,11 @@ from smsl_studio.runlog.log import RunLog
 from smsl_studio.seal.digest import sha256_hex
 
 HOSTS = ("local", "process")
+NAP = 0.1
+"""The longest (wall seconds) a paced run sleeps before it looks whether it shall stop."""
+
+BLINK = 1e-4
+"""What is left of a pause (wall seconds) that is not worth sleeping for."""
 Several = Written | Iterable[Written] | None
 
 
@@ -244,15 +249,20 @@ def _loop(
 ) -> None:
     began = time.monotonic()
     stopping = False
+
+    def asked() -> bool:
+        return stop_when is not None and stop_when()
+
     while not dispatcher.finished:
-        if not stopping and stop_when is not None and stop_when():
+        if not stopping and asked():
             dispatcher.stop()
             stopping = True
         story.tell(dispatcher.tick())
-        if speed is not None and not stopping:
+        while speed is not None and not asked():
             ahead = dispatcher.time / speed - (time.monotonic() - began)
-            if ahead > 0:
-                time.sleep(ahead)
+            if ahead < BLINK:
+                break
+            time.sleep(min(ahead, NAP))
 
 
 def _refuse_nonsense(blueprint: Blueprint) -> None:

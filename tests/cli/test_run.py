@@ -57,10 +57,16 @@ def test_registration_reaches_its_goal(shell: Shell) -> None:
     assert answer.lines[-1]["configuration"] == {"REGISTRATION": "State_1111"}
 
 
-def test_without_a_previous_registration_it_plans_digitises_registers(shell: Shell) -> None:
+def _every_edge(name: str) -> list[str]:
     table = json.loads(Path(sample("registration")).read_text("utf-8"))["REGISTRATION"]
-    edges = [f"{state}/Op_UsePrevReg" for state in table if "Op_UsePrevReg" in table[state]]
-    avoid = [part for edge in edges for part in ("--avoid", edge)]
+    edges = [f"{state}/{name}" for state in table if name in table[state]]
+    return [part for edge in edges for part in ("--avoid", edge)]
+
+
+@pytest.mark.parametrize("avoid", [_every_edge("Op_UsePrevReg"), ["--avoid", "Op_UsePrevReg"]])
+def test_without_a_previous_registration_it_plans_digitises_registers(
+    shell: Shell, avoid: list[str]
+) -> None:
     answer = shell("run", sample("registration"), *TABLE, *avoid)
     assert _end(answer) == (0, "goal_reached")
     names = [address.rpartition("/")[2] for address in _carried_out(answer)]
