@@ -30,7 +30,7 @@ from smsl_studio.studio.canvas.looks import Looks
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_paint import compact_width, full_width
 from smsl_studio.studio.canvas.picture import Picture
-from smsl_studio.studio.canvas.routing import Style
+from smsl_studio.studio.canvas.routing import Style, meets
 from smsl_studio.studio.canvas.shape import Floats
 
 Position = tuple[float, float]
@@ -246,6 +246,16 @@ class Sheet:
                 if away < distance:
                     best, distance = edge, away
         return best
+
+    def is_drawn_on(self, left: float, top: float, right: float, bottom: float) -> bool:
+        """Whether nodes, or lines of a small picture, lie in a rectangle."""
+        if self.states_in(left, top, right, bottom):
+            return True
+        if len(self.picture) > SMALL or self.level < Level.COMPACT:
+            return False
+        box = np.array([[left + right, top + bottom, right - left, bottom - top]]) / 2
+        near = self.edges_in(left, top, right, bottom).tolist()
+        return any(meets(self.geometry.shape(edge).points, box, (), 0.0) for edge in near)
 
     # Looks
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPoint, QTimer
+from PySide6.QtCore import QPoint, QSize, QTimer
 from PySide6.QtGui import QCursor
 
 from smsl_studio.blueprint.address import Address
@@ -151,25 +151,28 @@ class Overlays:
         several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
         roomy = canvas.width() >= WIDE and canvas.height() >= TALL
         at = QPoint(right - map_.width(), bottom - map_.height())
-        shown = canvas.editing and several and roomy and not self._covers(at)
+        shown = canvas.editing and several and roomy and not self._covers(at, map_.size())
         map_.move(at)
         map_.setVisible(shown)
         if shown:
             right = at.x() - 12
         place = QPoint(right - zoom.width(), bottom - zoom.height())
-        if self._covers(place):
-            place = QPoint(EDGE - 2, 44)
-        zoom.move(place)
+        # Where it would cover the picture: below the breadcrumb, or in its line at the right.
+        beside = QPoint(canvas.width() - EDGE - zoom.width(), 7)
+        clear = not self.key.rows and self.breadcrumb.geometry().right() < beside.x()
+        places = [place, QPoint(EDGE - 2, 44), *([beside] if clear else []), place]
+        free = (p for p in places if not self._covers(p, zoom.size()))
+        zoom.move(next(free, places[-2] if clear else place))
 
-    def _covers(self, corner: QPoint) -> bool:
-        """Whether what stands from this corner to the bottom right covers nodes of a fit."""
+    def _covers(self, corner: QPoint, size: QSize) -> bool:
+        """Whether what stands at this corner covers nodes or lines of a fitted picture."""
         canvas = self._canvas
         sheet = canvas.sheet
         if sheet is None or not canvas.camera.fitted:
             return False
         near = canvas.mapToScene(corner - QPoint(6, 6))
-        far = canvas.mapToScene(QPoint(canvas.width(), canvas.height()))
-        return bool(sheet.states_in(near.x(), near.y(), far.x(), far.y()))
+        far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
+        return sheet.is_drawn_on(near.x(), near.y(), far.x(), far.y())
 
     def place(self) -> None:
         """Put everything where it belongs in the view's size."""
