@@ -14,6 +14,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -22,6 +23,7 @@ sys.path.insert(0, str(ROOT))
 if sys.platform == "linux" and not os.environ.get("DISPLAY"):
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
+from PySide6.QtGui import QImage, QImageWriter  # noqa: E402
 from PySide6.QtWidgets import QApplication  # noqa: E402
 
 from smsl_studio.studio.app import make_application, make_window  # noqa: E402
@@ -88,7 +90,7 @@ class Studio:
             self._settings.theme = "light"
             window = make_window(self._application, self._settings)
             window.files.open_copy(ROOT / "samples" / f"{name}.json")
-            self._until(lambda window=window: window.inspector.current)
+            self._until(partial(getattr, window.inspector, "current"))
             {"draw": self._draw, "run": self._run}[mode](window, scene)
             for theme, size in self._dressed(window):
                 self._shoot(window, f"{mode}-{name}-{theme}-{size[0]}x{size[1]}")
@@ -110,22 +112,23 @@ class Studio:
         if scene.world == "table":
             for done in range(1, scene.after + 1):
                 pane.step()
-                self._until(lambda done=done: self._operations(window) >= done)
+                self._until(partial(self._has_done, window, done))
             return
         pane.play()
-        self._until(lambda: self._operations(window) >= scene.after)
+        self._until(partial(self._has_done, window, scene.after))
         transport.speed.setCurrentText("1×")
         self._until(lambda: self._well_under_way(window))
 
-    def _operations(self, window: Window) -> int:
+    def _has_done(self, window: Window, operations: int) -> bool:
         status = window.run_pane.run.status
-        return status.operations if status is not None else 0
+        return status is not None and status.operations >= operations
 
     def _well_under_way(self, window: Window) -> bool:
         status = window.run_pane.run.status
         return (
             status is not None
             and status.running is not None
+            and status.running_since is not None
             and status.time - status.running_since > 1.5
         )
 
@@ -140,7 +143,10 @@ class Studio:
                 yield theme, size
 
     def _shoot(self, window: Window, name: str) -> None:
-        window.grab().save(str(self._out / f"{name}.png"))
+        picture = window.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
+        writer = QImageWriter(str(self._out / f"{name}.png"))
+        writer.setQuality(0)
+        writer.write(picture)
         print(f"{name}.png")
 
     def _until(self, condition: Callable[[], bool]) -> None:

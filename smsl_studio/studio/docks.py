@@ -55,7 +55,7 @@ class Docks(QObject):
     def set_first_sizes(self) -> None:
         """The sizes of the design, where nothing is remembered."""
         sideways, upright = Qt.Orientation.Horizontal, Qt.Orientation.Vertical
-        self._window.resizeDocks([self.left, self.right], [LEFT, PROPERTIES], sideways)
+        self._window.resizeDocks([self.left, self.right], [LEFT, self._widths[self._tab]], sideways)
         self._window.resizeDocks([self.bottom], [BOTTOM], upright)
 
     def show_mode(self, mode: str) -> None:
@@ -73,7 +73,10 @@ class Docks(QObject):
         return state
 
     def restore(self, state: QByteArray) -> bool:
-        return not state.isEmpty() and self._window.restoreState(state, LAYOUT_VERSION)
+        done = not state.isEmpty() and self._window.restoreState(state, LAYOUT_VERSION)
+        if self._narrow:
+            self.left.hide()
+        return done
 
     def fit_width(self, width: int) -> bool:
         """Turn the left dock into a drawer where the window is narrow; True where it is."""

@@ -163,7 +163,7 @@ class Window(QMainWindow):
         self.docks.show_mode(mode)
         if mode == "draw":
             self.docks.restore(self._settings.bytes_of("panels/draw"))
-            self.docks.fit_width(self.width())
+        self._fit_width()
         self.mode_bar.show()
         self.actions_table.refresh()
 
@@ -313,8 +313,13 @@ class Window(QMainWindow):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if self._mode == "draw":
-            self.mode_bar.left_button.setVisible(self.docks.fit_width(self.width()))
+        self._fit_width()
+
+    def _fit_width(self) -> None:
+        """A narrow window has a drawer, and a button for it, in place of the left dock."""
+        drawn = self._mode == "draw"
+        narrow = drawn and self.docks.fit_width(self.width())
+        self.mode_bar.left_button.setVisible(narrow)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMessageBox, QPushButton
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMessageBox
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl.files import read_document
@@ -91,7 +92,8 @@ def test_save_as_asks_in_a_dialog_and_goes_on_there(sit: Sit, tmp_path: Path) ->
         field = dialog.findChild(QLineEdit, "fileNameEdit")
         assert field is not None
         field.setText(str(target))
-        dialog.findChildren(QPushButton)[0].click() if False else dialog.accept()
+        field.setFocus()
+        QTest.keyClick(field, Key.Key_Return)
 
     QTimer.singleShot(100, person.window, type_name)
     person.press(

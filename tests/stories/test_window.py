@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QLabel
+from PySide6.QtWidgets import QDialog, QLabel, QToolButton
 
 from smsl_studio.errors import EditRefused
 from tests.stories.conftest import Sit
@@ -54,8 +54,10 @@ def test_every_action_has_words_and_a_tip_and_no_key_means_two_things(sit: Sit) 
         for key in action.keys:
             assert key not in seen, f"{key}: {seen.get(key)} and {action.id}"
             seen[key] = action.id
-    said = {button.toolTip() for button in window.mode_bar.findChildren(QLabel)}
-    assert said is not None
+    buttons = window.mode_bar.findChildren(QToolButton)
+    ours = [button for button in buttons if button.defaultAction() is not None]
+    assert ours
+    assert all(button.toolTip() and button.accessibleName() for button in ours)
 
 
 def test_the_list_of_keys_names_every_key(sit: Sit) -> None:

@@ -108,7 +108,9 @@ class Library(Panel):
         rows += [_offered(offer) for offer in offers]
         self.list.show_rows(rows)
         self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE])} shown")
-        self.hint.setText(self._hint(bool(used), bool(rows)))
+        hint = self._hint(bool(used), bool(rows))
+        self.hint.setText(hint)
+        self.hint.setVisible(bool(hint))
 
     def _row(self, name: str, count: int, severity: str) -> Row:
         note = _first_note(self._session.blueprint, name)

@@ -1,0 +1,53 @@
+"""The lines of the outline: levels, facts, sub-SBs, marks; and what is odd is still shown."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.inspection.inspect import inspect
+from smsl_studio.smsl.files import read_document
+from smsl_studio.smsl.json_form import parse_json
+from smsl_studio.studio.panels.outline_lines import lines_of
+
+SAMPLES = Path(__file__).parents[3] / "samples"
+
+
+def read(values: dict[str, Any]) -> Blueprint:
+    return read_blueprint(parse_json(json.dumps(values), "a.json"))
+
+
+def test_sub_sbs_stand_below_their_fact_one_level_down() -> None:
+    blueprint = read_blueprint(read_document(SAMPLES / "hfsm.json"))
+    lines = lines_of(blueprint, inspect(blueprint))
+    assert [(line.depth, line.text, line.right) for line in lines] == [
+        (0, "SB1", "0"), (1, "Fact 1", ""), (1, "Fact 2", ""), (2, "SB2", "1"),
+        (3, "Fact 1", ""), (1, "Fact 3", ""),
+    ]  # fmt: skip
+    assert lines[0].severity == "W"
+    assert [line.sub for line in lines] == [False, False, True, False, False, False]
+
+
+def test_values_beyond_0_and_1_are_named() -> None:
+    blueprint = read_blueprint(read_document(SAMPLES / "hanoi.json"))
+    lines = lines_of(blueprint, inspect(blueprint))
+    assert lines[0].severity == "E"
+    assert [line.right for line in lines[1:]] == ["a b c"] * 3
+
+
+def test_sbs_in_a_cycle_are_still_shown() -> None:
+    blueprint = read(
+        {
+            "A": {"HEADER": {"SUB_SBS": {"B": 0}}, "State0": {}, "State1": {}},
+            "B": {"HEADER": {"SUB_SBS": {"A": 0}}, "State0": {}, "State1": {}},
+        }
+    )
+    names = [line.text for line in lines_of(blueprint, ()) if line.digit is None]
+    assert set(names) == {"A", "B"}
+
+
+def test_an_sb_without_states_has_no_facts() -> None:
+    assert [line.text for line in lines_of(read({"A": {"HEADER": {}}}), ())] == ["A"]

@@ -1,0 +1,28 @@
+"""Icons: every drawing can be painted, at any size, in both themes."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QColor, QIcon
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.studio.icon_drawings import ICONS
+from smsl_studio.studio.icons import icon, pixmap
+from smsl_studio.studio.theme import DARK, LIGHT
+
+
+@pytest.mark.parametrize("name", sorted(ICONS))
+def test_every_icon_leaves_ink(name: str, qapp: QApplication) -> None:
+    picture = pixmap(name, QColor("black"), QColor("white"), 16, 2.0).toImage()
+    assert picture.size() == QSize(32, 32)
+    inked = sum(picture.pixelColor(x, y).alpha() > 60 for x in range(32) for y in range(32))
+    assert 8 < inked < 32 * 32
+
+
+def test_a_disabled_icon_is_pale(qapp: QApplication) -> None:
+    for tokens in (LIGHT, DARK):
+        made = icon("plus", tokens)
+        plain = made.pixmap(16, 16, QIcon.Mode.Normal).toImage()
+        pale = made.pixmap(16, 16, QIcon.Mode.Disabled).toImage()
+        assert plain != pale
