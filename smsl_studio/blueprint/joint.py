@@ -69,10 +69,14 @@ class Carried:
 class Script:
     """A joint step while it is being written; ``configuration`` is where the writing has got to.
 
-    ``links`` are pairs (crossing, base edge) that commit together.
+    ``links`` are pairs (crossing, base edge) that commit together. A ``light`` script is written
+    for its cost and its end alone: routes of flat subs are taken in one stride (``stride``), and
+    it cannot be made a joint step.
     """
 
-    def __init__(self, configuration: Mapping[str, str]) -> None:
+    def __init__(self, configuration: Mapping[str, str], light: bool = False) -> None:
+        self.light = light
+        self.counts: dict[str, int] = {}
         self.configuration = dict(configuration)
         self.carried: list[Carried] = []
         self.functions: list[Edge] = []
@@ -84,7 +88,14 @@ class Script:
         carried = Carried(edge, len(self.functions), transit)
         self.carried.append(carried)
         self.cost += edge.cost
+        self.counts[edge.branch] = self.counts.get(edge.branch, 0) + 1
         return carried
+
+    def stride(self, branch: str, goal: str, cost: float, count: int) -> None:
+        """A flat sub goes all its way to ``goal``."""
+        self.configuration[branch] = goal
+        self.cost += cost
+        self.counts[branch] = self.counts.get(branch, 0) + count
 
     def run(self, edge: Edge) -> int:
         """The edge's own function runs; its index."""

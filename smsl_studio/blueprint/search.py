@@ -13,13 +13,14 @@ Node = TypeVar("Node", bound=Hashable)
 class Move(NamedTuple):
     """One step of a search: where it leads, what it costs, and what it stands for.
 
-    ``names`` are the routed SB's edges in it; ``key`` decides between moves equal in cost, number
-    and names; ``what`` is handed back untouched.
+    ``count`` is how many of the routed SB's edges are in it, ``names`` tells their names when
+    asked; ``key`` decides between moves equal in all this; ``what`` is handed back untouched.
     """
 
     to: Any
     cost: float
-    names: tuple[str, ...]
+    count: int
+    names: Callable[[], tuple[str, ...]]
     key: tuple[str, ...]
     what: Any
 
@@ -53,7 +54,7 @@ def cheapest(
             continue
         for move in moves(node):
             # Rounded so that sums which differ only in their last bits still tie.
-            further = (round(rank[0] + move.cost, 9), rank[1] + len(move.names), rank[2] + 1)
+            further = (round(rank[0] + move.cost, 9), rank[1] + move.count, rank[2] + 1)
             known = best.get(move.to)
             if known is None or further < known:
                 best[move.to] = further
@@ -79,7 +80,8 @@ def _first_by_name(
     route: list[Move] = []
     node = start
     while node in onward:
-        move = min(onward[node], key=lambda move: (move.names, move.key))
+        ways = onward[node]
+        move = min(ways, key=lambda move: (move.names(), move.key)) if len(ways) > 1 else ways[0]
         route.append(move)
         node = move.to
     return route

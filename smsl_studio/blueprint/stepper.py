@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.along import Along, Held, Unavailable
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import (
     Configuration,
@@ -17,13 +18,13 @@ from smsl_studio.blueprint.configuration import (
     disagreements,
     standing,
 )
+from smsl_studio.blueprint.downhill import Downhill
 from smsl_studio.blueprint.edges import Edge, Edges, Kind
 from smsl_studio.blueprint.joint import Carried, JointStep, Script
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.search import Move, cheapest
 
-Held = Mapping[str, Carried]
-"""The base edges that are being carried out, by SB."""
+MOST_REASONS = 8
 
 
 @dataclass(frozen=True)
@@ -38,14 +39,6 @@ class Terms:
     exact: Collection[Address] = ()
 
 
-class Unavailable(Exception):  # noqa: N818 -- an answer, not an error of ours
-    """An edge cannot be carried out from a configuration; ``reasons`` are sentences."""
-
-    def __init__(self, *reasons: str) -> None:
-        super().__init__("; ".join(reasons))
-        self.reasons = reasons
-
-
 class Stepper:
     """Writes joint steps; remembers what it found, so that one is kept as long as its terms."""
 
@@ -53,8 +46,10 @@ class Stepper:
         self.hierarchy = hierarchy
         self.terms = terms or Terms()
         self.edges = Edges(hierarchy, self.terms.exact)
+        self._along = Along(self.edges, self._allow)
         self._steps: dict[tuple[tuple[str, ...], Edge], JointStep | Unavailable] = {}
         self._routes: dict[object, tuple[Edge, ...] | Unavailable] = {}
+        self._hills: dict[tuple[str, str], Downhill] = {}
 
     def step(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
         """The joint step of an edge out of its SB's active state (clauses 5, 6, 10)."""
@@ -70,6 +65,15 @@ class Stepper:
             self._steps[key] = found
         return found
 
+    def glance(self, configuration: Configuration, edge: Edge) -> Script | None:
+        """What a joint step would cost and where it would end, without writing it down."""
+        script = Script(configuration, light=True)
+        try:
+            self._carry(script, edge, {})
+        except Unavailable:
+            return None
+        return script
+
     def key(self, configuration: Configuration) -> tuple[str, ...]:
         """A configuration as a tuple in the order of ``hierarchy.order``."""
         return tuple(configuration[name] for name in self.hierarchy.order)
@@ -78,8 +82,10 @@ class Stepper:
         """Write the edge, its subs' movements and the bases' edges that must go with it."""
         self._allow(script.configuration, edge)
         places = self._loaded(edge) if edge.load else {}
-        along = self._along(script.configuration, edge, places, held)
-        crossed = (sub for sub in places if self._crossing(script.configuration, sub, places[sub]))
+        along = self._along.edges_for(script.configuration, edge, places, held)
+        crossed = (
+            sub for sub in places if self._along.crossing(script.configuration, sub, places[sub])
+        )
         new = [script.begin(edge, self._transit(edge, crossed))]
         new += [script.begin(one, self._transit(one, ())) for one in along]
         carried, inner = new[0], {**held, **{one.edge.branch: one for one in new}}
@@ -128,71 +134,7 @@ class Stepper:
             names = ", ".join(f"{name}/{digit}" for name, digit in broken)
             raise Unavailable(f"{script.carried[0].edge} would leave {names} against its sub-SB")
 
-    # its bases: what a crossing takes along (clauses 5 and 10) ----------------------------------
-
-    def _along(
-        self, configuration: Configuration, edge: Edge, places: Mapping[str, str], held: Held
-    ) -> tuple[Edge, ...]:
-        """The bases' edges that go along with a crossing, nearest first."""
-        taken = {name: carried.edge for name, carried in held.items()}
-        taken[edge.branch] = edge
-        before = len(taken)
-        if edge.crossing:
-            self._take(configuration, edge.branch, edge.crossing, taken, {})
-        for sub, state in places.items():
-            crossing = self._crossing(configuration, sub, state)
-            if crossing:
-                self._take(configuration, sub, crossing, taken, {**places, edge.branch: ""})
-        return tuple(taken.values())[before:]
-
-    def _crossing(self, configuration: Configuration, sub: str, state: str) -> int:
-        """1 where a sub would enter its ACTIVATING state, -1 where it would leave it, else 0."""
-        activating = self.hierarchy.blueprint[sub].activating
-        return (state == activating) - (configuration[sub] == activating)
-
-    def _take(
-        self,
-        configuration: Configuration,
-        sub: str,
-        crossing: int,
-        taken: dict[str, Edge],
-        loaded: Mapping[str, str],
-    ) -> None:
-        kind = Kind.RISE if crossing > 0 else Kind.FALL
-        for base, digit in self.hierarchy.bases[sub]:
-            if base in loaded:
-                continue
-            if base in taken:
-                moving = taken[base]
-                if digit in (moving.rises if crossing > 0 else moving.falls):
-                    continue
-                raise Unavailable(f"{moving} is no {kind.value} of digit {digit} for {sub}")
-            reasons: list[str] = []
-            for edge in self._singles(kind, base, configuration[base], digit):
-                attempt = {**taken, base: edge}
-                try:
-                    self._allow(configuration, edge)
-                    if edge.crossing:
-                        self._take(configuration, base, edge.crossing, attempt, loaded)
-                except Unavailable as no:
-                    reasons.extend(no.reasons)
-                    continue
-                taken.clear()
-                taken.update(attempt)
-                break
-            else:
-                here = f"{base}/{configuration[base]}"
-                words = f"{here} has no {kind.value} of digit {digit} for {sub} to take along"
-                raise Unavailable(words, *reasons)
-
-    def _singles(self, kind: Kind, base: str, state: str, digit: int) -> list[Edge]:
-        """The pure rises or falls of one digit, cheapest first; ``load`` edges do not count."""
-        found = (
-            edge
-            for edge in self.edges.out(base, state)
-            if edge.kind is kind and digit in (*edge.rises, *edge.falls) and not edge.load
-        )
-        return sorted(found, key=lambda edge: (edge.price, edge.name))
+    # what moves with it ---------------------------------------------------------------------------
 
     def _link(
         self, script: Script, new: list[Carried], places: Mapping[str, str], held: Held
@@ -225,6 +167,9 @@ class Stepper:
         for digit in (*edge.falls, *edge.rises):
             branch = self.hierarchy.blueprint[subs[digit]]
             goal = branch.activating if digit in edge.rises else branch.initial
+            if script.light and branch.name in self._plain:
+                self._stride(script, branch.name, goal)
+                continue
             for part in self._sub_route(script.configuration, branch, goal, held):
                 self._carry(script, part, held)
 
@@ -234,20 +179,20 @@ class Stepper:
         """The sub's own edges to its goal, over the joint configurations below it (clause 12)."""
         if configuration[branch.name] == goal:
             return ()
+        if branch.name in self._plain:
+            downhill = self._downhill(branch.name, goal)
+            way = downhill.route(configuration[branch.name])
+            if way is None:
+                raise self._no_way(configuration, branch, goal, self._shut_in(branch))
+            return way
         taken = frozenset((name, carried.edge.name) for name, carried in held.items())
-        key = (branch.name, goal, self._seen(branch.name, configuration), taken)
+        key = (branch.name, goal, self.key(configuration), taken)
         if key not in self._routes:
             self._routes[key] = self._search(configuration, branch, goal, held)
         found = self._routes[key]
         if isinstance(found, Unavailable):
             raise found
         return found
-
-    def _seen(self, branch: str, configuration: Configuration) -> tuple[str, ...]:
-        """What of a configuration a sub-route depends on."""
-        if branch in self._plain:
-            return (configuration[branch],)
-        return self.key(configuration)
 
     def _search(
         self, configuration: Configuration, branch: StateBranch, goal: str, held: Held
@@ -268,30 +213,69 @@ class Stepper:
                     reasons.update(dict.fromkeys(no.reasons))
                     continue
                 to = self.key(script.configuration)
-                yield Move(to, script.cost, (edge.name,), (), edge)
+                yield Move(to, script.cost, 1, lambda: (), (edge.name,), edge)
 
         found = cheapest(self.key(configuration), lambda node: node[at] == goal, moves)
         if found is not None:
             return tuple(move.what for move in found)
+        return self._no_way(configuration, branch, goal, reasons)
+
+    def _no_way(
+        self,
+        configuration: Configuration,
+        branch: StateBranch,
+        goal: str,
+        reasons: Iterable[str] = (),
+    ) -> Unavailable:
         here = configuration[branch.name]
-        return Unavailable(f"no permitted way leads {branch.name} from {here} to {goal}", *reasons)
+        words = f"no permitted way leads {branch.name} from {here} to {goal}"
+        return Unavailable(words, *reasons)
+
+    def _shut_in(self, branch: StateBranch) -> list[str]:
+        """Why edges of a flat sub cannot be used, as many reasons as a person reads."""
+        reasons: list[str] = []
+        for state in branch.table:
+            for edge in self.edges.out(branch.name, state):
+                try:
+                    self._allow({}, edge)
+                except Unavailable as no:
+                    reasons += no.reasons
+            if len(reasons) >= MOST_REASONS:
+                break
+        return reasons[:MOST_REASONS]
+
+    def _stride(self, script: Script, sub: str, goal: str) -> None:
+        state = script.configuration[sub]
+        far = self._downhill(sub, goal).far.get(state)
+        if far is None:
+            raise Unavailable(f"no permitted way leads {sub} from {state} to {goal}")
+        script.stride(sub, goal, *far)
+
+    def _downhill(self, sub: str, goal: str) -> Downhill:
+        found = self._hills.get((sub, goal))
+        if found is None:
+            crossing = 1 if goal == self.hierarchy.blueprint[sub].activating else -1
+
+            def allowed(edge: Edge) -> bool:
+                return edge.crossing in (0, crossing) and self.allows({}, edge)
+
+            found = self._hills[sub, goal] = Downhill(self.edges, sub, goal, allowed)
+        return found
 
     @cached_property
     def _plain(self) -> frozenset[str]:
         """The subs whose routes depend on nothing but their own state: flat, with one base, and
-        with no ``requires`` in them or in what they take along."""
-        demanding = any(
-            note.requires
-            for branch in self.hierarchy.blueprint
-            for note in branch.notes.operations.values()
-        )
-        if demanding:
-            return frozenset()
+        with no ``requires``."""
         return frozenset(
             name
             for name, bases in self.hierarchy.bases.items()
-            if len(bases) == 1 and not self.hierarchy.subs[name]
+            if len(bases) == 1
+            and not self.hierarchy.subs[name]
+            and not any(
+                note.requires for note in self.hierarchy.blueprint[name].notes.operations.values()
+            )
         )
 
     def _last_crossing(self, script: Script, carried: Carried) -> int:
-        return max(one.done for one, base in script.links if base is carried and one is not carried)
+        found = (one.done for one, base in script.links if base is carried and one is not carried)
+        return 0 if script.light else max(found)

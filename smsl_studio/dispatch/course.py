@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.stepper import Terms, Unavailable
+from smsl_studio.blueprint.stepper import Terms
 from smsl_studio.dispatch.planner import Leg, Planner
 from smsl_studio.host.protocol import Bound
 

@@ -221,8 +221,9 @@ class Driver:
         if self.pace.by_hand:
             self.pace.once = False
             return
-        goals = ", ".join(map(str, self.course.goals))
-        self.finish("goal_reached", f"{goals} holds.")
+        goals = self.course.goals
+        word = "holds" if len(goals) == 1 else "hold"
+        self.finish("goal_reached", f"{', '.join(map(str, goals))} {word}.")
 
     # waiting and ending -------------------------------------------------------------------------
 

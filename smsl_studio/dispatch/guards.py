@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.stepper import Unavailable
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import check_words, fact_words

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.stepper import Unavailable
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.guards import refusals

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge, Kind
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import Move, cheapest
-from smsl_studio.blueprint.stepper import Stepper, Terms, Unavailable
+from smsl_studio.blueprint.stepper import Stepper, Terms
 
 Key = tuple[str, ...]
 
@@ -117,30 +118,34 @@ class Planner:
     def _moves(
         self, node: Key, movers: Sequence[str], quiet: frozenset[str], routed: str
     ) -> Iterator[Move]:
-        here: dict[str, str] | None = None
+        here: dict[str, str] = {}
         for name in movers:
             at = self._at[name]
             for edge in self.stepper.edges.out(name, node[at]):
-                plain = edge.kind is Kind.PURE and not edge.crossing
                 if edge.source == edge.target or (name in quiet and edge.crossing >= 0):
                     continue
                 here = here or dict(zip(self.hierarchy.order, node, strict=True))
-                if plain:
+                key = (f"{at:06}", edge.name)
+                if edge.kind is Kind.PURE and not edge.crossing:
                     if self.stepper.allows(here, edge):
                         to = (*node[:at], edge.target, *node[at + 1 :])
-                        names = (edge.name,) if name == routed else ()
-                        yield Move(to, edge.cost, names, (f"{at:06}", edge.name), edge)
+                        count = int(name == routed)
+                        yield Move(to, edge.cost, count, partial(_one, edge, routed), key, edge)
                     continue
-                move = self._joint_move(here, edge, routed, at)
-                if move is not None:
-                    yield move
+                script = self.stepper.glance(here, edge)
+                if script is not None:
+                    to = self.stepper.key(script.configuration)
+                    names = partial(self._names, here, edge, routed)
+                    count = script.counts.get(routed, 0)
+                    yield Move(to, round(script.cost, 9), count, names, key, edge)
 
-    def _joint_move(self, here: Mapping[str, str], edge: Edge, routed: str, at: int) -> Move | None:
+    def _names(self, here: Mapping[str, str], edge: Edge, routed: str) -> tuple[str, ...]:
         step = self.stepper.step(here, edge)
-        if isinstance(step, Unavailable):
-            return None
-        to = self.stepper.key({**here, **step.after})
-        return Move(to, step.cost, step.names(routed), (f"{at:06}", edge.name), edge)
+        return step.names(routed) if isinstance(step, JointStep) else ()
+
+
+def _one(edge: Edge, routed: str) -> tuple[str, ...]:
+    return (edge.name,) if edge.branch == routed else ()
 
 
 def holds(configuration: Configuration, goals: Sequence[Address]) -> bool:

@@ -1,0 +1,93 @@
+"""What a crossing takes along: an edge of every base, and of their bases (clauses 5 and 10)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from smsl_studio.blueprint.configuration import Configuration
+from smsl_studio.blueprint.edges import Edge, Edges, Kind
+from smsl_studio.blueprint.joint import Carried
+
+Held = Mapping[str, Carried]
+"""The base edges that are being carried out, by SB."""
+
+
+class Unavailable(Exception):  # noqa: N818 -- an answer, not an error of ours
+    """An edge cannot be carried out from a configuration; ``reasons`` are sentences."""
+
+    def __init__(self, *reasons: str) -> None:
+        super().__init__("; ".join(reasons))
+        self.reasons = reasons
+
+
+class Along:
+    """Finds the bases' edges; ``allow`` raises Unavailable for an edge that may not be used."""
+
+    def __init__(self, edges: Edges, allow: Callable[[Configuration, Edge], None]) -> None:
+        self._edges = edges
+        self._hierarchy = edges.hierarchy
+        self._allow = allow
+
+    def edges_for(
+        self, configuration: Configuration, edge: Edge, places: Mapping[str, str], held: Held
+    ) -> tuple[Edge, ...]:
+        """The bases' edges that go along with a crossing, nearest first."""
+        taken = {name: carried.edge for name, carried in held.items()}
+        taken[edge.branch] = edge
+        before = len(taken)
+        if edge.crossing:
+            self._take(configuration, edge.branch, edge.crossing, taken, {})
+        for sub, state in places.items():
+            crossing = self.crossing(configuration, sub, state)
+            if crossing:
+                self._take(configuration, sub, crossing, taken, {**places, edge.branch: ""})
+        return tuple(taken.values())[before:]
+
+    def crossing(self, configuration: Configuration, sub: str, state: str) -> int:
+        """1 where a sub would enter its ACTIVATING state, -1 where it would leave it, else 0."""
+        activating = self._hierarchy.blueprint[sub].activating
+        return (state == activating) - (configuration[sub] == activating)
+
+    def _take(
+        self,
+        configuration: Configuration,
+        sub: str,
+        crossing: int,
+        taken: dict[str, Edge],
+        loaded: Mapping[str, str],
+    ) -> None:
+        kind = Kind.RISE if crossing > 0 else Kind.FALL
+        for base, digit in self._hierarchy.bases[sub]:
+            if base in loaded:
+                continue
+            if base in taken:
+                moving = taken[base]
+                if digit in (moving.rises if crossing > 0 else moving.falls):
+                    continue
+                raise Unavailable(f"{moving} is no {kind.value} of digit {digit} for {sub}")
+            reasons: list[str] = []
+            for edge in self._singles(kind, base, configuration[base], digit):
+                attempt = {**taken, base: edge}
+                try:
+                    self._allow(configuration, edge)
+                    if edge.crossing:
+                        self._take(configuration, base, edge.crossing, attempt, loaded)
+                except Unavailable as no:
+                    reasons.extend(no.reasons)
+                    continue
+                taken.clear()
+                taken.update(attempt)
+                break
+            else:
+                here = f"{base}/{configuration[base]}"
+                words = f"{here} has no {kind.value} of digit {digit} for {sub} to take along"
+                raise Unavailable(words, *reasons)
+
+    def _singles(self, kind: Kind, base: str, state: str, digit: int) -> list[Edge]:
+        """The pure rises or falls of one digit, cheapest first; ``load`` edges do not count."""
+        found = (
+            edge
+            for edge in self._edges.out(base, state)
+            if edge.kind is kind and digit in (*edge.rises, *edge.falls) and not edge.load
+        )
+        return sorted(found, key=lambda edge: (edge.price, edge.name))
