@@ -206,7 +206,7 @@ class Stepper:
             for edge in self.edges.out(branch.name, node[at]):
                 if edge.crossing not in (0, crossing):
                     continue
-                script = Script(here)
+                script = Script(here, light=True)
                 try:
                     self._carry(script, edge, held)
                 except Unavailable as no:
