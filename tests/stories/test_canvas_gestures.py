@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.canvas.overlays.fields import ConnectCard
+from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
 from tests.stories.at_canvas import Drawer, sample
 
 Key, Modifier, Button = Qt.Key, Qt.KeyboardModifier, Qt.MouseButton

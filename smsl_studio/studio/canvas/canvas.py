@@ -29,6 +29,7 @@ from smsl_studio.studio.canvas.accessible import words_for
 from smsl_studio.studio.canvas.camera import STEP
 from smsl_studio.studio.canvas.framing import frame_of
 from smsl_studio.studio.canvas.gesture_layer import Drawn
+from smsl_studio.studio.canvas.handles import pending_ends
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays import Overlays
 from smsl_studio.studio.canvas.picture import Picture
@@ -160,8 +161,9 @@ class Canvas(Stage):
         if source is None or rect is None or at is None or source == target:
             self.gestures.put("drawn", None)
             return
+        assert self.sheet is not None
         goal = self.rect_of(target) if target is not None else None
-        start, end = self.hand.pending_ends(source, at, goal)
+        start, end = pending_ends(self.sheet, self.sheet.picture.node(source), at, goal)
         self.gestures.put("drawn", Drawn(start, end, ghost=target is None))
 
     def say(self, text: str, at: QPointF | None = None) -> None:

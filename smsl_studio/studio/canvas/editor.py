@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, QPoint, QPointF, QRect, QRectF
-from PySide6.QtGui import QCursor
+from PySide6.QtCore import QObject, QPointF, QRectF
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
@@ -14,8 +13,10 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_state_name
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.canvas.canvas import Canvas
-from smsl_studio.studio.canvas.overlays.fields import ConnectCard, NameField, place_near
+from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
+from smsl_studio.studio.canvas.overlays.name_field import NameField
 from smsl_studio.studio.canvas.places import Places
+from smsl_studio.studio.canvas.placing import clear_place, free_place, on_grid, place_near
 from smsl_studio.studio.canvas.suggest import Suggestions
 from smsl_studio.studio.session import Session
 
@@ -107,7 +108,7 @@ class CanvasEditor(QObject):
         if branch not in self.session.blueprint.branches:
             self._first_branch_and_state(at)
             return
-        place = _on_grid(at)
+        place = on_grid(at)
         suggested = fresh_state_name(self._branch)
 
         def commit(name: str) -> str:
@@ -121,7 +122,7 @@ class CanvasEditor(QObject):
 
     def _first_branch_and_state(self, at: QPointF) -> None:
         """In a file without an SB the first state brings one along, as one step."""
-        place = _on_grid(at)
+        place = on_grid(at)
 
         def commit(name: str) -> str:
             def change(blueprint: Blueprint) -> Blueprint:
@@ -145,7 +146,7 @@ class CanvasEditor(QObject):
 
         Operation and state are added as one step.
         """
-        branch, place = source.branch, _on_grid(at)
+        branch, place = source.branch, on_grid(at)
         shown = self.session.blueprint[branch]
         suggestions = Suggestions(shown)
         asked = None if target is not None else fresh_state_name(shown)
@@ -191,7 +192,7 @@ class CanvasEditor(QObject):
             (ax, ay), (bx, by) = places[source.state], places[states[1].state]
             self.connect_states(source, states[1], QPointF((ax + bx) / 2, (ay + by) / 2))
             return
-        self.connect_states(source, None, QPointF(*_free_place(places, source.state)))
+        self.connect_states(source, None, QPointF(*free_place(places, source.state)))
 
     def rename(self, address: Address) -> None:
         """Edit the name of a state or operation where it stands."""
@@ -291,37 +292,11 @@ class CanvasEditor(QObject):
             point.setX(point.x() - field.width() // 2)
             point.setY(point.y() - 18)
         if isinstance(field, ConnectCard):
-            point = self._clear_place(field, point)
+            point = clear_place(self.canvas, field, point)
         place_near(field, self.canvas, point)
         field.show()
         field.raise_()
         (field.field if isinstance(field, NameField) else field.operation).setFocus()
-
-    def _clear_place(self, card: ConnectCard, at: QPoint) -> QPoint:
-        """A place around a point of the view where a card covers no state."""
-        canvas, sheet = self.canvas, self.canvas.sheet
-        w, h, off = card.width(), card.height(), 16
-        # A new state is shown where it will stand; the card stands beside it.
-        aside = 16 if card.target.isHidden() else int(54 * max(canvas.zoom, 0.5)) + 14
-        inside = canvas.rect().adjusted(6, 6, -6, -6)
-        places = [
-            QPoint(at.x() + aside, at.y() - 20),
-            QPoint(at.x() - aside - w, at.y() - 20),
-            QPoint(at.x() + aside, at.y() - h // 2),
-            QPoint(at.x() - aside - w, at.y() - h // 2),
-            QPoint(at.x() - w // 2, at.y() + 40),
-            QPoint(at.x() - w // 2, at.y() - 40 - h),
-            QPoint(at.x() + off, at.y() - off - h),
-            QPoint(at.x() - off - w, at.y() - off - h),
-        ]
-        places += [QPoint(p.x(), inside.bottom() - h) for p in places[:4]]
-        for place in places:
-            if sheet is None or not inside.contains(QRect(place, card.size())):
-                continue
-            a, b = canvas.mapToScene(place), canvas.mapToScene(place + QPoint(w, h))
-            if not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
-                return place
-        return places[0]
 
     def _field_closed(self) -> None:
         self.canvas.show_pending(None)
@@ -350,29 +325,10 @@ class CanvasEditor(QObject):
         return QPointF(self.canvas.mapFromScene(at))
 
 
-def pointer(canvas: Canvas) -> QPointF:
-    """The scene point under the pointer."""
-    return canvas.mapToScene(canvas.viewport().mapFromGlobal(QCursor.pos()))
-
-
 def _sentence(error: StudioError) -> str:
     first = error.sentence[:1].upper() + error.sentence[1:]
     first = first if first.endswith(".") else first + "."
     return f"{first} {error.advice}".strip()
-
-
-def _on_grid(at: QPointF) -> Position:
-    return round(at.x() / 8.0) * 8.0, round(at.y() / 8.0) * 8.0
-
-
-def _free_place(places: Mapping[str, Position], source: str) -> Position:
-    """A free place right of a state, or below it."""
-    x, y = places[source]
-    for dx, dy in ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172)):
-        at = (x + dx, y + dy)
-        if all(abs(at[0] - ox) > 120 or abs(at[1] - oy) > 70 for ox, oy in places.values()):
-            return at
-    return x + 109, y + 86
 
 
 def _same_picture(before: StateBranch, after: StateBranch) -> bool:

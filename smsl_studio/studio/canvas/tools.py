@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 
 from smsl_studio.blueprint.address import Address
@@ -19,14 +19,13 @@ from smsl_studio.studio.canvas.gestures import (
     Retarget,
     selection_after,
 )
+from smsl_studio.studio.canvas.handles import handles, nearest
 from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.node_paint import chip_places
 
 if TYPE_CHECKING:
     from smsl_studio.studio.canvas.canvas import Canvas
 
-HANDLE_OUT = 6.0
-"""How far a handle's middle stands outside the border (pixels)."""
 REACH = 15.0
 """How far around a node the pointer still counts as being at it, so that its handle is reached."""
 
@@ -182,7 +181,7 @@ class Hand:
         edge = -1 if state >= 0 else sheet.edge_at(point.x(), point.y())
         self._set_hover(state, edge)
         if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
-            canvas.gestures.put("handle", self._handle_of(state, point))
+            canvas.gestures.put("handle", nearest(sheet, state, point))
         elif canvas.gestures.handle is not None:
             canvas.gestures.put("handle", None)
         self._tip(state, edge)
@@ -195,65 +194,14 @@ class Hand:
         near = sheet.state_at(point.x(), point.y(), REACH)
         if near < 0:
             return -1
-        handle = self._handle_of(near, point)
+        handle = nearest(sheet, near, point)
         kept = near == sheet.looks.hovered_state
         return near if kept or self._near(point, handle, HANDLE_RADIUS + 2.0) else -1
-
-    def _handle_of(self, state: int, point: QPointF) -> QPointF:
-        """The handle on the side of a node that is nearest to the pointer."""
-        return self.handles(state)[self._side(state, point)]
 
     def handles(self, state: int) -> dict[str, QPointF]:
         """Where the handles of a state stand, by side (scene points)."""
         sheet = self._canvas.sheet
-        assert sheet is not None
-        x, y = sheet.at[state].tolist()
-        w, h = sheet.halves()[state].tolist()
-        out = HANDLE_OUT / self._canvas.zoom
-        return {
-            "right": QPointF(x + w + out, y),
-            "left": QPointF(x - w - out, y),
-            "top": QPointF(x, y - h - out),
-            "bottom": QPointF(x, y + h + out),
-        }
-
-    def pending_ends(
-        self, source: Address, at: QPointF, goal: QRectF | None
-    ) -> tuple[QPointF, QPointF]:
-        """Where a pending operation leaves its source, and where it ends."""
-        sheet = self._canvas.sheet
-        assert sheet is not None
-        state = sheet.picture.node(source)
-        aim = goal.center() if goal is not None else at
-        x, y = sheet.at[state].tolist()
-        w, h = sheet.halves()[state].tolist()
-        dx, dy = aim.x() - x, aim.y() - y
-        across = abs(dx) / w >= abs(dy) / h
-        side = ("right" if dx > 0 else "left") if across else ("bottom" if dy > 0 else "top")
-        start = self.handles(state)[side]
-        if goal is None:
-            return start, at
-        step = goal.center() - start
-        # From the border of the target, not from its middle.
-        reach = min(
-            (goal.width() / 2 + 3.0) / max(abs(step.x()), 1e-6),
-            (goal.height() / 2 + 3.0) / max(abs(step.y()), 1e-6),
-        )
-        return start, goal.center() - step * min(reach, 0.9)
-
-    def _side(self, state: int, point: QPointF) -> str:
-        sheet = self._canvas.sheet
-        assert sheet is not None
-        x, y = sheet.at[state].tolist()
-        w, h = sheet.halves()[state].tolist()
-        dx, dy = point.x() - x, point.y() - y
-        away = {
-            "right": abs(w - dx),
-            "left": abs(w + dx),
-            "bottom": abs(h - dy),
-            "top": abs(h + dy),
-        }
-        return min(away, key=lambda side: away[side])
+        return handles(sheet, state) if sheet is not None else {}
 
     def _set_hover(self, state: int, edge: int) -> None:
         canvas, sheet = self._canvas, self._canvas.sheet
