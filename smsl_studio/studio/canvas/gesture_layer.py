@@ -81,9 +81,7 @@ class GestureLayer(QGraphicsItem):
         if ink is None:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        pixel = 1.0 / painter.worldTransform().m11() if painter.worldTransform().m11() else 1.0
-        ratio = widget.devicePixelRatioF() if widget is not None else 1.0
-        pixel *= ratio
+        pixel = 1.0 / (self._view.transform().m11() or 1.0)
         if self.band is not None:
             painter.setPen(pen(ink.tokens.acc, pixel))
             painter.setBrush(faded(ink.tokens.acc, 0.08))
