@@ -17,6 +17,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import StudioError
+from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.runlog.events import Event
 from smsl_studio.studio.run.runner import Command, Runner
@@ -92,6 +93,12 @@ class RunSession(QObject):
     def latency(self) -> float | None:
         """Wall seconds that the world's process needs for a tick; None where there is none."""
         return self._runner.latency if self._runner is not None and self._exists else None
+
+    @property
+    def world_process(self) -> int | None:
+        """The number of the process in which the world runs; None where there is none."""
+        host = self._dispatcher.host if self._dispatcher is not None else None
+        return host.pid if isinstance(host, ProcessHost) else None
 
     def begin(
         self, blueprint: Blueprint, choice: RunChoice, speed: float, stepping: bool = False

@@ -68,6 +68,11 @@ class WorldView(QWidget):
         """Whether there is something to see: shapes, and a place to draw them."""
         return bool(self._shapes) and isinstance(self._renderer, Renderer)
 
+    @property
+    def sentence(self) -> str:
+        """What is said in place of a picture; the empty text where there is one."""
+        return "" if self.has_picture and self._poses else self._sentence
+
     def load(self, shapes: Sequence[Shape], world: str) -> None:
         """Show another world; without shapes it has nothing to draw and says so."""
         self._shapes, self._poses, self._image = tuple(shapes), (), None

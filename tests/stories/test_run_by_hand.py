@@ -1,0 +1,98 @@
+"""By hand: a person chooses each operation, by its arrow or from the list; no goes with why."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+
+from smsl_studio.runlog.events import OperationStarted
+from tests.plugin_folder import write_plugin
+from tests.stories.at_run import AtRun
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+
+Key = Qt.Key
+HFSM = SAMPLES / "hfsm.json"
+
+FAILING = """
+def register(library):
+    @library.world("bench", engine="table")
+    def build(world, blueprint, seed):
+        return world
+
+    @library.arrange("bench")
+    def arrange(world, facts):
+        world.set_facts(facts)
+
+    @library.sensor("peg_{n}", fact="{n}")
+    def peg(world, n: int):
+        return world.fact("SB1", n - 1)
+
+    tried = []
+
+    @library.operation("Op_{disk}{peg}")
+    def move(world, disk: int, peg: str):
+        yield
+        tried.append(disk)
+        if len(tried) <= 2:
+            return False
+        world.set_facts({("SB1", disk - 1): peg})
+"""
+
+
+def _by_hand(sit: Sit, path: Path) -> AtRun:
+    run = AtRun(sit(path))
+    run.person.click(run.pane.transport.by_hand)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Waiting")
+    return run
+
+
+def test_an_arrow_is_clicked_and_an_operation_is_chosen_from_the_list(sit: Sit) -> None:
+    run = _by_hand(sit, HFSM)
+    run.click_arrow("SB1/State000/Operation000")
+    run.until_done(1)
+    assert run.active()["SB1"] == "State100"
+    run.click_in_list("Operation100B")
+    run.until_done(3)
+    assert run.active() == {"SB1": "State111", "SB2": "State1"}
+    assert run.phase == "Waiting"
+
+
+def test_what_is_not_possible_says_why(sit: Sit) -> None:
+    run = _by_hand(sit, HFSM)
+    run.click_arrow("SB1/State100/Operation100B")
+    run.person.qtbot.waitUntil(lambda: "SB1 is in State000" in run.word())
+    assert run.active()["SB1"] == "State000"
+    why = [row for row in run.possible() if row.startswith("Operation0 ")]
+    assert why
+    assert "has no rise of digit 1" in why[0]
+
+
+def test_play_goes_on_by_itself(sit: Sit) -> None:
+    run = _by_hand(sit, HFSM)
+    run.person.click(run.pane.transport.play)
+    run.until_phase("Goal reached")
+    assert not run.pane.transport.by_hand.isChecked()
+
+
+def test_a_failed_operation_holds_says_why_and_can_be_restored(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_plugin(tmp_path, "bench", FAILING)
+    monkeypatch.setenv("SMSL_PLUGIN_PATH", str(tmp_path))
+    run = AtRun(sit(SAMPLES / "hanoi-2.json"))
+    run.choose(world="bench")
+    run.person.press(Key.Key_F5)
+    run.until_phase("Held")
+    tried = {e.address for e in run.events if isinstance(e, OperationStarted)}
+    assert run.pane.canvas.banner.startswith("Held: Only risky operations lead to SB1/State_cc")
+    assert {str(a) for a in run.pane.canvas.canvas.marks.risky} == tried
+    assert run.pane.run.exists
+    run.click_in_list("Restore")
+    run.person.qtbot.waitUntil(lambda: len(run.pane.canvas.canvas.marks.risky) == 1)
+    run.person.click(run.pane.transport.play)
+    run.until_phase("Goal reached")
+    assert run.pane.canvas.banner == ""

@@ -1,0 +1,129 @@
+"""Run mode: play, step, pause and stop, and what is shown meanwhile."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QDialog
+
+from smsl_studio import front
+from tests.stories.at_run import AtRun
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, sample
+
+Key = Qt.Key
+HFSM, REGISTRATION = SAMPLES / "hfsm.json", SAMPLES / "registration.json"
+HANOI = SAMPLES / "hanoi-corrected.json"
+
+
+def test_play_reaches_the_goal_and_shows_the_way(sit: Sit) -> None:
+    person = sit(HFSM)
+    run = AtRun(person)
+    assert run.phase == "Ready"
+    person.click(run.pane.transport.play)
+    run.until_phase("Goal reached")
+    assert run.active() == {"SB1": "State111", "SB2": "State1"}
+    run.pane.canvas.show_branch("SB1")
+    marks = run.pane.canvas.canvas.marks
+    assert marks.active == "State111"
+    assert marks.visited == {"State000", "State100"}
+    assert [str(a) for a in marks.trail] == [
+        "SB1/State000/Operation000",
+        "SB1/State100/Operation100B",
+    ]
+    assert run.pane.facts.facts.rows[0].group
+    assert ("Fact 1", "1", "1", "0 ms", "agrees") in run.facts()
+    assert [lane.label for lane in run.pane.timeline.lanes][:3] == ["SB1", "SB2", "Operation"]
+    assert person.window.outline.tree.active == run.active()
+    assert "World table | Seed 0" in person.window.status_line.words
+    said = [run.pane.events.item(at).text() for at in range(run.pane.events.count())]
+    assert any("Goal SB1/State111 reached" in line for line in said)
+
+
+def test_step_carries_out_one_operation_and_time_stands_still(sit: Sit) -> None:
+    person = sit(HFSM)
+    run = AtRun(person)
+    person.press(Key.Key_F10)
+    run.until_done(1)
+    assert run.phase == "Paused"
+    assert run.active() == {"SB1": "State100", "SB2": "State0"}
+    assert run.pane.canvas.canvas.marks.next_states == {"State111"}
+    before = run.pane.run.story.time
+    person.click(run.pane.transport.step)
+    run.until_phase("Paused")
+    person.qtbot.waitUntil(lambda: run.active()["SB1"] == "State111")
+    assert run.pane.run.story.time > before
+    person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+
+
+def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
+    person = sit(HANOI)
+    run = AtRun(person)
+    assert run.pane.transport.world.currentText() == "hanoi"
+    person.press(Key.Key_F5)
+    run.until_runs()
+    person.press(Key.Key_F6)
+    run.until_phase("Paused")
+    stood = run.pane.run.status
+    assert stood is not None
+    assert stood.running is not None
+    assert run.pane.canvas.canvas.marks.running is not None
+    person.press(Key.Key_F5)
+    run.until_phase("Running")
+    person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    assert not run.pane.run.exists
+
+
+def test_stop_is_there_in_every_mode_and_from_a_dialog(sit: Sit) -> None:
+    person = sit(HANOI)
+    window = person.window
+    run = AtRun(person)
+    place = run.pane.transport.stop.geometry()
+    assert (place.width(), place.height()) == (136, 40)
+    person.press(Key.Key_F5)
+    run.until_runs()
+    assert run.pane.transport.stop.isVisible()
+    person.ctrl(Key.Key_1)
+    assert window.mode_bar.stop.isVisible()
+    assert window.mode_bar.stop.isEnabled()
+    window.show_shortcuts()
+    dialog = window.findChild(QDialog)
+    assert dialog is not None
+    person.qtbot.waitUntil(dialog.isActiveWindow)
+    person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    assert dialog.isVisible()
+    dialog.close()
+    assert not window.mode_bar.stop.isVisible()
+
+
+def test_the_drawing_moves_on_and_the_run_keeps_its_version(sit: Sit) -> None:
+    person = sit(HFSM)
+    run = AtRun(person)
+    person.press(Key.Key_F10)
+    run.until_done(1)
+    assert run.pane.canvas.banner == ""
+    person.ctrl(Key.Key_1)
+    person.double_click_canvas(QPoint(120, person.window.canvas.height() - 60))
+    person.type("State011")
+    person.press(Key.Key_Return)
+    added = set(person.blueprint["SB1"].table) - set(sample("hfsm.json")["SB1"].table)
+    assert len(added) == 1
+    person.ctrl(Key.Key_2)
+    assert "The drawing has moved on" in run.pane.canvas.banner
+    assert not added & set(run.pane.canvas.canvas.positions)
+    person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    assert run.pane.canvas.banner == ""
+    assert person.window.session.edited
+
+
+def test_the_window_tells_the_same_story_as_a_headless_run(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    run = AtRun(person)
+    run.as_fast_as_it_goes()
+    person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    headless = front.run(front.read(REGISTRATION), goal="State_1111", start="State_0000")
+    assert [e.line() for e in run.events] == [e.line() for e in headless.events]
