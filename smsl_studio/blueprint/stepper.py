@@ -49,6 +49,7 @@ class Stepper:
         self._along = Along(self.edges, self._allow)
         self._steps: dict[tuple[tuple[str, ...], Edge], JointStep | Unavailable] = {}
         self._routes: dict[object, tuple[Edge, ...] | Unavailable] = {}
+        self._blocks: dict[str, list[str]] = {}
         self._hills: dict[tuple[str, str], Downhill] = {}
 
     def step(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
@@ -168,7 +169,7 @@ class Stepper:
             branch = self.hierarchy.blueprint[subs[digit]]
             goal = branch.activating if digit in edge.rises else branch.initial
             if script.light and branch.name in self._plain:
-                self._stride(script, branch.name, goal)
+                self._stride(script, branch, goal)
                 continue
             for part in self._sub_route(script.configuration, branch, goal, held):
                 self._carry(script, part, held)
@@ -233,23 +234,24 @@ class Stepper:
 
     def _shut_in(self, branch: StateBranch) -> list[str]:
         """Why edges of a flat sub cannot be used, as many reasons as a person reads."""
-        reasons: list[str] = []
-        for state in branch.table:
-            for edge in self.edges.out(branch.name, state):
-                try:
-                    self._allow({}, edge)
-                except Unavailable as no:
-                    reasons += no.reasons
-            if len(reasons) >= MOST_REASONS:
-                break
-        return reasons[:MOST_REASONS]
+        if branch.name not in self._blocks:
+            reasons: list[str] = []
+            for state in branch.table:
+                for edge in self.edges.out(branch.name, state):
+                    try:
+                        self._allow({}, edge)
+                    except Unavailable as no:
+                        reasons += no.reasons
+                if len(reasons) >= MOST_REASONS:
+                    break
+            self._blocks[branch.name] = reasons[:MOST_REASONS]
+        return self._blocks[branch.name]
 
-    def _stride(self, script: Script, sub: str, goal: str) -> None:
-        state = script.configuration[sub]
-        far = self._downhill(sub, goal).far.get(state)
+    def _stride(self, script: Script, branch: StateBranch, goal: str) -> None:
+        far = self._downhill(branch.name, goal).far.get(script.configuration[branch.name])
         if far is None:
-            raise Unavailable(f"no permitted way leads {sub} from {state} to {goal}")
-        script.stride(sub, goal, *far)
+            raise self._no_way(script.configuration, branch, goal, self._shut_in(branch))
+        script.stride(branch.name, goal, *far)
 
     def _downhill(self, sub: str, goal: str) -> Downhill:
         found = self._hills.get((sub, goal))

@@ -196,6 +196,16 @@ def test_clause_4_what_is_not_there_is_named_for_every_edge_of_the_step(
     assert reason in " ".join(step.reasons)
 
 
+def test_clause_4_a_sub_goes_another_way_where_an_edge_is_shut() -> None:
+    shut = {Address("SUB", "State11", "d"): "avoided"}
+    assert names(step_of(two(RISE), "BASE/State10/down")) == ["down", "d", "e"]
+    around = branch(
+        {"00": "a>10", "10": "b>11, z>00", "11": "c>10, d>01", "01": "e>00"}, activating="11"
+    )
+    made = blueprint({"BASE": branch(RISE, subs={"SUB": 0}), "SUB": around})
+    assert names(step_of(made, "BASE/State10/down", shut=shut)) == ["down", "c", "z"]
+
+
 def test_clause_12_a_mixed_edge_costs_its_sub_routes_and_itself() -> None:
     notes = {"mix": {"cost": 4}, "up": {"cost": 9}}
     made = two(RISE, operations=notes)
