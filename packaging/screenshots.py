@@ -23,7 +23,9 @@ sys.path.insert(0, str(ROOT))
 if sys.platform == "linux" and not os.environ.get("DISPLAY"):
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-from PySide6.QtGui import QImage, QImageWriter  # noqa: E402
+import numpy as np  # noqa: E402
+from PySide6.QtCore import Qt  # noqa: E402
+from PySide6.QtGui import QImage  # noqa: E402
 from PySide6.QtWidgets import QApplication  # noqa: E402
 
 from smsl_studio.studio.app import make_application, make_window  # noqa: E402
@@ -143,10 +145,7 @@ class Studio:
                 yield theme, size
 
     def _shoot(self, window: Window, name: str) -> None:
-        picture = window.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
-        writer = QImageWriter(str(self._out / f"{name}.png"))
-        writer.setQuality(0)
-        writer.write(picture)
+        small(window.grab().toImage()).save(str(self._out / f"{name}.png"))
         print(f"{name}.png")
 
     def _until(self, condition: Callable[[], bool]) -> None:
@@ -161,6 +160,23 @@ class Studio:
         while time.monotonic() < end:
             self._application.processEvents()
             time.sleep(0.005)
+
+
+def small(picture: QImage) -> QImage:
+    """The picture in 256 colours: the most frequent ones, then one for each group of the rest."""
+    picture = picture.convertToFormat(QImage.Format.Format_RGB32)
+    pixels = np.frombuffer(picture.constBits(), np.uint32)
+    colours, counts = np.unique(pixels, return_counts=True)
+    order = np.argsort(-counts)
+    often, rest, weight = colours[order[:128]], colours[order[128:]], counts[order[128:]]
+    group = ((rest >> 20) & 15) << 8 | ((rest >> 12) & 15) << 4 | ((rest >> 4) & 15)
+    total = np.bincount(group, weight, 4096)
+    best = [int(g) for g in np.argsort(-total)[:128] if total[g]]
+    table = [int(colour) for colour in often]
+    table += [int(rest[np.argmax(np.where(group == g, weight, 0))]) for g in best]
+    flags = Qt.ImageConversionFlag
+    exact = flags.ThresholdDither | flags.AvoidDither
+    return picture.convertToFormat(QImage.Format.Format_Indexed8, table, exact)
 
 
 if __name__ == "__main__":

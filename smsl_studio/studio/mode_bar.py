@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -89,6 +89,13 @@ class ModeBar(QToolBar):
         running = mode == "run" and self._middle.count() > 1
         self._middle.setCurrentIndex(1 if running else 0)
         self.setFixedHeight(MODE_BAR_RUN if running else MODE_BAR)
+
+    def below(self, name: str) -> QPoint:
+        """The point of the screen below an action's button."""
+        for button in self._draw_tools.findChildren(QToolButton):
+            if button.defaultAction() is self._actions[name]:
+                return button.mapToGlobal(QPoint(0, button.height() + 4))
+        return self.mapToGlobal(self.rect().center())
 
     def _make_draw_tools(self, actions: Actions) -> QWidget:
         tools = QWidget()

@@ -5,21 +5,23 @@ from __future__ import annotations
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QResizeEvent
+from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QStackedWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.library.loading import Loaded
-from smsl_studio.shipped import samples_dir
 from smsl_studio.studio import commands
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.context_menu import context_menu
 from smsl_studio.studio.dialogs import Dialogs
 from smsl_studio.studio.docks import Docks
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files import Files, empty_blueprint
+from smsl_studio.studio.fix_card import FixCard
 from smsl_studio.studio.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.menu_row import MenuRow
@@ -32,10 +34,12 @@ from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
 from smsl_studio.studio.panels.source import Source
+from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.status_line import StatusLine
+from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.style import dress, tokens_of
 from smsl_studio.studio.toast import Toast
 from smsl_studio.studio.words import tally, worst
@@ -83,6 +87,8 @@ class Window(QMainWindow):
         self.body.addWidget(self.run_pane)
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
+        self.fix_card = FixCard(session, self.canvas, tokens)
+        self._stop_key = StopKey(self._application, self.run_pane.stop, self)
         self.docks = Docks(self, self.outline, self.library)
         self.docks.right_tabs.add("Properties", self.properties)
         self.docks.right_tabs.add("Source", self.source)
@@ -104,8 +110,8 @@ class Window(QMainWindow):
     def _build_frame(self) -> None:
         actions, tokens = self.actions_table, self.tokens
         submenus = {
-            "open": ("Open recent", self._fill_recent),
-            "new": ("Open sample", self._fill_samples),
+            "open": ("Open recent", partial(fill_recent, self.files)),
+            "new": ("Open sample", partial(fill_samples, self.files)),
         }
         self.menu_row = MenuRow(actions, tokens, submenus)
         self.setMenuWidget(self.menu_row)
@@ -134,6 +140,8 @@ class Window(QMainWindow):
         self.findings.count_changed.connect(
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)
         )
+        self.fix_card.fix_wanted.connect(self.findings.fix)
+        self.canvas.context_wanted.connect(self._open_context_menu)
         self.docks.changed.connect(actions.refresh)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
@@ -176,9 +184,9 @@ class Window(QMainWindow):
         self._settings.theme = theme
         self.tokens = tokens_of(theme, self._application)
         dress(self._application, self.tokens)
-        for part in (self.canvas, self.run_pane, self.outline, self.library, self.properties,
-                     self.source, self.findings, self.history, self.menu_row, self.mode_bar,
-                     self.command_palette, self.toast, self.actions_table):  # fmt: skip
+        panels = (self.outline, self.library, self.properties, self.source, self.findings)
+        frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
+        for part in (self.canvas, self.run_pane, *panels, *frame, self.actions_table):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
 
@@ -191,20 +199,9 @@ class Window(QMainWindow):
 
     def choose_sub_sb(self) -> None:
         """A menu of the facts, and of the SBs that could expand each."""
-        blueprint = self.session.blueprint
-        branch = blueprint[self.session.branch]
         menu = QMenu(self)
-        for digit in range(branch.num_facts):
-            inner = menu.addMenu(f"{digit}  {branch.fact_name(digit)}")
-            taken = branch.subs.get(digit)
-            if taken is not None:
-                inner.addAction(f"Expanded by {taken}").setEnabled(False)
-                continue
-            for name in blueprint.branches:
-                if name != branch.name and name not in branch.subs.values():
-                    inner.addAction(name, partial(self.drawing.attach, digit, name))
-            inner.addAction("New State Branch", partial(self.drawing.attach, digit, None))
-        menu.popup(self.mode_bar.mapToGlobal(QPoint(self.mode_bar.search.x() // 2, 44)))
+        fill_sub_sbs(self.session, self.drawing, menu)
+        menu.popup(self.mode_bar.below("sub_sb"))
 
     def left_shown(self) -> bool:
         return self.docks.left_shown()
@@ -263,7 +260,7 @@ class Window(QMainWindow):
         self.findings.set_checking()
 
     def _found(self, findings: tuple[Finding, ...]) -> None:
-        for panel in (self.findings, self.outline, self.library, self.source):
+        for panel in (self.findings, self.outline, self.library, self.source, self.fix_card):
             panel.set_findings(findings)
         self.editor.set_findings(worst(findings))
         self.status_line.show_findings(tally(findings) or "no findings")
@@ -271,37 +268,17 @@ class Window(QMainWindow):
 
     def _run_exists(self, exists: bool) -> None:
         self.mode_bar.show_stop(exists)
-        if exists:
-            self._application.installEventFilter(self)
-        else:
-            self._application.removeEventFilter(self)
+        self._stop_key.listen(exists)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """While a run exists, F8 stops it from anywhere, also in a dialog."""
-        pressed = event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent)
-        if pressed and event.key() == Qt.Key.Key_F8:  # type: ignore[attr-defined]
-            self.run_pane.stop()
-            return True
-        return super().eventFilter(watched, event)
-
-    def _fill_recent(self, menu: QMenu) -> None:
-        menu.clear()
-        for path in self.files.recent:
-            menu.addAction(path.name, partial(self.files.open, path)).setToolTip(str(path))
-        menu.setToolTipsVisible(True)
-        if menu.isEmpty():
-            menu.addAction("No file was opened yet").setEnabled(False)
+    def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
+        menu = context_menu(self.session, self.editor, self.actions_table, address)
+        menu.popup(at)
 
     def _offer_samples(self) -> None:
         menu = QMenu(self)
-        self._fill_samples(menu)
+        fill_samples(self.files, menu)
         button = self.canvas.overlays.empty.sample
         menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))
-
-    def _fill_samples(self, menu: QMenu) -> None:
-        menu.clear()
-        for path in sorted(samples_dir().glob("*.json")):
-            menu.addAction(path.name, partial(self.files.open_copy, path))
 
     # Qt's events.
 
@@ -339,7 +316,7 @@ class Window(QMainWindow):
         if self._mode == "draw":
             self._settings.store("panels/draw", self.docks.save())
         self._settings.sync()
-        self._application.removeEventFilter(self)
+        self._stop_key.listen(False)
         self.run_pane.shut()
         self.inspector.stop()
         # The history empties itself when it goes, and nobody is left to be told.

@@ -6,8 +6,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu
 
+from smsl_studio.studio.context_menu import context_menu
 from smsl_studio.studio.panels.finding_rows import FindingsView
+from smsl_studio.studio.popups import fill_sub_sbs
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person, sample
 
@@ -281,3 +284,57 @@ def test_the_library_counts_filters_and_selects(sit: Sit, tmp_path: Path) -> Non
     names = [r.text for r in library.list.rows.rows if isinstance(r.payload, str)]
     assert names == ["Op_2a", "Op_2b", "Op_2c"]
     person.until(lambda: person.window.library.hint.text() == "")
+
+
+# Beside the selected element
+
+
+def test_the_card_repairs_the_selected_element(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    card = person.window.fix_card
+    assert not card.isVisible()
+    person.select("SB1/State_cbb/Op_1c")
+    assert card.isVisible()
+    assert card.fix.text() == "Rename to Op_1b"
+    box = card.geometry()
+    for name in person.blueprint["SB1"].table:
+        assert not box.contains(person.place(f"SB1/{name}")), name
+    person.click(card.fix)
+    assert "Op_1b" in person.blueprint["SB1"].table["State_cbb"]
+    person.until_inspected()
+    assert not card.isVisible()
+
+
+def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
+    person = sit(HFSM)
+    window = person.window
+
+    def words(address: str | None) -> list[str]:
+        at = person.blueprint.resolve(address) if address else None
+        menu = context_menu(window.session, window.editor, window.actions_table, at)
+        found = [action.text().partition("\t")[0] for action in menu.actions() if action.text()]
+        menu.deleteLater()
+        return found
+
+    assert words(None)[0] == "Add a state here"
+    assert words("SB1/State100") == [
+        "Connect", "Rename", "Delete", "Start here", "Activating state"
+    ]  # fmt: skip
+    assert person.selected() == ["SB1/State100"]
+    assert words("SB1/State100/Operation100A") == ["Rename", "Delete"]
+    state = person.blueprint.resolve("SB1/State100")
+    menu = context_menu(window.session, window.editor, window.actions_table, state)
+    next(a for a in menu.actions() if a.text() == "Activating state").trigger()
+    assert person.blueprint["SB1"].activating == "State100"
+
+
+def test_a_sub_sb_is_attached_from_the_mode_bar(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    menu = QMenu(person.window)
+    fill_sub_sbs(person.window.session, person.window.drawing, menu)
+    fact = menu.actions()[1].menu()
+    assert isinstance(fact, QMenu)
+    fact.actions()[-1].trigger()
+    assert person.blueprint["REGISTRATION"].subs == {1: "SB1"}
+    assert len(person.steps()) == 1

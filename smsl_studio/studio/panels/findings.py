@@ -48,7 +48,7 @@ class Findings(Panel):
         self.tools.setLayout(line)
         self.list.clicked.connect(self._jump)
         self.list.activated.connect(self._jump)
-        self.list.fix_wanted.connect(self._fix)
+        self.list.fix_wanted.connect(self.fix)
         self.set_checking()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -96,7 +96,7 @@ class Findings(Panel):
         if current is None or current.fix is None:
             current = next((f for f in self._findings if f.fix is not None), None)
         if current is not None:
-            self._fix(current)
+            self.fix(current)
 
     def fix_all(self) -> None:
         """Apply the fixes of all errors as one undoable edit."""
@@ -113,7 +113,8 @@ class Findings(Panel):
             if finding.fix is not None and finding.severity is Severity.ERROR
         ]
 
-    def _fix(self, finding: Finding) -> None:
+    def fix(self, finding: Finding) -> None:
+        """Apply the fix of one finding as one undoable edit."""
         fix = finding.fix
         if fix is not None and self._session.edit(fix.words, fix.apply):
             self._session.show_branch(finding.address.branch)

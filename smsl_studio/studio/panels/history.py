@@ -17,6 +17,3 @@ class History(QUndoView):
         self.setAccessibleName("History")
         self.setEmptyLabel("As it was opened")
         self.setToolTip("Click a step to go there")
-
-    def set_tokens(self, tokens: Tokens) -> None:
-        self.viewport().update()

@@ -1,0 +1,130 @@
+"""The card over the canvas that says what is wrong with the selected element, and repairs it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, Signal
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout
+
+from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.studio.canvas.canvas import Canvas
+from smsl_studio.studio.canvas.overlays.card import Card
+from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import RADIUS_NODE, Tokens
+from smsl_studio.studio.words import capital
+
+WIDTH, EDGE, TOP, FOOT = 236, 14, 86, 58
+
+
+class FixCard(Card):
+    """Shown while one element is selected that has an error or warning with a fix."""
+
+    fix_wanted = Signal(object)
+    """The finding whose fix shall be applied."""
+
+    def __init__(self, session: Session, canvas: Canvas, tokens: Tokens) -> None:
+        super().__init__(canvas, tokens, RADIUS_NODE)
+        self._session, self._canvas = session, canvas
+        self._findings: tuple[Finding, ...] = ()
+        self._shown: Finding | None = None
+        self._title: QLabel = label("", "heading")
+        self._body: QLabel = label("", "small")
+        for part in (self._title, self._body):
+            part.setWordWrap(True)
+        self.fix = QPushButton()
+        self.fix.setProperty("role", "primary")
+        self.fix.clicked.connect(self._apply)
+        self.leave = QPushButton("Close")
+        self.leave.setToolTip("Put this card away; the finding stays in the list")
+        self.leave.clicked.connect(self.hide)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(14, 12, 14, 12)
+        layout.setSpacing(6)
+        head = row(self._title)
+        head.setContentsMargins(22, 0, 0, 0)
+        layout.addLayout(head)
+        layout.addWidget(self._body)
+        layout.addSpacing(4)
+        layout.addLayout(row(self.fix, self.leave, None))
+        self.setFixedWidth(WIDTH)
+        self.float_up()
+        canvas.installEventFilter(self)
+        session.selection_changed.connect(lambda *_: self._choose())
+        session.blueprint_changed.connect(lambda *_: self.hide())
+        self.hide()
+
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """What inspection has to say now."""
+        self._findings = tuple(findings)
+        self._choose()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and not self.isHidden():
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._shown is None:
+            return
+        letter = self._shown.severity.value
+        ink, painter = severity_colour(letter, self.tokens), QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(ink, 1.2))
+        box = QRectF(self.rect()).adjusted(0.6, 0.6, -0.6, -0.6)
+        painter.drawRoundedRect(box, self.radius, self.radius)
+        mark = QRectF(14, self._title.y() + 1, 15, 15)
+        draw(painter, SEVERITY_ICON[letter], mark, ink, self.tokens.surf)
+
+    def _choose(self) -> None:
+        selection = self._session.selection
+        found = [
+            finding
+            for finding in self._findings
+            if finding.fix is not None
+            and finding.severity is not Severity.NOTE
+            and selection == (finding.address,)
+        ]
+        self._shown = found[0] if found else None
+        if self._shown is None or self._shown.fix is None:
+            self.hide()
+            return
+        finding = self._shown
+        self._title.setText(capital(finding.advice or finding.message))
+        self._body.setText(capital(finding.message))
+        self._body.setVisible(bool(finding.advice))
+        self.fix.setText(self._shown.fix.words)
+        self.fix.setToolTip(f"{self._shown.fix.words} (Ctrl+.)")
+        self.setAccessibleName(f"{self._title.text()} {self._body.text()}")
+        layout = self.layout()
+        assert layout is not None
+        self.setFixedHeight(layout.totalHeightForWidth(WIDTH))
+        self._place()
+        self.show()
+        self.raise_()
+
+    def _place(self) -> None:
+        """In the first corner in which it covers no state."""
+        wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
+        corners = (
+            QPoint(EDGE, TOP),
+            QPoint(wide, TOP),
+            QPoint(EDGE, high - FOOT),
+            QPoint(wide, high - FOOT - 60),
+        )
+        self.move(next((at for at in corners if self._is_free(at)), corners[0]))
+
+    def _is_free(self, at: QPoint) -> bool:
+        sheet = self._canvas.sheet
+        if sheet is None:
+            return True
+        box = self._canvas.mapToScene(QRect(at, self.size())).boundingRect()
+        return not sheet.states_in(box.left(), box.top(), box.right(), box.bottom())
+
+    def _apply(self) -> None:
+        if self._shown is not None:
+            self.fix_wanted.emit(self._shown)
