@@ -140,8 +140,11 @@ class Canvas(Stage):
 
     def set_marks(self, marks: Marks) -> None:
         """Show other marks; only what looks different now is painted again."""
+        labelled = self.marks.dimmed
         super().set_marks(marks)
         if self.sheet is not None:
+            if labelled != marks.dimmed and self.camera.fitted:
+                self.fit(smooth=False)
             self.overlays.show_marks(marks)
             self.hand.show_grip()
             self._describe()

@@ -8,40 +8,71 @@ from smsl_studio.studio.canvas.camera import fit_zoom
 from smsl_studio.studio.canvas.geometry import SMALL
 from smsl_studio.studio.canvas.sheet import Sheet
 
-FULL_MARGIN = (28.0, 20.0)
-COMPACT_MARGIN = (56.0, 64.0)
-"""Pixels left free in all, across and down; compact nodes need more for dot, labels and goal."""
+Room = tuple[float, float]
+MARGIN = (28.0, 20.0)
+"""Pixels left free in all, across and down."""
+FAR_MARKS = (56.0, 64.0)
+"""What compact nodes, their dot and labels reach beyond their centres in a large picture."""
+FULL_FROM = 0.70
 
 
-def frame_of(sheet: Sheet, room: tuple[float, float]) -> tuple[QPointF, float]:
+def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     """The middle and the zoom at which a sheet fits a room of so many pixels, 100 % at most."""
+    before = sheet.zoom
+    try:
+        if len(sheet.picture) > SMALL:
+            centres = _centres(sheet)
+            widest = float(sheet.compact_widths.max())
+            marks = widest + FAR_MARKS[0], FAR_MARKS[1]
+            return centres.center(), fit_zoom(centres, marks, room)
+        if sheet.roomy:
+            sheet.set_zoom(1.0)
+            whole = _bounds(sheet)
+            zoom = fit_zoom(whole, MARGIN, room)
+            if zoom >= FULL_FROM:
+                return whole.center(), zoom
+        return _compact_frame(sheet, room)
+    finally:
+        sheet.set_zoom(before)
+
+
+def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
+    """Marks keep their size on the screen, so the zoom is found in two steps."""
+    centres = _centres(sheet)
+    most = FULL_FROM - 0.01 if sheet.roomy else 1.0
+    zoom = fit_zoom(centres, FAR_MARKS, room, most)
+    for _ in range(2):
+        sheet.set_zoom(zoom)
+        whole = _bounds(sheet)
+        marks = (
+            (whole.width() - centres.width()) * zoom + MARGIN[0],
+            (whole.height() - centres.height()) * zoom + MARGIN[1],
+        )
+        zoom = fit_zoom(centres, marks, room, most)
+    middle = centres.center() + (whole.center() - centres.center()) * (sheet.zoom / zoom)
+    return middle, zoom
+
+
+def _centres(sheet: Sheet) -> QRectF:
     low, high = sheet.at.min(axis=0), sheet.at.max(axis=0)
-    centres = QRectF(QPointF(*low), QPointF(*high))
-    if sheet.roomy and len(sheet.picture) <= SMALL:
-        whole = _full_bounds(sheet)
-        zoom = fit_zoom(whole, FULL_MARGIN, room)
-        if zoom >= 0.70:
-            return whole.center(), zoom
-    widest = float(sheet.compact_widths.max())
-    marks = widest + COMPACT_MARGIN[0], COMPACT_MARGIN[1]
-    return centres.center(), fit_zoom(centres, marks, room)
+    return QRectF(QPointF(*low), QPointF(*high))
 
 
-def _full_bounds(sheet: Sheet) -> QRectF:
-    """All that full nodes, their lines and labels cover."""
-    zoom = sheet.zoom
-    sheet.set_zoom(1.0)
-    geometry, half = sheet.geometry, sheet.halves()
+def _bounds(sheet: Sheet) -> QRectF:
+    """All that nodes, lines and labels cover at the sheet's zoom."""
+    half, unit = sheet.halves(), sheet.unit
     low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)
-    whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(-4, -4, 4, 4)
+    whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(-4 * unit, -4 * unit, 4 * unit, 4 * unit)
     initial = sheet.picture.index.get(sheet.picture.branch.initial, -1)
     if initial >= 0:
         x, y = sheet.at[initial] - half[initial]
-        whole = whole.united(QRectF(x - 28.0, y, 28.0, 10.0))
+        whole = whole.united(QRectF(x - 28.0 * unit, y, 28.0 * unit, 10.0 * unit))
+    geometry = sheet.geometry
     for edge in range(len(sheet.picture.operations)):
-        for rect in (geometry.shape(edge).bounds, geometry.label(edge)):
+        # During a run only what is lit is labelled.
+        label = None if sheet.looks.marks.dimmed else geometry.label(edge)
+        for rect in (geometry.shape(edge).bounds, label):
             if rect is not None:
                 left, top, right, bottom = rect
                 whole = whole.united(QRectF(left, top, right - left, bottom - top))
-    sheet.set_zoom(zoom)
     return whole

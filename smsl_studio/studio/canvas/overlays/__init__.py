@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QPoint, QSize, QTimer
+from PySide6.QtCore import QPoint, QRect, QSize, QTimer
 from PySide6.QtGui import QCursor
 
 from smsl_studio.blueprint.address import Address
@@ -38,6 +38,7 @@ class Overlays:
 
     def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
         self._canvas = canvas
+        self._dimmed = False
         self.breadcrumb = Breadcrumb(canvas, tokens)
         self.zoom = ZoomControl(canvas, tokens)
         self.legend = Legend(canvas, tokens)
@@ -71,7 +72,6 @@ class Overlays:
             kinds = {sheet.picture.kind(e) for e in edges} - {""}
         if sheet is not None:
             self.legend.show_branch(sheet.picture.branch, kinds)
-        self.legend.setVisible(bool(kinds))
         nothing = sheet is None or not len(sheet.picture)
         self.empty.setVisible(nothing and self._canvas.editing)
         # A run has a head and buttons of its own in the breadcrumb's place.
@@ -80,11 +80,9 @@ class Overlays:
         self.place()
 
     def show_marks(self, marks: Marks) -> None:
-        self.run_legend.setVisible(marks.dimmed)
-        if not marks.dimmed and self._canvas.sheet is not None:
-            self.legend.setVisible(not self.legend.empty)
-        elif marks.dimmed:
-            self.legend.hide()
+        if marks.dimmed != self._dimmed:
+            self._dimmed = marks.dimmed
+            self._place_legend()
 
     def show_zoom(self, zoom: float) -> None:
         self.zoom.show_zoom(zoom)
@@ -100,6 +98,33 @@ class Overlays:
     def fitted(self) -> None:
         """Everything is in view now."""
         self._place_zoom()
+        self._place_legend()
+
+    def _place_legend(self) -> None:
+        """What explains the marks, in a corner where it covers nothing of a fitted picture."""
+        legend, other = self.legend, self.run_legend
+        if self._dimmed:
+            legend, other = other, legend
+        other.hide()
+        legend.resize(legend.sizeHint())
+        canvas, size = self._canvas, legend.sizeHint()
+        left, top = EDGE + 3, 48 + (self.banner.height() + 4 if self.banner.text else 0)
+        right = canvas.width() - size.width() - EDGE
+        bottom = canvas.height() - size.height() - EDGE
+        corners = [QPoint(left, bottom), QPoint(right, top), QPoint(left, top)]
+        if self._dimmed:
+            corners = [*reversed(corners), QPoint(right, bottom)]
+        free = (c for c in corners if not self._covers(c, size) and not self._taken(c, size))
+        place = next(free, None)
+        legend.setVisible(place is not None and not legend.empty)
+        if place is not None:
+            legend.move(place)
+
+    def _taken(self, corner: QPoint, size: QSize) -> bool:
+        """Whether another floating part stands there."""
+        area = QRect(corner, size)
+        others = (self.zoom, self.map, self.key)
+        return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
 
     def show_banner(self, text: str) -> None:
         self.banner.show_text(text)
@@ -184,12 +209,9 @@ class Overlays:
         self.map.resize(self.map.sizeHint())
         self._explain()
         self._place_zoom()
-        self.legend.resize(self.legend.sizeHint())
-        self.legend.move(EDGE + 4, height - self.legend.height() - EDGE)
         self.banner.fit(width - 2 * EDGE)
         self.banner.move((width - self.banner.width()) // 2, 44)
-        below = self.banner.height() + 4 if self.banner.text else 0
-        self.run_legend.move(EDGE + 2, 48 + below)
+        self._place_legend()
         self.empty.resize(self.empty.sizeHint())
         self.empty.move((width - self.empty.width()) // 2, (height - self.empty.height()) // 2)
 

@@ -70,6 +70,8 @@ class Legend(QWidget):
 class RunLegend(QWidget):
     """Explains the marks of a run: active, running, path so far, planned, pruned."""
 
+    empty = False
+
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
         self.tokens = tokens
