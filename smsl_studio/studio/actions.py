@@ -69,6 +69,7 @@ class Actions(QObject):
             made = QAction(action.words, window)
             made.setObjectName(action.id)
             made.setCheckable(action.checked is not None)
+            made.setIconVisibleInMenu(action.checked is None)
             if action.scope == "window":
                 made.setShortcuts([QKeySequence(key) for key in action.keys])
             elif action.keys:

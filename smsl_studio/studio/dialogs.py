@@ -18,14 +18,12 @@ class Dialogs:
         self._window = window
 
     def file_to_open(self, folder: Path) -> Path | None:
-        name, _ = QFileDialog.getOpenFileName(
-            self._window, "Open blueprint", str(folder), KINDS, options=_own()
-        )
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), KINDS)
         return Path(name) if name else None
 
     def file_to_save(self, suggested: Path) -> Path | None:
         name, _ = QFileDialog.getSaveFileName(
-            self._window, "Save blueprint as", str(suggested), KINDS, options=_own()
+            self._window, "Save blueprint as", str(suggested), KINDS
         )
         if not name:
             return None
@@ -46,8 +44,3 @@ class Dialogs:
         if box.clickedButton() is save:
             return "save"
         return "discard" if box.clickedButton() is discard else "cancel"
-
-
-def _own() -> QFileDialog.Option:
-    """Qt's own dialog: it looks and answers keys alike on every desktop."""
-    return QFileDialog.Option.DontUseNativeDialog

@@ -180,7 +180,7 @@ class SearchBox(QAbstractButton):
 def _tool(action: QAction, icon_only: bool = False) -> QToolButton:
     button = QToolButton()
     button.setDefaultAction(action)
-    button.setProperty("role", "tool")
+    button.setProperty("role", "small" if icon_only else "tool")
     style = Qt.ToolButtonStyle
     button.setToolButtonStyle(
         style.ToolButtonIconOnly if icon_only else style.ToolButtonTextBesideIcon

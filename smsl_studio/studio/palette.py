@@ -124,7 +124,10 @@ class Palette(QFrame):
 
     def _show(self) -> None:
         words = self.field.text().casefold().split()
-        commands = [_command(action) for action in self._actions if self._fits(action, words)]
+        fitting = [action for action in self._actions if self._fits(action, words)]
+        # What has the words in its own name stands before what only its menu is called.
+        fitting.sort(key=lambda action: not all(w in action.words.casefold() for w in words))
+        commands = [_command(action) for action in fitting]
         places = list(self._places(words)) if words else []
         rows: list[Row] = []
         if places:
@@ -140,7 +143,8 @@ class Palette(QFrame):
 
     def _fits(self, action: Action, words: list[str]) -> bool:
         said = f"{action.words} {action.menu}".casefold()
-        return self._actions[action.id].isEnabled() and all(word in said for word in words)
+        enabled = self._actions[action.id].isEnabled() and action.id != "palette"
+        return enabled and all(word in said for word in words)
 
     def _places(self, words: list[str]) -> Iterator[Row]:
         found = 0

@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
+import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QLabel, QToolButton
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QComboBox,
+    QDialog,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QToolButton,
+    QWidget,
+)
 
 from smsl_studio.errors import EditRefused
 from tests.stories.conftest import Sit
@@ -160,3 +171,35 @@ def test_stop_keeps_its_place_in_every_mode_while_a_run_exists(sit: Sit) -> None
     person.press(Key.Key_F8)
     person.until(lambda: not pane.run.exists)
     assert not stop.isVisible()
+
+
+@pytest.mark.parametrize("mode", ["draw", "run"])
+def test_everything_has_a_name_and_nothing_is_cut_at_1280(sit: Sit, mode: str) -> None:
+    person = sit(REGISTRATION, (1280, 800))
+    window = person.window
+    window.set_mode(mode)
+    person.until(lambda: window.size().width() == 1280)
+    window.repaint()
+    for widget in window.findChildren(QWidget):
+        part_of_qt = isinstance(widget.parent(), QLineEdit | QComboBox | QHeaderView)
+        if widget.isVisible() and not part_of_qt and not widget.objectName().startswith("qt_"):
+            check_named(widget)
+            check_whole(widget)
+
+
+def check_named(widget: QWidget) -> None:
+    if isinstance(widget, QHeaderView):
+        return
+    if isinstance(widget, QLineEdit | QComboBox | QAbstractItemView):
+        assert widget.accessibleName(), f"{widget} has no name"
+    if isinstance(widget, QAbstractButton):
+        assert widget.accessibleName() or widget.text(), f"{widget} has no name"
+        assert widget.toolTip() or widget.text(), f"{widget.accessibleName()} has no tip"
+
+
+def check_whole(widget: QWidget) -> None:
+    if isinstance(widget, QAbstractButton):
+        name = widget.accessibleName() or widget.text()
+        assert widget.width() >= widget.minimumSizeHint().width(), f"{name} is cut"
+    elif isinstance(widget, QLabel) and not widget.wordWrap() and widget.text():
+        assert widget.width() >= widget.sizeHint().width() - 1, f"“{widget.text()}” is cut"

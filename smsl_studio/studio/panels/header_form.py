@@ -16,7 +16,7 @@ from smsl_studio.studio.panels.note_edits import Spot, set_note_value
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.theme import CONTROL_ROW, Tokens
+from smsl_studio.studio.theme import CONTROL_ROW, Tokens, text_font
 from smsl_studio.studio.words import counted
 
 LABEL = 80
@@ -57,7 +57,7 @@ class HeaderForm(Panel):
         self.column.addWidget(self.refusal)
         self._grid = QGridLayout()
         self._grid.setContentsMargins(0, 8, 0, 0)
-        self._grid.setHorizontalSpacing(8)
+        self._grid.setHorizontalSpacing(6)
         self._grid.setVerticalSpacing(8)
         self._grid.setColumnStretch(1, 1)
         self._titles = label("Fact", "small"), label("Sub-SB", "small")
@@ -165,7 +165,8 @@ class HeaderForm(Panel):
         fact.name.setAccessibleName(f"Name of fact {digit}")
         fact.name.editingFinished.connect(lambda: self._set_name(digit))
         fact.sub.setAccessibleName(f"Sub-SB of fact {digit}")
-        fact.sub.setFixedWidth(116)
+        fact.sub.setFixedWidth(118)
+        fact.sub.setFont(text_font(12))
         fact.sub.activated.connect(lambda at: self._set_sub(digit, at))
         for place, widget in enumerate((fact.chip, fact.name, fact.sub)):
             self._grid.addWidget(widget, digit + 1, place)
