@@ -102,10 +102,8 @@ class Overlays:
 
     def _place_legend(self) -> None:
         """What explains the marks, in a corner where it covers nothing of a fitted picture."""
-        legend, other = self.legend, self.run_legend
-        if self._dimmed:
-            legend, other = other, legend
-        other.hide()
+        legend: Legend | RunLegend = self.run_legend if self._dimmed else self.legend
+        (self.legend if self._dimmed else self.run_legend).hide()
         legend.resize(legend.sizeHint())
         canvas, size = self._canvas, legend.sizeHint()
         left, top = EDGE + 3, 48 + (self.banner.height() + 4 if self.banner.text else 0)
