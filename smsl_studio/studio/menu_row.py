@@ -36,7 +36,7 @@ class MenuRow(QWidget):
         )
         self._title = _Title(self)
         layout = QHBoxLayout(self)
-        layout.setContentsMargins(12, 0, 12, 1)
+        layout.setContentsMargins(12, 2, 12, 1)
         layout.setSpacing(8)
         layout.addWidget(self._logo)
         layout.addSpacing(4)
@@ -71,7 +71,7 @@ class MenuRow(QWidget):
         right = self.badge.geometry().left() - 16
         wide = min(size.width(), max(0, right - left))
         at = max(left, min((self.width() - wide) // 2, right - wide))
-        self._title.setGeometry(at, 0, wide, self.height() - 1)
+        self._title.setGeometry(at, 1, wide, self.height() - 1)
 
     def _fill(self, actions: Actions, submenus: Mapping[str, tuple[str, Fill]]) -> None:
         for name in MENUS:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint, QRectF, Qt, Signal
-from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen
+from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
@@ -75,6 +75,18 @@ class ModeBar(QToolBar):
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
         self.stop.set_tokens(tokens)
         self.search.set_tokens(tokens)
+        self._no_margins()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """A tool bar takes its margins from the style when it is shown; ours are our own."""
+        super().showEvent(event)
+        self._no_margins()
+
+    def _no_margins(self) -> None:
+        layout = self.layout()
+        if layout is not None:
+            layout.setContentsMargins(0, 0, 0, 0)
+            layout.setSpacing(0)
 
     def add_transport(self, transport: QWidget) -> None:
         """The row that Run mode shows in the bar's place."""

@@ -107,7 +107,7 @@ class OperationForm(Panel):
     def _show_edge(self, branch: StateBranch, edge: Address) -> None:
         self.name.settle(edge.operation)
         count = self._count_of(edge)
-        self._every_words.setText(f"Rename all {count} of this name")
+        self._every_words.setText(f"Rename all {count}")
         self.source.setText(edge.state)
         self.source.setToolTip(f"Select {edge.state}")
         target = branch.table[edge.state][edge.operation]
