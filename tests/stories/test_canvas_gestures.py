@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
+from smsl_studio.studio.canvas.overlays.name_field import NameField
 from tests.stories.at_canvas import Drawer, sample
 
 Key, Modifier, Button = Qt.Key, Qt.KeyboardModifier, Qt.MouseButton
@@ -272,6 +273,37 @@ def test_a_name_that_is_taken_is_said_and_nothing_typed_is_lost(hfsm: Drawer) ->
     assert field.complaint == ""
     hfsm.key(Key.Key_Return)
     assert "State100x" in hfsm.table()
+
+
+def test_a_click_elsewhere_takes_a_name_over_or_keeps_what_does_not_fit(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State110"))
+    hfsm.key(Key.Key_F2)
+    hfsm.write("State100", None)
+    hfsm.click(QPoint(20, 650))
+    field = hfsm.editor.field
+    assert isinstance(field, NameField)
+    assert "State100" in field.complaint
+    assert field.field.text() == "State100"
+    assert hfsm.steps() == 0
+    field.field.setFocus()
+    hfsm.write("1", None)
+    hfsm.click(QPoint(20, 650))
+    assert "State1001" in hfsm.table()
+    assert hfsm.editor.field is None
+
+
+def test_a_press_elsewhere_leaves_a_card_in_which_nothing_was_typed(hfsm: Drawer) -> None:
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Tab)
+    assert isinstance(hfsm.editor.field, ConnectCard)
+    hfsm.click(QPoint(20, 650))
+    assert hfsm.editor.field is None
+    assert hfsm.canvas.gestures.drawn is None
+    hfsm.click(hfsm.place("State111"))
+    hfsm.key(Key.Key_Tab)
+    hfsm.write("Begun", None)
+    hfsm.click(QPoint(20, 650))
+    assert isinstance(hfsm.editor.field, ConnectCard), "what was typed stays"
 
 
 def test_f2_renames_in_place_and_everything_follows(hfsm: Drawer) -> None:

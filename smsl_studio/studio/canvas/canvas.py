@@ -70,6 +70,8 @@ class Canvas(Stage):
     """(Address or None, global point): a context menu is wanted."""
     quick_add_wanted = Signal()
     """Tab or /: an operation shall be added from the selected state."""
+    pressed = Signal()
+    """A mouse button went down on the canvas."""
     delete_wanted = Signal()
     """Del: the selection shall go."""
     hover_changed = Signal(object)
@@ -116,6 +118,7 @@ class Canvas(Stage):
         if not keep_view:
             self.fit(smooth=False)
         self.overlays.show_branch(blueprint, branch)
+        self.hand.look_again()
         self._describe()
 
     def show_places(

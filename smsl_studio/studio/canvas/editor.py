@@ -51,6 +51,7 @@ class CanvasEditor(QObject):
         canvas.leave_wanted.connect(self.leave)
         canvas.delete_wanted.connect(self.delete_selected)
         canvas.quick_add_wanted.connect(self.quick_add)
+        canvas.pressed.connect(self._leave_card)
         self._show(session.branch)
 
     # The session changed
@@ -303,6 +304,11 @@ class CanvasEditor(QObject):
         if self.field is not None:
             self.field = None
             self.canvas.setFocus()
+
+    def _leave_card(self) -> None:
+        """A press elsewhere leaves a card in which nothing was typed."""
+        if isinstance(self.field, ConnectCard) and self.field.untouched:
+            self._close_field()
 
     def _close_field(self) -> None:
         self.canvas.show_pending(None)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.canvas import keys
@@ -54,6 +54,7 @@ class Hand:
         canvas.setFocus(Qt.FocusReason.MouseFocusReason)
         canvas.overlays.hush()
         canvas.overlays.pad.go()
+        canvas.pressed.emit()
         if self._gesture is not None:
             if self._sticky:
                 self._sticky = False
@@ -162,6 +163,12 @@ class Hand:
         address = canvas.address_at(canvas.mapToScene(event.position().toPoint()))
         if address is not None and address not in canvas.marks.selection:
             canvas.selection_wanted.emit((address,))
+
+    def look_again(self) -> None:
+        """Another picture lies under a pointer that has not moved."""
+        viewport = self._canvas.viewport()
+        if self._gesture is None and viewport.underMouse():
+            self._hover(QPointF(viewport.mapFromGlobal(QCursor.pos())))
 
     def left(self) -> None:
         """The pointer has left the canvas."""

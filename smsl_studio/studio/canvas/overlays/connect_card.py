@@ -36,7 +36,7 @@ class ConnectCard(Card):
     ) -> None:
         super().__init__(parent, tokens, 10.0)
         self._names, self._commit, self._closing = list(names), commit, False
-        self._target_for, self._own_target = target_for, False
+        self._target_for, self._own_target, self._touched = target_for, False, False
         self.float_up()
         self.operation = Field(self, tokens, "Operation")
         self.operation.setText(operation)
@@ -63,7 +63,7 @@ class ConnectCard(Card):
         for field in (self.operation, self.target):
             field.done.connect(self.commit)
             field.left.connect(self.close_field)
-            field.textEdited.connect(lambda: self._complain(""))
+            field.textEdited.connect(self._typed)
         self.operation.textEdited.connect(self._filter)
         self.operation.moved.connect(self.choices.move_choice)
         self.operation.tabbed.connect(self._tab)
@@ -92,8 +92,17 @@ class ConnectCard(Card):
             self.deleteLater()
 
     @property
+    def untouched(self) -> bool:
+        """Whether nothing was typed or chosen yet."""
+        return not self._touched
+
+    @property
     def complaint(self) -> str:
         return self.error.text()
+
+    def _typed(self) -> None:
+        self._touched = True
+        self._complain("")
 
     def _target_typed(self) -> None:
         self._own_target = True

@@ -49,8 +49,8 @@ class NameField(Card):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QFocusEvent) and event.type() is QEvent.Type.FocusOut:
-            reason = event.reason()
-            if reason is not Qt.FocusReason.PopupFocusReason and not self._closing:
+            kept = {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
+            if event.reason() not in kept and not self._closing:
                 self._lost_focus()
         return False
 
@@ -78,10 +78,14 @@ class NameField(Card):
             self.deleteLater()
 
     def _lost_focus(self) -> None:
+        """Somebody went elsewhere: a new name is taken over, one that does not fit stays here."""
         text = self.field.text().strip()
-        if not text or text == self._before or self._commit(text):
-            # A name that does not fit cannot be taken over unasked, and nobody looks here now.
+        if not text or text == self._before:
             self.close_field()
+            return
+        reason = self._commit(text)
+        if reason:
+            self._complain(reason)
         else:
             self.close_field()
 
