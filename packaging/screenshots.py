@@ -37,6 +37,8 @@ from smsl_studio.studio.window import Window  # noqa: E402
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
 FRONT = (1440, 900)
+UNDER_WAY = 1.2
+"""Simulated seconds after which the operation of the picture is well under way."""
 PATIENCE = 60.0
 """Seconds within which a run must have come to where its picture is taken."""
 
@@ -95,9 +97,12 @@ class Studio:
             self._until(partial(getattr, window.inspector, "current"))
             {"draw": self._draw, "run": self._run}[mode](window, scene)
             for theme, size in self._dressed(window):
+                if mode == "run" and scene.world == "hanoi":
+                    self._set_going(window)
                 self._shoot(window, f"{mode}-{name}-{theme}-{size[0]}x{size[1]}")
                 if size == FRONT and scene.world == "hanoi":
                     self._shoot(window, f"{mode}-{theme}")
+                window.run_pane.pause()
             window.session.history.setClean()
             window.close()
 
@@ -111,6 +116,7 @@ class Studio:
         pane, transport = window.run_pane, window.run_pane.transport
         transport.world.setCurrentIndex(transport.world.findData(scene.world))
         transport.speed.setCurrentText("Max")
+        pane.world.patient = True
         if scene.world == "table":
             for done in range(1, scene.after + 1):
                 pane.step()
@@ -120,6 +126,7 @@ class Studio:
         self._until(partial(self._has_done, window, scene.after))
         transport.speed.setCurrentText("1×")
         self._until(lambda: self._well_under_way(window))
+        pane.pause()
 
     def _has_done(self, window: Window, operations: int) -> bool:
         status = window.run_pane.run.status
@@ -131,8 +138,15 @@ class Studio:
             status is not None
             and status.running is not None
             and status.running_since is not None
-            and status.time - status.running_since > 1.5
+            and status.time - status.running_since > UNDER_WAY
         )
+
+    def _set_going(self, window: Window) -> None:
+        """Between two pictures the run is paused, so that all of them show the same operation."""
+        pane = window.run_pane
+        pane.play()
+        self._until(lambda: pane.run.phase == "running")
+        self._wait(0.12)
 
     def _dressed(self, window: Window) -> Iterator[tuple[str, tuple[int, int]]]:
         for theme in THEMES:

@@ -67,6 +67,11 @@ def _bounds(sheet: Sheet) -> QRectF:
     if initial >= 0:
         x, y = sheet.at[initial] - half[initial]
         whole = whole.united(QRectF(x - 28.0 * unit, y, 28.0 * unit, 10.0 * unit))
+    for goal in sheet.looks.marks.goals & sheet.picture.index.keys():
+        # "goal" stands below the node.
+        x, y = sheet.at[sheet.picture.index[goal]]
+        below = y + half[sheet.picture.index[goal]][1]
+        whole = whole.united(QRectF(x, below, 1.0, 24.0 * unit))
     geometry = sheet.geometry
     for edge in range(len(sheet.picture.operations)):
         # During a run only what is lit is labelled.

@@ -19,7 +19,7 @@ from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
-WIDTHS = (86, 63, 60, 62)
+WIDTHS = (82, 62, 57, 58)
 ROW = 32
 Index = QModelIndex | QPersistentModelIndex
 

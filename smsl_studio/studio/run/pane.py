@@ -41,6 +41,8 @@ from smsl_studio.studio.tabs import Tabs
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import capital
 
+FACTS = 410
+"""The least width of the facts, so that their words are not cut."""
 FRAME = 33
 """Milliseconds between two pictures of the world."""
 
@@ -170,15 +172,15 @@ class RunPane(QWidget):
 
     def _right(self) -> QWidget:
         self._facts_rate, self._facts_note = label("", "small"), label("", "small")
-        facts = panel(
-            head("Facts", self._facts_rate, None, self._facts_note), self.facts, self.check
-        )
+        top = head("Facts", self._facts_rate, None, self._facts_note)
+        facts = panel(top, self.facts, self.check)
+        facts.setMinimumWidth(FACTS)
         self._lists = Tabs()
         cost = label("cost", "small")
         cost.setContentsMargins(0, 0, 8, 0)
         self._lists.add("Possible now", self.possible, cost)
         self._lists.add("Events", self.events)
-        below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), (0, 1))
+        below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), (45, 55))
         return split(Qt.Orientation.Vertical, (self._world(), below), (300, 325), (1, 1))
 
     def _world(self) -> QWidget:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
-from PySide6.QtGui import QFontMetricsF
+from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -22,7 +22,7 @@ from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import pixmap
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
-WIDEST = (150, 90)
+WIDEST = (146, 80)
 """Pixels for the names of operations and of targets."""
 
 
@@ -129,9 +129,7 @@ class PossibleList(QScrollArea):
             plain = row.kind in ("waits", "pruned", "refused", "later")
             across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
         across.addWidget(self._fixed(label(row.target, "mono"), 1))
-        words = label(row.words, "small")
-        words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        across.addWidget(words, 1)
+        across.addWidget(_Words(row.words), 1)
         if row.kind == "pruned":
             hint = f"Let the route use {row.address} again"
             across.addWidget(self._button("Restore", hint, self.restore_wanted, row))
@@ -174,3 +172,20 @@ class PossibleList(QScrollArea):
         button.setToolTip(hint)
         button.clicked.connect(lambda _=False: signal.emit(row.address))
         return button
+
+
+class _Words(QLabel):
+    """A sentence that ends in an ellipsis where there is no room; the row's tooltip has it all."""
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words)
+        self.setProperty("role", "small")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(self.palette().windowText().color())
+        right = Qt.TextElideMode.ElideRight
+        shown = self.fontMetrics().elidedText(self.text(), right, self.width())
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, shown)
+        painter.end()

@@ -43,7 +43,7 @@ void main() {
     float sky = 0.5 + 0.5 * N.z;
     float sun = max(dot(N, L), 0.0);
     float shine = pow(max(dot(N, normalize(L + V)), 0.0), 40.0) * 0.22;
-    vec3 ambient = mix(vec3(0.50, 0.52, 0.56), vec3(0.30, 0.32, 0.36), dark);
+    vec3 ambient = mix(vec3(0.62, 0.63, 0.66), vec3(0.30, 0.32, 0.36), dark);
     f = vec4(colour * (ambient * (0.55 + 0.55 * sky) + sun * mix(0.52, 0.58, dark)) + shine, 1.0);
 }
 """

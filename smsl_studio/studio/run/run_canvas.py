@@ -25,7 +25,7 @@ TROUBLE = {
     "no_route": "No route",
     "refused": "Refused",
 }
-TALLER = 1.25
+TALLER = 1.2
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.model import Blueprint
@@ -20,6 +20,7 @@ class StateCheckView(QWidget):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._tokens = tokens
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         column = QVBoxLayout(self)
         column.setContentsMargins(12, 8, 12, 10)
         column.setSpacing(6)
@@ -38,7 +39,6 @@ class StateCheckView(QWidget):
         column.addWidget(self._terms)
         self._why = label("", "hint")
         column.addWidget(self._why)
-        column.addStretch(1)
         self._shown: object = None
         self.show_check(None, None, waiting=False)
 

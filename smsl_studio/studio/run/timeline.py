@@ -21,8 +21,8 @@ LABELS = 94
 EARLY = 0.0125
 """The share of the shown time that lies before the start, so that "0 s" has room."""
 PITCH = {"state": 27, "operation": 27, "fact": 22}
-SHORTEST = 8.0
-"""Simulated seconds shown at least."""
+SPANS = (0.5, 1.0, 2.0, 4.0, 8.0)
+"""Simulated seconds shown of a run that is young; later the whole run is shown."""
 
 
 class Timeline(QScrollArea):
@@ -73,7 +73,8 @@ class Timeline(QScrollArea):
         """Show everything, and go on doing so."""
         self._following = True
         ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
-        end = max(self._time * 1.05, *ends, SHORTEST) if ends else SHORTEST
+        needed = max(self._time * 1.05, *ends) if ends else SPANS[-1]
+        end = next((span for span in SPANS if span >= needed), needed)
         self._box.setXRange(-EARLY * end, end, padding=0)
 
     def set_tokens(self, tokens: Tokens) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIntValidator, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
@@ -14,7 +14,7 @@ from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
-LONGEST = 150
+LONGEST = 130
 WIDE, NARROW, NARROWEST = 1140, 990, 720
 """Pixels from which the choices have labels, buttons their words, and choices are shown at all."""
 
@@ -180,14 +180,27 @@ class Transport(QWidget):
 
     def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> Combo:
         self._label(across, words)
-        combo = Combo()
-        combo.setMinimumWidth(width)
-        combo.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
-        combo.setMaximumWidth(LONGEST)
+        combo = _Choice(width)
         combo.setToolTip(tip)
         combo.setAccessibleName(words)
         across.addWidget(combo)
         return combo
+
+
+class _Choice(Combo):
+    """A choice as wide as the longest of its words, within reason."""
+
+    def __init__(self, least: int) -> None:
+        super().__init__()
+        self._least = least
+        self.setMinimumWidth(least)
+        self.setMaximumWidth(LONGEST)
+
+    def sizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        words = (self.itemText(at) for at in range(min(self.count(), 500)))
+        widest = max((metrics.horizontalAdvance(text) for text in words), default=0) + 38
+        return QSize(min(max(widest, self._least), LONGEST), super().sizeHint().height())
 
 
 def _fill(combo: Combo, items: Sequence[tuple[str, str]]) -> None:
@@ -200,3 +213,4 @@ def _fill(combo: Combo, items: Sequence[tuple[str, str]]) -> None:
     known = [data for _, data in items]
     combo.setCurrentIndex(known.index(before) if before in known else 0)
     combo.blockSignals(blocked)
+    combo.updateGeometry()

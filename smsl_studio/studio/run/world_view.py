@@ -54,6 +54,8 @@ class WorldView(QWidget):
         self._drag: QPointF | None = None
         self._frames: list[float] = []
         self._fine = self._quick = True
+        self.patient = False
+        """Draw every picture with smooth edges, however long it takes."""
         self._took = 0.0
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
@@ -171,7 +173,7 @@ class WorldView(QWidget):
         """Draw anew; where smooth edges take too long, only once nothing moves any more."""
         assert isinstance(self._renderer, Renderer)
         began, ratio = perf_counter(), self.devicePixelRatioF()
-        fine = self._quick or not self._rest.isActive()
+        fine = self._quick or self.patient or not self._rest.isActive()
         size = round(self.width() * ratio), round(self.height() * ratio)
         image = self._renderer.draw(self._poses, self._camera, Look(*size, self._tokens.dark, fine))
         image.setDevicePixelRatio(ratio)
