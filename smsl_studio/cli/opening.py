@@ -11,6 +11,7 @@ from smsl_studio.errors import UsageError
 
 def add_arguments(parser: Parser) -> None:
     parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
+    parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:

@@ -71,10 +71,8 @@ class Files(QObject):
         """Open a file (asking which); False where it cannot be read or was called off."""
         if path is None:
             path = self._asker.file_to_open(self._folder())
-        if path is None or not self.may_leave():
-            return False
-        blueprint = self._read(path)
-        if blueprint is None:
+        blueprint = self._read(path) if path is not None else None
+        if path is None or blueprint is None or not self.may_leave():
             return False
         self._show(blueprint, path.absolute(), path.name)
         self._settings.remember(path.absolute())
@@ -83,10 +81,8 @@ class Files(QObject):
 
     def open_copy(self, path: Path) -> bool:
         """Open a sample as a new blueprint of that name; saving asks where to."""
-        if not self.may_leave():
-            return False
         blueprint = self._read(path)
-        if blueprint is None:
+        if blueprint is None or not self.may_leave():
             return False
         self._show(blueprint, None, path.name)
         return True

@@ -62,6 +62,7 @@ class Inspector(QObject):
         self._wanted = self._session.blueprint
         task = _Task(self._wanted)
         task.signals.done.connect(self._arrived)
+        task.signals.failed.connect(self._failed)
         self._pool.clear()
         self._pool.start(task)
 
@@ -70,9 +71,14 @@ class Inspector(QObject):
             self.findings, self.current = findings, True
             self.found.emit(findings)
 
+    def _failed(self, error: Exception) -> None:
+        """A fault of ours in a rule: it crashes here, where the person's work is kept."""
+        raise error
+
 
 class _Signals(QObject):
     done = Signal(object, object)
+    failed = Signal(object)
 
 
 class _Task(QRunnable):
@@ -82,5 +88,9 @@ class _Task(QRunnable):
         self.signals = _Signals()
 
     def run(self) -> None:
-        findings = inspect(self._blueprint)
-        self.signals.done.emit(self._blueprint, findings)
+        try:
+            findings = inspect(self._blueprint)
+        except Exception as error:
+            self.signals.failed.emit(error)
+        else:
+            self.signals.done.emit(self._blueprint, findings)

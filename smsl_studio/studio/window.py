@@ -10,6 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QStackedWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import StudioError
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio import commands
@@ -131,7 +132,7 @@ class Window(QMainWindow):
         for signal in (session.blueprint_changed, session.selection_changed,
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
             signal.connect(lambda *_: actions.refresh())
-        session.refused.connect(self.toast.refuse)
+        session.refused.connect(self._refused)
         self.files.refused.connect(self.toast.refuse)
         self.files.said.connect(self.toast.say)
         self.files.changed.connect(self._show_title)
@@ -255,6 +256,11 @@ class Window(QMainWindow):
         name, edited = self.files.name, self.session.edited
         self.menu_row.show_title(name, edited)
         self.setWindowTitle(f"{name}{' (edited)' if edited else ''} · SMSL Studio")
+
+    def _refused(self, error: StudioError) -> None:
+        """Say it in a line, unless the field in which it was typed says it."""
+        if self.editor.field is None:
+            self.toast.refuse(error)
 
     def _checking(self) -> None:
         self.findings.set_checking()

@@ -1,0 +1,61 @@
+"""The window's door: files and options, one window for each file, what cannot be read is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.studio import app
+from smsl_studio.studio.settings import Settings
+
+SAMPLES = Path(__file__).parents[2] / "samples"
+
+
+def test_files_and_mode_are_read_from_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[tuple[list[str], str]] = []
+
+    def open_window(files: list[str], mode: str) -> int:
+        told.append((files, mode))
+        return 0
+
+    monkeypatch.setattr(app, "open_window", open_window)
+    assert app.main(["a.json", "--mode", "run", "b.json"]) == 0
+    assert app.main([]) == 0
+    assert told == [(["a.json", "b.json"], "run"), ([], "draw")]
+
+
+def test_a_file_that_cannot_be_read_leaves_an_empty_window_that_says_why(
+    qapp: QApplication, qtbot: QtBot, tmp_path: Path
+) -> None:
+    path = tmp_path / "broken.json"
+    path.write_text('{"SB1": [}')
+    window = app.make_window(qapp, Settings(), str(path))
+    assert "broken.json:1:10" in window.toast.words
+    assert list(window.session.blueprint.branches) == ["SB1"]
+    window.close()
+    window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_the_window_runs_until_it_is_closed(
+    qapp: QApplication, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    windows: list[QWidget] = []
+
+    def execute(self: QApplication) -> int:
+        windows.extend(w for w in self.topLevelWidgets() if w.isVisible())
+        return 0
+
+    monkeypatch.setattr(QApplication, "exec", execute)
+    files = [str(SAMPLES / "hfsm.json"), str(SAMPLES / "hanoi.json")]
+    assert app.open_window(files, "run") == 0
+    titles = {window.windowTitle().partition(" ")[0] for window in windows}
+    assert titles == {"hfsm.json", "hanoi.json"}
+    for window in windows:
+        window.close()
+        window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
