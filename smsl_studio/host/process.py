@@ -4,6 +4,9 @@ The child is spawned, never forked. Commands go through a pipe, in lock with the
 come through shared memory. A child that dies is seen at once, one that hangs after ``hang_limit``
 seconds in one command, one that is frozen after ``silence_limit`` seconds without a pulse: each is
 a HostError, and every later call says the same. Times here are wall time.
+
+One thread drives the host. ``poses``, ``status``, ``pid`` and ``close`` may be called from any
+other: a close ends what the driving thread waits for.
 """
 
 from __future__ import annotations
@@ -54,27 +57,29 @@ class ProcessHost:
         self._hang_limit = hang_limit
         self._silence_limit = silence_limit
         self._process: Any = None
+        self._pid: int | None = None
         self._pipe: Connection | None = None
         self._shared: SharedPoses | None = None
         self._status: Mapping[str, str] = {}
         self._gone: HostError | None = None
         self._doing = ""
+        self._using = threading.RLock()
+        self._closing = False
 
     @property
     def pid(self) -> int | None:
         """The child's process number, None where there is none."""
-        return self._process.pid if self._process is not None else None
+        return self._pid
 
     def open(self, start: Mapping[str, str]) -> Opened:
         """Start the child if there is none, and have it open its world (see ``LocalHost.open``)."""
-        if self._process is None and self._gone is None:
-            self._spawn()
-        opened: Opened = self._ask("open", dict(start), limit=OPEN_LIMIT)
-        if self._shared is None:
-            count = 7 * len(opened.shapes)
-            self._shared = SharedPoses(count)
-            self._status = self._ask("share", self._shared.name, count)
-        return opened
+        with self._using:
+            if self._process is None and self._gone is None:
+                self._spawn()
+            opened: Opened = self._ask("open", dict(start), limit=OPEN_LIMIT)
+            if self._shared is None:
+                self._share(7 * len(opened.shapes))
+            return opened
 
     def sense(self) -> tuple[Sample, ...]:
         """Every sensor once, now, without moving the time."""
@@ -111,39 +116,59 @@ class ProcessHost:
 
     def close(self) -> None:
         """End the child, also one that hangs, and free everything; twice is harmless."""
-        if self._pipe is not None and self._process.is_alive():
-            with contextlib.suppress(OSError):
-                self._pipe.send(("close", ()))
-                self._process.join(2.0)
-        self._gone = self._gone or HostError("the host is closed")
-        self._end()
+        self._closing = True
+        with self._using:
+            if self._pipe is not None and self._process.is_alive():
+                with contextlib.suppress(OSError):
+                    self._pipe.send(("close", ()))
+                    self._process.join(2.0)
+            self._gone = self._gone or HostError("the host is closed")
+            self._end()
 
     def _spawn(self) -> None:
         context = multiprocessing.get_context("spawn")
-        self._pipe, theirs = context.Pipe()
-        self._process = context.Process(
+        ours, theirs = context.Pipe()
+        process = context.Process(
             target=serve, args=(theirs, self._recipe), name="smsl-studio-world", daemon=True
         )
-        with _ctrl_c_is_ours():
-            self._process.start()
-        theirs.close()
+        try:
+            with _ctrl_c_is_ours():
+                process.start()
+        except OSError as error:
+            ours.close()
+            words = error.strerror or error
+            raise self._lost(f"the simulation process cannot be started: {words}") from None
+        finally:
+            theirs.close()
+        self._process, self._pipe, self._pid = process, ours, process.pid
+
+    def _share(self, count: int) -> None:
+        """Have the child draw into a block of shared memory from now on."""
+        try:
+            self._shared = SharedPoses(count)
+        except OSError as error:
+            words = error.strerror or error
+            raise self._lost(f"there is no shared memory for the poses: {words}") from None
+        self._status = self._ask("share", self._shared.name, count)
 
     def _ask(self, verb: str, *arguments: Any, limit: float | None = None) -> Any:
-        if self._gone is not None:
-            raise HostError(self._gone.sentence, advice=self._gone.advice)
-        if self._pipe is None:
-            raise HostError("the host is not open")
-        try:
-            self._pipe.send((verb, arguments))
-            self._wait(verb, limit or self._hang_limit)
-            kind, value = self._pipe.recv()
-        except (EOFError, OSError):
-            raise self._died() from None
+        with self._using:
+            if self._gone is not None:
+                raise HostError(self._gone.sentence, advice=self._gone.advice)
+            if self._pipe is None:
+                raise HostError("the host is not open")
+            try:
+                self._pipe.send((verb, arguments))
+                self._wait(verb, limit or self._hang_limit)
+                kind, value = self._pipe.recv()
+            except (EOFError, OSError):
+                raise self._died() from None
+            if kind == "crashed":
+                words = f"the simulation process broke{self._doing}: {value.strip()}"
+                raise self._lost(words)
         if kind == "ok":
             return value
-        if kind == "refused":
-            raise value
-        raise self._lost(f"the simulation process broke{self._doing}: {value.strip()}")
+        raise value
 
     def _wait(self, verb: str, limit: float) -> None:
         """Wait for the answer; HostError where none can be expected any more."""
@@ -153,6 +178,8 @@ class ProcessHost:
         while self._pipe not in (ready := wait([self._pipe, self._process.sentinel], LOOK)):
             if ready:
                 raise self._died()
+            if self._closing:
+                raise self._lost("the host is closed")
             now = time.monotonic()
             newest = self._shared.pulse if self._shared is not None else None
             if newest is None or newest != pulse or verb == "open":
@@ -190,7 +217,7 @@ class ProcessHost:
         if self._shared is not None:
             self._shared.read()
             self._shared.close()
-        self._process = self._pipe = None
+        self._process = self._pid = self._pipe = None
 
 
 def _signal_name(number: int) -> str:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from multiprocessing.context import SpawnProcess
 from pathlib import Path
 from typing import Any
 
@@ -133,6 +136,31 @@ def test_a_frozen_child_is_given_up(lamp: Callable[..., ProcessHost]) -> None:
     os.kill(host.pid, signal.SIGSTOP)
     with pytest.raises(HostError, match="has shown no pulse"):
         host.tick()
+
+
+def test_a_close_from_another_thread_ends_what_hangs(lamp: Callable[..., ProcessHost]) -> None:
+    host = lamp(hang_limit=60.0)
+    host.open(START)
+    host.begin(SPIN)
+    host.tick()
+    threading.Timer(0.05, host.close).start()
+    with pytest.raises(HostError, match="the host is closed"):
+        host.tick()
+    assert host.pid is None
+
+
+def test_a_child_that_cannot_start_is_one_clear_error(
+    lamp: Callable[..., ProcessHost], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.EAGAIN, "no more processes")
+
+    monkeypatch.setattr(SpawnProcess, "start", full)
+    host = lamp()
+    for _ in range(2):
+        with pytest.raises(HostError, match="cannot be started: no more processes"):
+            host.open(START)
+    host.close()
 
 
 def test_an_error_of_the_child_arrives_whole(lamp: Callable[..., ProcessHost]) -> None:
