@@ -11,9 +11,10 @@ from benches.row import Row, wall_ms
 
 SAMPLE = "samples/hanoi-corrected.json"
 WINDOW = f"""
-from smsl_studio.studio.app import built
-application, window = built([{SAMPLE!r}])
-window.show()
+from smsl_studio.studio.app import make_application, make_window
+from smsl_studio.studio.settings import Settings
+application = make_application([])
+window = make_window(application, Settings(), {SAMPLE!r})
 application.processEvents()
 """
 
