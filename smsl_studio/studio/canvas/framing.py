@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF
 
 from smsl_studio.studio.canvas.camera import fit_zoom
-from smsl_studio.studio.canvas.geometry import SMALL
 from smsl_studio.studio.canvas.sheet import Sheet
 
 Room = tuple[float, float]
@@ -20,7 +19,7 @@ def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     """The middle and the zoom at which a sheet fits a room of so many pixels, 100 % at most."""
     before = sheet.zoom
     try:
-        if len(sheet.picture) > SMALL:
+        if not sheet.picture.small:
             centres = _centres(sheet)
             widest = float(sheet.compact_widths.max())
             marks = widest + FAR_MARKS[0], FAR_MARKS[1]
@@ -41,7 +40,7 @@ def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
     centres = _centres(sheet)
     most = FULL_FROM - 0.01 if sheet.roomy else 1.0
     zoom = fit_zoom(centres, FAR_MARKS, room, most)
-    for _ in range(2):
+    for _ in range(2 if len(sheet.picture.operations) <= 120 else 1):
         sheet.set_zoom(zoom)
         whole = _bounds(sheet)
         marks = (

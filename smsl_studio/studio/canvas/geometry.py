@@ -16,8 +16,8 @@ from smsl_studio.studio.canvas.picture import Picture
 from smsl_studio.studio.canvas.routing import Between, Style, around, in_row, is_clear, joined
 from smsl_studio.studio.canvas.shape import Box, EdgeShape, Floats, Point
 
-SMALL = 250
-"""Up to so many states every way is checked against every node."""
+MOST_AROUND = 60
+"""So many pairs of states get a way around nodes; in a denser picture it would show nothing."""
 LabelSize = Callable[[int], tuple[float, float]]
 """The size of an edge's label in scene units; (0, 0) for none."""
 
@@ -37,7 +37,8 @@ class Geometry:
         self._middle = self._centre()
         self._places: labels.LabelPlaces | None = None
         self._lines = labels.Lines({})
-        self.small = len(picture) <= SMALL
+        self.small = picture.small
+        self._around = 0
         if self.small:
             self._route_all()
 
@@ -121,7 +122,8 @@ class Geometry:
     def _pair_shapes(self, pair: Between) -> dict[int, EdgeShape]:
         source, target = self.box(pair.a), self.box(pair.b)
         outward = self._outward(pair.a, pair.b)
-        if self.small and not self._clear(pair):
+        if self.small and self._around < MOST_AROUND and not self._clear(pair):
+            self._around += 1
             return around(pair, source, target, self.style, self.boxes, outward)
         return joined(pair, source, target, self.style, outward)
 

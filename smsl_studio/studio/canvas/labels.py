@@ -87,8 +87,12 @@ class Lines:
     def __init__(self, shapes: dict[int, EdgeShape]) -> None:
         pieces, owners = [], []
         for edge, shape in shapes.items():
-            pieces.append(np.hstack([shape.points[:-1], shape.points[1:]]))
-            owners.append(np.full(len(shape.points) - 1, edge))
+            points = shape.points
+            if shape.way in ("curve", "loop"):
+                # A gentle curve is near enough to a few straight pieces.
+                points = np.vstack([points[:-1:4], points[-1:]])
+            pieces.append(np.hstack([points[:-1], points[1:]]))
+            owners.append(np.full(len(points) - 1, edge))
         self._pieces = np.vstack(pieces) if pieces else np.zeros((0, 4))
         self._owners = np.concatenate(owners) if owners else np.zeros(0, dtype=int)
 

@@ -14,6 +14,7 @@ from smsl_studio.studio.canvas.prefix import shared_prefix
 from smsl_studio.studio.sub_marks import sub_mark
 
 Ints = NDArray[np.int32]
+SMALL_STATES, SMALL_EDGES = 250, 260
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,11 @@ class Picture:
 
     def __len__(self) -> int:
         return len(self.names)
+
+    @property
+    def small(self) -> bool:
+        """Whether every line is checked against every node, and every label against every line."""
+        return len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
 
     @cached_property
     def edge_index(self) -> dict[tuple[str, str], int]:

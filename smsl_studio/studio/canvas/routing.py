@@ -193,7 +193,7 @@ def around(
     normal = _normal(source, target)
     length = math.hypot(target.x - source.x, target.y - source.y)
     first = 1.0 if normal[0] * outward[0] + normal[1] * outward[1] >= 0 else -1.0
-    for share in (0.08, 0.14, 0.2, 0.28, 0.36, 0.45):
+    for share in (0.08, 0.16, 0.26, 0.38):
         for side in (first, -first):
             bend = side * share * length
             trial = curve(source, target, 0.0, bend, normal, style)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -48,9 +49,17 @@ class EdgeShape:
 
     def at(self, along: float) -> Point:
         """The point at a length along the line."""
-        x = np.interp(along, self.lengths, self.points[:, 0])
-        y = np.interp(along, self.lengths, self.points[:, 1])
-        return float(x), float(y)
+        lengths, points = self._plain
+        i = bisect_right(lengths, along, 1, len(lengths) - 1)
+        low, high = lengths[i - 1], lengths[i]
+        share = min(max((along - low) / (high - low), 0.0), 1.0) if high > low else 0.0
+        (ax, ay), (bx, by) = points[i - 1], points[i]
+        return ax + (bx - ax) * share, ay + (by - ay) * share
+
+    @cached_property
+    def _plain(self) -> tuple[list[float], list[list[float]]]:
+        """Lengths and points as plain lists: a single look-up is quicker in them."""
+        return self.lengths.tolist(), self.points.tolist()
 
     def direction(self, along: float) -> Point:
         """The direction at a length along the line, of length 1."""

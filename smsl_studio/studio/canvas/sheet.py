@@ -6,6 +6,7 @@ lengths are scene units; ``unit`` is the size of a mark's pixel in them.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.canvas import edge_paint, node_paint
 from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size
-from smsl_studio.studio.canvas.geometry import SMALL, Geometry
+from smsl_studio.studio.canvas.geometry import Geometry
 from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.levels import (
     BOX_SIZE,
@@ -29,7 +30,7 @@ from smsl_studio.studio.canvas.levels import (
 from smsl_studio.studio.canvas.looks import Looks
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_paint import compact_width, full_width
-from smsl_studio.studio.canvas.picture import Picture
+from smsl_studio.studio.canvas.picture import SMALL_STATES, Picture
 from smsl_studio.studio.canvas.routing import Style, meets
 from smsl_studio.studio.canvas.shape import Floats
 
@@ -59,11 +60,12 @@ class Sheet:
     def _measure(self) -> None:
         """The widths of all nodes; in a large SB all are as wide as the widest of a sample."""
         count = len(self.picture)
-        sample = range(count) if count <= SMALL else range(0, count, count // 50)
+        few = count <= SMALL_STATES
+        sample = range(count) if few else range(0, count, count // 50)
         faces = [self.picture.face(i) for i in sample]
         full = np.array([full_width(f, self.ink) for f in faces])
         compact = np.array([compact_width(f, self.ink) for f in faces])
-        if count > SMALL:
+        if not few:
             full, compact = np.full(count, full.max()), np.full(count, compact.max())
         self.full_widths, self.compact_widths = full, compact
         self.spacing = spacing_of(self.at, full, compact)
@@ -106,7 +108,7 @@ class Sheet:
 
         Other findings make labels wider or narrower: small pictures are labelled anew.
         """
-        relabel = marks.findings != self.looks.marks.findings and len(self.picture) <= SMALL
+        relabel = marks.findings != self.looks.marks.findings and self.picture.small
         changed = self.looks.change(marks)
         if relabel:
             self.version += 1
@@ -173,21 +175,22 @@ class Sheet:
     @property
     def geometry(self) -> Geometry:
         """Lines and labels at this size of marks, made when first asked for."""
-        key = (self.compact, round(self.unit, 4))
+        unit = _in_steps(self.unit)
+        key = (self.compact, unit)
         found = self._geometry.get(key)
         if found is None:
             self._geometry = {k: g for k, g in self._geometry.items() if not k[0]}
             found = self._geometry[key] = Geometry(
                 self.picture,
-                self._boxes(),
-                Style(self.unit, self.compact),
-                self._label_size,
+                self._boxes(unit),
+                Style(unit, self.compact),
+                lambda edge: self._label_size(edge, unit),
             )
         return found
 
-    def _boxes(self) -> Floats:
+    def _boxes(self, unit: float) -> Floats:
         widths = self.compact_widths if self.compact else self.full_widths
-        half = np.column_stack([widths, np.full(len(widths), self.height)]) / 2 * self.unit
+        half = np.column_stack([widths, np.full(len(widths), self.height)]) / 2 * unit
         return np.hstack([self.at, half.reshape(-1, 2)])
 
     def text(self, edge: int) -> EdgeText:
@@ -201,12 +204,12 @@ class Sheet:
             return EdgeText(found.text, found.kind, mono=True)
         return found
 
-    def _label_size(self, edge: int) -> tuple[float, float]:
+    def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
         text = self.text(edge)
         w, h = label_size(text, self.ink)
         if self.looks.edge(edge).finding:
             w, h = boxed_width(text, self.ink), 18.0
-        return w * self.unit, h * self.unit
+        return w * unit, h * unit
 
     def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
         """The numbers of edges whose straight way (with room for bends) meets a rectangle."""
@@ -216,7 +219,7 @@ class Sheet:
         a, b = self.at[source], self.at[np.where(target < 0, source, target)]
         low, high = np.minimum(a, b), np.maximum(a, b)
         # Lanes and loops reach out of the way between two states.
-        room = (170.0 if len(self.picture) <= SMALL else 60.0) * self.unit
+        room = (170.0 if self.picture.small else 60.0) * self.unit
         inside = (
             (high[:, 0] >= left - room)
             & (low[:, 0] <= right + room)
@@ -251,7 +254,7 @@ class Sheet:
         """Whether nodes, or lines of a small picture, lie in a rectangle."""
         if self.states_in(left, top, right, bottom):
             return True
-        if len(self.picture) > SMALL or self.level < Level.COMPACT:
+        if not self.picture.small or self.level < Level.COMPACT:
             return False
         box = np.array([[left + right, top + bottom, right - left, bottom - top]]) / 2
         near = self.edges_in(left, top, right, bottom).tolist()
@@ -267,3 +270,8 @@ class Sheet:
 
     def edge_look(self, edge: int) -> edge_paint.EdgeLook:
         return self.looks.edge(edge)
+
+
+def _in_steps(unit: float) -> float:
+    """The unit in steps of 4 %: while somebody zooms, lines are not made anew for every frame."""
+    return 1.0 if unit == 1.0 else round(1.04 ** round(math.log(unit) / math.log(1.04)), 6)
