@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from enum import Enum
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.model import StateBranch
 
@@ -126,12 +126,11 @@ class Edges:
         return any(a != b for digit, (a, b) in enumerate(pairs) if digit not in expanded)
 
     def _required(self, key: str, value: str) -> tuple[str, int, str]:
-        name, _, digit = key.rpartition("/")
-        parts = Address.split(name)
-        known = len(parts) == 1 and parts[0] in self.blueprint.branches
-        if known and digit.isdecimal() and int(digit) < self.blueprint[parts[0]].num_facts:
-            return parts[0], int(digit), value
-        return key, -1, value
+        name, digit = split_fact(key) or (key, -1)
+        branch = self.blueprint.branches.get(name)
+        if branch is None or digit >= branch.num_facts:
+            return key, -1, value
+        return name, digit, value
 
     def missing(self, edge: Edge, configuration: Configuration) -> Iterator[str]:
         """What of an edge's ``requires`` a configuration does not give, one sentence each."""

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge, Kind
 from smsl_studio.blueprint.joint import JointStep
@@ -39,10 +39,11 @@ class Planner:
         self.stepper = Stepper(hierarchy, terms)
         self._at = {name: index for index, name in enumerate(hierarchy.order)}
         self._required = {
-            key.rpartition("/")[0]
+            fact[0]
             for branch in hierarchy.blueprint
             for note in branch.notes.operations.values()
             for key in note.requires
+            if (fact := split_fact(key)) is not None
         }
 
     def legs(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
@@ -106,9 +107,7 @@ class Planner:
         Only operations that leave ACTIVATING need to be asked of them: whatever else could be
         asked, a base's rise does on its own sub-route, and never at a higher cost.
         """
-        asked = {one.branch for one in wanted} | {
-            name for name in self._at if Address(name).path[0] in self._required
-        }
+        asked = self._required | {one.branch for one in wanted}
         return frozenset(
             name
             for name in movers

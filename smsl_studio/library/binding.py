@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import Address, fact_text, note_key
 from smsl_studio.blueprint.annotations import Binding
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place, PluginError, did_you_mean
@@ -71,20 +71,25 @@ class _Binder:
                         yield edge.address, bound
 
     def _operation(self, branch: StateBranch, edge: Address) -> BoundOperation | None:
-        state, name = edge.state, edge.operation
-        notes = branch.notes.operations
-        own, common = notes.get(f"{state}/{name}"), notes.get(name)
+        whole, own, name = str(edge), note_key(edge.operation, edge.state), note_key(edge.operation)
+        in_file, notes = self.table.operations, branch.notes.operations
         candidates: tuple[tuple[Binding | BoundFunction | None, bool, str], ...] = (
-            (self.table.operations.get(str(edge)), True, str(edge)),
-            (self.table.operations.get(f"{state}/{name}"), True, f"{state}/{name}"),
-            (own.binding if own else None, True, ""),
-            (self.table.operations.get(name), False, name),
-            (common.binding if common else None, False, ""),
+            (in_file.get(whole), True, whole),
+            (in_file.get(own), True, own),
+            (notes[own].binding if own in notes else None, True, own),
+            (in_file.get(name), False, name),
+            (notes[name].binding if name in notes else None, False, name),
         )
         for found, exact, key in candidates:
             if found is not None:
-                return self._explicit(branch, edge, found, exact, key)
+                place = self._place(branch, found, key)
+                return self._explicit(branch, edge, found, exact, place)
         return self._by_pattern(branch, edge)
+
+    def _place(self, branch: StateBranch, found: Binding | BoundFunction, key: str) -> Place | None:
+        if isinstance(found, BoundFunction):
+            return self.file.place(key)
+        return self.blueprint.place(branch.address, "_operations", key)
 
     def _explicit(
         self,
@@ -92,9 +97,8 @@ class _Binder:
         edge: Address,
         found: Binding | BoundFunction,
         exact: bool,
-        key: str,
+        place: Place | None,
     ) -> BoundOperation:
-        place = self.file.place(key) if key else self._note_place(branch, edge)
         if found.function not in self.by_name:
             raise PluginError(
                 f"the world {self.world!r} has no function {found.function!r}",
@@ -149,7 +153,7 @@ class _Binder:
 
     def sensors(self) -> Iterator[BoundSensor]:
         for branch, digit in leaf_facts(self.blueprint):
-            key = f"{branch.name}/{digit}"
+            key = fact_text(branch.name, digit)
             note = branch.fact_note(digit)
             given = self.table.facts.get(key)
             names = (given,) if isinstance(given, str) else given or (note.sensors if note else ())
@@ -218,26 +222,21 @@ class _Binder:
 
     def unknown_keys(self) -> Iterator[BindingFault]:
         """Keys of the bindings file that name nothing in the blueprint."""
-        facts = [f"{branch.name}/{digit}" for branch, digit in leaf_facts(self.blueprint)]
+        facts = {fact_text(branch.name, digit) for branch, digit in leaf_facts(self.blueprint)}
         known: set[str] = set()
         for branch in self.blueprint:
             for edge in branch.edges():
-                known |= {edge.name, f"{edge.source}/{edge.name}", str(edge.address)}
+                name, own = note_key(edge.name), note_key(edge.name, edge.source)
+                known |= {name, own, str(edge.address)}
         for keys, names, what in (
             (self.table.operations, known, "operation"),
-            (self.table.facts, set(facts), "sensed fact"),
+            (self.table.facts, facts, "sensed fact"),
         ):
             for key in keys:
                 if key not in names:
                     advice = did_you_mean(key, sorted(names))
                     sentence = f"the blueprint has no {what} of this name. {advice}".strip()
                     yield BindingFault(repr(key), sentence, self.file.place(key))
-
-    def _note_place(self, branch: StateBranch, edge: Address) -> Place:
-        own = f"{edge.state}/{edge.operation}"
-        raw = branch.fields.get("_operations", {})
-        key = own if own in raw else edge.operation
-        return self.blueprint.document.place((branch.name, "_operations", key))
 
     def _fault(self, subject: str, error: PluginError) -> None:
         sentence = f"{error.sentence}. {error.advice}".strip().removesuffix(".")

@@ -10,7 +10,8 @@
     "SB1/0" = "disk_1_peg"
 
 Operations are named as ``Operation``, ``State/Operation`` or ``SB/State/Operation``; facts as
-``SB/digit``, counted from 0. What is not ``function`` is an argument.
+``SB/digit``, counted from 0; a ``/`` in a name is written ``~1`` there and a ``~`` as ``~0``. What
+is not ``function`` is an argument.
 """
 
 from __future__ import annotations

@@ -41,7 +41,10 @@ class Signature:
         kind = self.types.get(name, str)
         if kind is bool:
             return text == "true"
-        return kind(text) if kind in (int, float) else text
+        try:
+            return kind(text) if kind in (int, float) else text
+        except ValueError:  # Python reads no whole number of thousands of digits
+            raise PluginError(f"{name} is too long a number") from None
 
     def _checked(self, name: str, value: Any) -> Any:
         kind = self.types.get(name)

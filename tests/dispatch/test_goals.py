@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.dispatch.planner import Planner
 from smsl_studio.host.local import LocalHost
@@ -122,6 +123,23 @@ def test_clause_11_where_one_goal_after_the_other_leads_nowhere_they_are_sought_
         }
     )
     story = Story(made, LocalHost(made, "table"), goals=["BASE/State10", "SUB/State2"]).run()
+    assert story.end.reason == "goal_reached"
+    assert short(story.started) == ["side", "go"]
+
+
+@pytest.mark.parametrize("sub", ["SUB", "S/U~B"])
+def test_clause_11_a_sub_is_moved_for_what_an_edge_requires_of_it(sub: str) -> None:
+    made = blueprint(
+        {
+            "BASE": branch(
+                {"00": "go>10", "10": ""},
+                subs={sub: 1},
+                operations={"go": {"requires": {fact_text(sub, 0): "2"}}},
+            ),
+            sub: branch({"0": "side>2", "2": "up>1", "1": ""}, activating="1"),
+        }
+    )
+    story = Story(made, LocalHost(made, "table")).run()
     assert story.end.reason == "goal_reached"
     assert short(story.started) == ["side", "go"]
 

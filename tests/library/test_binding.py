@@ -9,6 +9,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import PluginError
+from smsl_studio.front.reading import read
 from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside, read_bindings
 from smsl_studio.library.bound import Bindings
@@ -150,6 +151,46 @@ def test_exact_comes_before_name_before_pattern(loaded: Loaded, tmp_path: Path) 
     assert _name(both, B, "Op_1b") == ("p.by_hand", {"speed": 4.0}, False)
     assert _name(both, A, "Else") == ("p.by_hand", {"mood": "calm"}, False)
     assert both.faults == ()
+
+
+def test_names_with_slashes_are_written_as_in_addresses(loaded: Loaded, tmp_path: Path) -> None:
+    def note(function: str) -> dict[str, Any]:
+        return {"binding": {"function": function}}
+
+    values = {
+        "A/B": {
+            "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1"},
+            "_operations": {"go~1on": note("p.by_hand"), "State_1/a~0b": note("p.plain")},
+            "State_0": {"go/on": "State_1", "by/file": "State_1"},
+            "State_1": {"a~b": "State_0"},
+        }
+    }
+    file = _file(
+        tmp_path,
+        '[world.w.operations]\n"by~1file" = {function="p.by_hand"}\n'
+        '[world.w.facts]\n"A~1B/0" = "ear"\n',
+    )
+    bindings = bind(blueprint_of(values), loaded, "w", file)
+    assert bindings.faults == ()
+    assert {str(edge): bound.name for edge, bound in bindings.operations.items()} == {
+        "A~1B/State_0/go~1on": "p.by_hand",
+        "A~1B/State_0/by~1file": "p.by_hand",
+        "A~1B/State_1/a~0b": "p.plain",
+    }
+    assert [sensor.name for sensor in bindings.sensors] == ["ear"]
+
+
+def test_a_binding_of_an_imported_branch_is_told_with_its_own_file(
+    loaded: Loaded, tmp_path: Path
+) -> None:
+    (tmp_path / "below.json").write_text(blueprint_of(_values(_operations=_BAD)).document.text)
+    (tmp_path / "above.json").write_text('{"_imports": ["below.json"]}')
+    bindings = bind(read(tmp_path / "above.json"), loaded, "w")
+    places = {fault.place.file for fault in bindings.faults if fault.place}
+    assert places == {str(tmp_path / "below.json")}
+
+
+_BAD = {"Else": {"binding": {"function": "p.nothing"}}}
 
 
 @pytest.mark.parametrize(
