@@ -14,15 +14,21 @@ def user_folder() -> Path:
     """
     given = os.environ.get("SMSL_STUDIO_HOME")
     if given:
-        return Path(given).expanduser()
+        return _expanded(given)
+    home = _expanded("~")
     if sys.platform == "darwin":
-        return Path.home() / "Library" / "Application Support" / "smsl-studio"
+        return home / "Library" / "Application Support" / "smsl-studio"
     if sys.platform == "win32":
-        return Path(os.environ.get("APPDATA") or Path.home()) / "smsl-studio"
-    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "smsl-studio"
+        return Path(os.environ.get("APPDATA") or home) / "smsl-studio"
+    return Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config") / "smsl-studio"
 
 
 def plugin_path() -> tuple[Path, ...]:
     """The folders in ``SMSL_PLUGIN_PATH``, in order."""
     parts = os.environ.get("SMSL_PLUGIN_PATH", "").split(os.pathsep)
-    return tuple(Path(part).expanduser() for part in parts if part)
+    return tuple(_expanded(part) for part in parts if part)
+
+
+def _expanded(text: str) -> Path:
+    """A folder as written, ``~`` resolved; kept as it is for a user nobody knows."""
+    return Path(os.path.expanduser(text))  # noqa: PTH111 -- that of Path raises

@@ -150,7 +150,7 @@ def _find(extra: Sequence[Path]) -> Iterator[_Found | PluginFault]:
 
 
 def _in_folder(folder: Path, source: str, must_exist: bool) -> Iterator[_Found | PluginFault]:
-    if (folder / MANIFEST).is_file():
+    if _is_file(folder / MANIFEST):
         yield _folder_plugin(folder, source)
         return
     try:
@@ -160,7 +160,7 @@ def _in_folder(folder: Path, source: str, must_exist: bool) -> Iterator[_Found |
             yield PluginFault(folder.name, error.strerror or str(error), None, str(folder))
         return
     for path in inner:
-        if (path / MANIFEST).is_file():
+        if _is_file(path / MANIFEST):
             yield _folder_plugin(path, source)
         else:
             place = Place(str(path / "plugin.py"), 1, 1)
@@ -169,7 +169,15 @@ def _in_folder(folder: Path, source: str, must_exist: bool) -> Iterator[_Found |
 
 def _is_plugin(path: Path) -> bool:
     """Whether a folder is a plugin, or means to be one."""
-    return (path / MANIFEST).is_file() or (path / "plugin.py").is_file()
+    return _is_file(path / MANIFEST) or _is_file(path / "plugin.py")
+
+
+def _is_file(path: Path) -> bool:
+    """Whether a file is there; what may not be looked at, or has no possible name, is not."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
 
 
 def _folder_plugin(folder: Path, source: str) -> _Found:

@@ -135,6 +135,15 @@ def test_plugins_are_found_in_the_path_and_at_home(
     assert [fault.plugin for fault in loaded.faults] == ["nowhere"]
 
 
+def test_a_folder_with_no_possible_name_is_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SMSL_PLUGIN_PATH", f"{'x' * 300}:~nobody-of-this-name/plugins")
+    faults = discover().faults
+    assert [fault.sentence for fault in faults] == [
+        "File name too long",
+        "No such file or directory",
+    ]
+
+
 def test_of_two_plugins_with_one_name_the_first_is_taken(tmp_path: Path) -> None:
     first = write_plugin(tmp_path / "a", "twin", GOOD, words='NAME = "w1"')
     write_plugin(tmp_path / "b", "twin", GOOD, words='NAME = "w2"')
