@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.facts import FactShape, shape_of
 from smsl_studio.errors import AddressError, Place, did_you_mean
+from smsl_studio.seal.digest import digest_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
@@ -355,6 +356,12 @@ class Blueprint:
             "hazards": self.fields.get("_hazards") or None,
             "imports": self.fields.get("_imports") or None,
         }
+
+    @cached_property
+    def behaviour(self) -> str:
+        """SHA-256 of what runs: SBs, states, operations, headers with defaults made explicit."""
+        parts = ("initial", "activating", "facts", "sub_sbs", "states")
+        return digest_of([[one.name, {key: one.meaning[key] for key in parts}] for one in self])
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Blueprint):

@@ -13,13 +13,13 @@ Node = TypeVar("Node", bound=Hashable)
 class Move(NamedTuple):
     """One step of a search: where it leads, what it costs, and what it stands for.
 
-    ``count`` is how many of the routed SB's edges are in it, ``names`` tells their names when
+    ``number`` is how many of the routed SB's edges are in it, ``names`` tells their names when
     asked; ``key`` decides between moves equal in all this; ``what`` is handed back untouched.
     """
 
     to: Any
     cost: float
-    count: int
+    number: int
     names: Callable[[], tuple[str, ...]]
     key: tuple[str, ...]
     what: Any
@@ -54,7 +54,7 @@ def cheapest(
             continue
         for move in moves(node):
             # Rounded so that sums which differ only in their last bits still tie.
-            further = (round(rank[0] + move.cost, 9), rank[1] + move.count, rank[2] + 1)
+            further = (round(rank[0] + move.cost, 9), rank[1] + move.number, rank[2] + 1)
             known = best.get(move.to)
             if known is None or further < known:
                 best[move.to] = further

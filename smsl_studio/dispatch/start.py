@@ -13,9 +13,6 @@ from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.protocol import Host
 from smsl_studio.runlog.events import Event, RunStarted, StateChecked
-from smsl_studio.seal.digest import digest_of
-
-BEHAVIOUR = ("initial", "activating", "facts", "sub_sbs", "states")
 
 
 def begin_run(
@@ -52,7 +49,7 @@ def start_events(run: Run, seed: int, goals: Sequence[Address]) -> tuple[Event, 
         seed=seed,
         start=dict(run.configuration),
         goals=tuple(map(str, goals)),
-        behaviour=behaviour_of(run.blueprint),
+        behaviour=run.blueprint.behaviour,
     )
     return (started, *changes, *_checked(run))
 
@@ -66,8 +63,3 @@ def _checked(run: Run) -> Iterator[StateChecked]:
             misses=all_words(run.blueprint, check.misses),
             unknown=all_words(run.blueprint, check.unknown),
         )
-
-
-def behaviour_of(blueprint: Blueprint) -> str:
-    """SHA-256 of what runs: SBs, states, operations and headers, with defaults made explicit."""
-    return digest_of([[b.name, {key: b.meaning[key] for key in BEHAVIOUR}] for b in blueprint])

@@ -14,7 +14,6 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.start import behaviour_of
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.reading import refusals
@@ -185,7 +184,7 @@ def log_header(
         "file": str(Path(blueprint.file).absolute()),
         "digests": {
             "file": sha256_hex(blueprint.document.encoded()),
-            "behaviour": behaviour_of(blueprint),
+            "behaviour": blueprint.behaviour,
         },
         "versions": {
             "python": sys.version.split()[0],

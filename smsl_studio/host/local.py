@@ -51,6 +51,7 @@ class LocalHost:
         self._paths = tuple(plugin_paths)
         self._loaded = loaded
         self._bindings: Bindings | None = None
+        self._bound: Mapping[Address, Bound] = {}
         self._engine: World | None = None
         self._subject: Any = None
         self._location = ""
@@ -77,7 +78,7 @@ class LocalHost:
             world=self._name,
             tick=engine.tick,
             hardware=self._entry.hardware if self._entry else engine.hardware,
-            bound=_bounds(bindings),
+            bound=self._bound,
             sensors=tuple(_info(sensor) for sensor in bindings.sensors),
             shapes=engine.shapes(),
             settle=self._settle,
@@ -167,6 +168,7 @@ class LocalHost:
             table = self._name == TABLE
             file = None if table else bindings_beside(self._blueprint.file)
             self._bindings = bind(self._blueprint, self._plugins(), self._name, file)
+            self._bound = _bounds(self._bindings)
         return self._bindings
 
     def _build(self) -> World:
