@@ -8,6 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
+from smsl_studio.blueprint import editing
 from smsl_studio.studio.context_menu import context_menu
 from smsl_studio.studio.panels.finding_rows import FindingsView
 from smsl_studio.studio.popups import fill_sub_sbs
@@ -304,6 +305,20 @@ def test_the_card_repairs_the_selected_element(sit: Sit) -> None:
     assert "Op_1b" in person.blueprint["SB1"].table["State_cbb"]
     person.until_inspected()
     assert not card.isVisible()
+
+
+def test_the_card_goes_where_no_state_is(sit: Sit) -> None:
+    person = sit(HANOI)
+    canvas = person.window.canvas
+    there = canvas.mapToScene(QPoint(120, 130))
+    person.window.session.edit(
+        "Move", lambda bp: editing.set_layout(bp, "SB1", {"State_aaa": (there.x(), there.y())})
+    )
+    person.until_inspected()
+    person.select("SB1/State_cbb/Op_1c")
+    card = person.window.fix_card
+    assert card.isVisible()
+    assert not card.geometry().contains(person.place("SB1/State_aaa"))
 
 
 def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
