@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from difflib import get_close_matches
+from difflib import SequenceMatcher, get_close_matches
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -63,7 +63,7 @@ class UsageError(StudioError):
     """A command or call whose parts do not fit together."""
 
 
-class EditRefused(StudioError):
+class EditRefused(StudioError):  # noqa: N818
     """An edit that would leave nonsense; nothing was changed."""
 
 
@@ -79,11 +79,21 @@ class HostError(StudioError):
     """The place where library code runs is gone or does not answer."""
 
 
-class RunRefused(StudioError):
+class RunRefused(StudioError):  # noqa: N818
     """A guard at the start of a run said no; nothing has moved."""
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """An advice naming the closest known name, or the empty text."""
-    close = get_close_matches(name, list(known)[:5000], n=1, cutoff=0.6)
-    return f"Did you mean {close[0]}?" if close else ""
+    """An advice naming the closest known name, or the empty text.
+
+    Of names equally close, the one that is alike in most places.
+    """
+    close = get_close_matches(name, list(known)[:5000], n=8, cutoff=0.6)
+    if not close:
+        return ""
+
+    def alike(other: str) -> tuple[float, int]:
+        same = sum(a == b for a, b in zip(name, other, strict=False))
+        return SequenceMatcher(None, other, name).ratio(), same
+
+    return f"Did you mean {max(close, key=alike)}?"

@@ -280,6 +280,11 @@ class Blueprint:
         """The name of the file, as messages show it."""
         return self.document.file
 
+    @property
+    def documents(self) -> tuple[Document, ...]:
+        """Every document in which its SBs are written, its own first, each once."""
+        return tuple(dict.fromkeys((self.document, *self.imported.values())))
+
     @cached_property
     def bases(self) -> Mapping[str, tuple[tuple[str, int], ...]]:
         """For each sub-SB its bases: pairs (base SB, digit), in file order."""
@@ -324,12 +329,15 @@ class Blueprint:
             elif len(parts) == 1 and parts[0]:
                 raise AddressError(
                     f"there is neither a State Branch nor a state {parts[0]!r}",
-                    advice=did_you_mean(parts[0], [*self.branches, *root.table]),
+                    advice=self._homes(parts)
+                    or did_you_mean(parts[0], [*self.branches, *root.table]),
                 )
         if not 1 <= len(parts) <= 3 or not all(parts):
             raise AddressError(
                 f"{text!s} is no address", advice="Write SB, SB/State or SB/State/Operation."
             )
+        if parts[0] not in self.branches and (homes := self._homes(parts)):
+            raise AddressError(f"there is no State Branch {parts[0]!r}", advice=homes)
         branch = self[parts[0]]
         if len(parts) > 1 and parts[1] not in branch.table:
             raise AddressError(
@@ -342,6 +350,11 @@ class Blueprint:
                 advice=did_you_mean(parts[2], branch.table[parts[1]]),
             )
         return Address(*parts)
+
+    def _homes(self, parts: tuple[str, ...]) -> str:
+        """An advice to put the SB before a state that some SBs have, or the empty text."""
+        found = [Address(one.name, *parts[:2]) for one in self if parts[0] in one.table]
+        return f"Write {' or '.join(map(str, found[:3]))}." if found and len(parts) < 3 else ""
 
     def place(self, address: Address, *below: str) -> Place:
         """Where an address (or a key below it, such as HEADER, INITIAL) stands in the text."""

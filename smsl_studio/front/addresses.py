@@ -18,6 +18,8 @@ def state_at(blueprint: Blueprint, text: Written, branch: str | None = None) -> 
     """
     if branch is not None and isinstance(text, str):
         own = blueprint[branch]
+        if text in own.table:
+            return Address(branch, text)
         parts = Address.split(text)
         if len(parts) == 1 and parts[0] not in own.table:
             raise AddressError(
@@ -26,7 +28,7 @@ def state_at(blueprint: Blueprint, text: Written, branch: str | None = None) -> 
             )
         if len(parts) == 1:
             return Address(branch, parts[0])
-    found = blueprint.resolve(text)
+    found = _resolve(blueprint, text)
     if not found.state or found.operation:
         raise UsageError(f"{text} is no state", advice="Write SB/State.")
     if branch is not None and found.branch != branch:
@@ -60,7 +62,7 @@ def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Add
     found: list[Address] = []
     for text in written:
         try:
-            address = blueprint.resolve(text)
+            address = _resolve(blueprint, text)
         except AddressError:
             named = _named(blueprint, text)
             if not named:
@@ -75,6 +77,36 @@ def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Add
             out = blueprint[address.branch].table[address.state]
             found += [Address(address.branch, address.state, name) for name in out]
     return tuple(found)
+
+
+def _resolve(blueprint: Blueprint, text: Written) -> Address:
+    """The address of something that exists, also where a ``/`` in a name is written as it is."""
+    try:
+        return blueprint.resolve(text)
+    except AddressError:
+        found = _as_spelt(blueprint, text) if isinstance(text, str) else []
+        if len(found) != 1:
+            raise
+        return found[0]
+
+
+def _as_spelt(blueprint: Blueprint, text: str) -> list[Address]:
+    """The states and operations whose names, put together as they are, give this text."""
+    if "/" not in text and "~" not in text:
+        return []
+    found: list[Address] = []
+    for branch in blueprint:
+        rests = [text] if blueprint.roots == (branch.name,) else []
+        if text.startswith(f"{branch.name}/"):
+            rests.append(text.removeprefix(f"{branch.name}/"))
+        for rest in rests:
+            for state, operations in branch.table.items():
+                name = rest.removeprefix(f"{state}/")
+                if rest == state:
+                    found.append(Address(branch.name, state))
+                elif name != rest and name in operations:
+                    found.append(Address(branch.name, state, name))
+    return found
 
 
 def _named(blueprint: Blueprint, text: Written) -> list[Address]:

@@ -17,10 +17,13 @@ def near(name: str, known: Collection[str]) -> str:
     if len(names) > _MANY:
         half = name[: max(1, len(name) // 2)]
         names = [other for other in names if other.startswith(half)][: _MANY // 4]
-    close = get_close_matches(name, names, n=3, cutoff=0.6)
-    if not close:
-        return ""
-    return max(close, key=lambda other: SequenceMatcher(None, other, name).ratio())
+    close = get_close_matches(name, names, n=8, cutoff=0.6)
+    return max(close, key=lambda other: _alike(name, other), default="")
+
+
+def _alike(name: str, other: str) -> tuple[float, int]:
+    same = sum(a == b for a, b in zip(name, other, strict=False))
+    return SequenceMatcher(None, other, name).ratio(), same
 
 
 def listed(words: Iterable[str], last: str = "and") -> str:
