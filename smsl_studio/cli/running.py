@@ -106,7 +106,7 @@ def _several(parser: Parser, name: str, metavar: str, words: str) -> None:
 
 def _spare_blueprint(blueprint: Blueprint, log: str | None) -> None:
     """UsageError where a log would take the place of what is being run."""
-    for document in (blueprint.document, *blueprint.imported.values()):
+    for document in blueprint.documents:
         with contextlib.suppress(OSError, ValueError):
             if log is not None and Path(log).samefile(document.file):
                 raise UsageError(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from types import MappingProxyType
 
 from smsl_studio.blueprint.model import Blueprint
@@ -64,9 +65,14 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
     for rule in ALL:
         if rules is None or rule.id in rules:
             found.extend(_at_most(rule.check(blueprint)))
-    return tuple(
-        sorted(found, key=lambda f: (f.place.line, f.place.column, f.rule, f.address, f.message))
-    )
+    return tuple(sorted(found, key=partial(_order, blueprint)))
+
+
+def _order(blueprint: Blueprint, finding: Finding) -> tuple[object, ...]:
+    """The file itself first, then what it imports; in each from above to below."""
+    place = finding.place
+    at = (place.file != blueprint.file, place)
+    return (*at, finding.rule, finding.address, finding.message)
 
 
 def _at_most(findings: Iterator[Finding]) -> list[Finding]:

@@ -17,6 +17,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, UsageError
 from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.inspect import ALL, MOST, RULES, inspect
+from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
 
 SAMPLES = Path(__file__).parents[2] / "samples"
@@ -369,3 +370,22 @@ def test_the_fixes_of_the_samples_bring_no_new_errors() -> None:
                 pytest.fail(f"{finding}: {refusal}")
             assert finding.message not in {f.message for f in inspect(fixed, [finding.rule])}
             assert errors(fixed) <= errors(blueprint)
+
+
+def test_imported_files_are_inspected_too_and_named(tmp_path: Path) -> None:
+    low = tmp_path / "low.json"
+    low.write_text(
+        '{"LOW": {"_facts": {"9": {}},\n'
+        ' "State_0": {"up": "State_1", "up": "State_1"},\n'
+        ' "State_1": {}}}'
+    )
+    (tmp_path / "top.json").write_text(
+        '{"_imports": ["low.json"],\n\n\n "TOP": {"State_0": {"go": "State_x"}}}'
+    )
+    found = inspect(read_blueprint(read_document(tmp_path / "top.json")), ("R01", "R02", "R29"))
+    assert [(f.rule, Path(f.place.file).name, f.place.line) for f in found] == [
+        ("R02", "top.json", 4),
+        ("R29", "low.json", 1),
+        ("R01", "low.json", 2),
+    ]
+    assert found[-1].fix is None

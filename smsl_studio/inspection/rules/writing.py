@@ -19,21 +19,22 @@ ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
 def r01_doubled_key(blueprint: Blueprint) -> Iterator[Finding]:
     """A key written twice: the last one wins, and a reader of the text may see the first."""
-    for path, places in blueprint.document.duplicates():
-        fix = None
-        if _is_double(blueprint, path):
-            fix = Fix("Keep the last one", partial(keep_last, path=path))
-        for place in places[1:]:
-            first = places[0]
-            yield Finding(
-                "R01",
-                ERROR,
-                _address(path),
-                place,
-                f"{path[-1]} is written twice, first at line {first.line}, column {first.column}",
-                "the last one counts; rename or remove one",
-                fix,
-            )
+    for document in blueprint.documents:
+        for path, (first, *others) in document.duplicates():
+            fix = None
+            if document is blueprint.document and _is_double(blueprint, path):
+                fix = Fix("Keep the last one", partial(keep_last, path=path))
+            where = f"line {first.line}, column {first.column}"
+            for place in others:
+                yield Finding(
+                    "R01",
+                    ERROR,
+                    _address(path),
+                    place,
+                    f"{path[-1]} is written twice, first at {where}",
+                    "the last one counts; rename or remove one",
+                    fix,
+                )
 
 
 def _is_double(blueprint: Blueprint, path: tuple[str, ...]) -> bool:
@@ -183,7 +184,7 @@ def _note(blueprint: Blueprint, path: tuple[str, ...], message: str) -> Finding:
         "R29",
         WARNING,
         Address(path[0]),
-        blueprint.document.place(path),
+        blueprint.place(Address(path[0]), *path[1:]),
         message,
         "it is kept in the file, and left out of the meaning",
     )
