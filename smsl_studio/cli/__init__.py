@@ -50,7 +50,7 @@ def _dispatch(arguments: list[str], out: Output) -> int:
         return 0
     name, *rest = arguments
     if name in ("-V", "--version"):
-        from smsl_studio.cli.version import version
+        from smsl_studio.front.version import version
 
         out.line(f"smsl-studio {version()}")
         return 0

@@ -17,6 +17,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.reading import refusals
+from smsl_studio.front.version import version
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE
@@ -106,6 +107,8 @@ def run(
     """
     loaded = known_world(world, plugin_paths)
     story = _Story(on_event)
+    dispatcher: Dispatcher | None = None
+    refusal: RunRefused | None = None
     try:
         dispatcher = open_run(
             blueprint,
@@ -120,18 +123,22 @@ def run(
             loaded=loaded,
         )
     except RunRefused as refused:
-        return story.refused(refused)
+        refusal = refused
     try:
         if log is not None:
             header = log_header(blueprint, world, seed, host, loaded)
             story.log = RunLog(Path(log), header)
-        story.tell(dispatcher.open())
-        _loop(dispatcher, story, speed, stop_when)
+        if refusal is not None:
+            story.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
+        if dispatcher is not None:
+            story.tell(dispatcher.open())
+            _loop(dispatcher, story, speed, stop_when)
     except (SaveError, WorldError) as error:
         failed = "failed" if story.events else "refused"
         story.end(failed, str(error), dispatcher)
     finally:
-        dispatcher.close()
+        if dispatcher is not None:
+            dispatcher.close()
         story.close()
     return story.run()
 
@@ -187,6 +194,7 @@ def log_header(
             "behaviour": blueprint.behaviour,
         },
         "versions": {
+            "smsl-studio": version(),
             "python": sys.version.split()[0],
             **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
         },
@@ -202,37 +210,34 @@ class _Story:
         self._on_event = on_event
 
     def tell(self, events: Iterable[Event]) -> None:
-        """Log first, then hand on: nobody hears what the log does not have."""
+        """Log first, then hand on: nobody hears what the log does not have, while it lives."""
         for event in events:
             if self.log is not None:
-                self.log.write([event])
-            self._add(event)
-
-    def _add(self, event: Event) -> None:
-        self.events.append(event)
-        if self._on_event is not None:
-            self._on_event(event)
-
-    def refused(self, refused: RunRefused) -> Run:
-        self.end("refused", f"{refused.sentence}. {refused.advice}".strip(), None)
-        return self.run()
+                try:
+                    self.log.write([event])
+                except SaveError:
+                    self.close()
+                    raise
+            self.events.append(event)
+            if self._on_event is not None:
+                self._on_event(event)
 
     def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
         """The end of a run that its dispatcher cannot tell."""
         status = dispatcher.status if dispatcher is not None else None
-        self._add(
-            RunFinished(
-                t=status.time if status else 0.0,
-                reason=reason,
-                sentence=sentence,
-                operations=status.operations if status else 0,
-                configuration=dict(status.configuration) if status else {},
-            )
+        finished = RunFinished(
+            t=status.time if status else 0.0,
+            reason=reason,
+            sentence=sentence,
+            operations=status.operations if status else 0,
+            configuration=dict(status.configuration) if status else {},
         )
+        self.tell([finished])
 
     def close(self) -> None:
         if self.log is not None:
             self.log.close()
+        self.log = None
 
     def run(self) -> Run:
         last = self.events[-1]

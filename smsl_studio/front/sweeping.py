@@ -10,6 +10,7 @@ from smsl_studio.blueprint.check import Scene, state_check
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.words import truth_word
 from smsl_studio.front.running import known_world, make_host
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.host.protocol import Host
@@ -105,7 +106,7 @@ def _truth(
     if not scene.readings:
         return "unknown"
     check = state_check(hierarchy.blueprint, branch, state, scene, {**believed, branch: state})
-    return "unknown" if check.truth is None else str(check.truth).lower()
+    return truth_word(check.truth)
 
 
 def _why(events: Sequence[Event], sentence: str) -> str:

@@ -100,7 +100,7 @@ def read_log(path: Path) -> LoggedRun:
 def _record(path: Path, number: int, line: bytes) -> Mapping[str, Json]:
     try:
         record = json.loads(line)
-    except ValueError:
+    except (ValueError, RecursionError):
         record = None
     if not isinstance(record, dict):
         raise ReadError("the line is no JSON object", Place(str(path), number, 1))

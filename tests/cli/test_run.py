@@ -110,6 +110,18 @@ def test_the_log_has_a_header_and_what_was_printed(shell: Shell, tmp_path: Path)
     assert set(found.header["digests"]) == {"file", "behaviour"}
 
 
+@pytest.mark.parametrize("file", ["wrong", "hfsm"])
+def test_a_refused_run_is_in_the_log_too(shell: Shell, tmp_path: Path, file: str) -> None:
+    """Refused by a finding, and by a world that it does not suit."""
+    path = tmp_path / "wrong.json"
+    path.write_text('{"SB1": {"State_0": {"Op_go": "State_9"}}}')
+    log = tmp_path / "run.jsonl"
+    given = str(path) if file == "wrong" else sample(file)
+    answer = shell("run", given, "--world", "hanoi", "--format", "json", "--log", str(log))
+    assert _end(answer) == (1, "refused")
+    assert list(read_log(log).events) == answer.lines
+
+
 def test_a_log_that_cannot_be_written_refuses_the_run(shell: Shell, tmp_path: Path) -> None:
     answer = shell("run", sample("hfsm"), *TABLE, "--log", str(tmp_path / "no" / "log"))
     assert _end(answer) == (1, "refused")
