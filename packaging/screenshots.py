@@ -153,6 +153,7 @@ class Studio:
             window.set_theme(theme)
             for size in SIZES:
                 window.resize(*size)
+                self._wait(0.1)
                 if window.mode == "draw":
                     window.docks.set_first_sizes()
                 self._wait(0.5)

@@ -20,6 +20,9 @@ from smsl_studio.studio.tabs import Tabs
 
 LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280
+NARROWEST = 200
+FORM = 288
+"""The width that no form is cut in, with its scroll bar."""
 LAYOUT_VERSION = 1
 
 
@@ -45,6 +48,7 @@ class Docks(QObject):
         window.setCorner(corner.BottomRightCorner, area.RightDockWidgetArea)
         self.left = self._dock("left", self._sides, area.LeftDockWidgetArea)
         self.right = self._dock("right", self.right_tabs, area.RightDockWidgetArea)
+        self.right.setMinimumWidth(FORM)
         self.bottom = self._dock("bottom", self.bottom_tabs, area.BottomDockWidgetArea)
         self.drawer = Drawer(window)
         self._narrow = False
@@ -131,7 +135,7 @@ class Docks(QObject):
         dock.setTitleBarWidget(QWidget())
         dock.setFeatures(QDockWidget.DockWidgetFeature.NoDockWidgetFeatures)
         dock.setWidget(widget)
-        dock.setMinimumWidth(180)
+        dock.setMinimumWidth(NARROWEST)
         self._window.addDockWidget(area, dock)
         return dock
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QMenu, QStackedWidget
+from PySide6.QtWidgets import QApplication, QMainWindow, QMenu
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
@@ -15,6 +15,7 @@ from smsl_studio.inspection.finding import Finding
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio import commands
 from smsl_studio.studio.actions import Actions
+from smsl_studio.studio.body import Body
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.context_menu import context_menu
@@ -83,7 +84,7 @@ class Window(QMainWindow):
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
         self.findings = Findings(session, tokens, self.inspector.rules)
         self.history = History(session, tokens)
-        self.body = QStackedWidget()
+        self.body = Body()
         self.body.addWidget(self.canvas)
         self.body.addWidget(self.run_pane)
         self.setCentralWidget(self.body)
@@ -166,7 +167,7 @@ class Window(QMainWindow):
             return
         self._settings.store(f"panels/{self._mode}", self.docks.save())
         self._mode = mode
-        self.body.setCurrentWidget(self.canvas if mode == "draw" else self.run_pane)
+        self.body.show_page(self.canvas if mode == "draw" else self.run_pane)
         self.mode_bar.show_mode(mode)
         self.status_line.show_mode(mode)
         self.docks.show_mode(mode)

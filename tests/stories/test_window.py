@@ -203,3 +203,12 @@ def check_whole(widget: QWidget) -> None:
         assert widget.width() >= widget.minimumSizeHint().width(), f"{name} is cut"
     elif isinstance(widget, QLabel) and not widget.wordWrap() and widget.text():
         assert widget.width() >= widget.sizeHint().width() - 1, f"“{widget.text()}” is cut"
+
+
+def test_panels_keep_their_widths_when_the_window_grows_and_shrinks(sit: Sit) -> None:
+    person = sit(HANOI)
+    docks = person.window.docks
+    for size in ((1280, 800), (1920, 1080), (1280, 800)):
+        person.window.resize(*size)
+        person.until(lambda: person.window.body.width() > 0)
+        assert (docks.left.width(), docks.right.width()) == (232, 304), size
