@@ -2,32 +2,42 @@
 
 Every SMSL reader skips them, so each is optional; each is typed and checked here. A field that
 does not fit is left out of the meaning and reported (rule R29), never guessed at. Units: seconds.
+
+The notes are plain values; pydantic, which checks them, is loaded when there is one to check.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Literal, TypeVar
+from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from annotated_types import Ge, Gt
 
 from smsl_studio.blueprint.address import note_key
+
+if TYPE_CHECKING:
+    from pydantic import TypeAdapter
 
 Json = Any
 
 
-class _Note(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", populate_by_name=True)
+class _Note:
+    """What an entry may say; a word that it has no field for does not fit."""
+
+    __pydantic_config__: ClassVar = {"extra": "forbid"}
 
 
 NoteT = TypeVar("NoteT", bound=_Note)
 
 
+@dataclass(frozen=True)
 class FactNote(_Note):
     """``_facts`` of an SB, by digit (``"0"``): what the fact is and where it comes from."""
 
     name: str = ""
-    values: dict[str, str] = Field(default_factory=dict)
+    values: dict[str, str] = field(default_factory=dict)
     on: str | None = None
     failure: tuple[str, ...] = ()
     critical: bool = False
@@ -35,10 +45,11 @@ class FactNote(_Note):
     unit: str = ""
     predicate: str = ""
     aggregation: Literal["single", "all", "any", "k_of_n", "priority", "human"] = "single"
-    k: int | None = Field(default=None, ge=1)
-    max_age: float | None = Field(default=None, gt=0)
+    k: Annotated[int, Ge(1)] | None = None
+    max_age: Annotated[float, Gt(0)] | None = None
 
 
+@dataclass(frozen=True)
 class StateNote(_Note):
     """``_states`` of an SB, by state name."""
 
@@ -48,31 +59,34 @@ class StateNote(_Note):
     facts: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
 class Binding(_Note):
     """The library function an operation is bound to, with its arguments."""
 
     function: str
-    arguments: dict[str, Json] = Field(default_factory=dict)
+    arguments: dict[str, Json] = field(default_factory=dict)
 
 
+@dataclass(frozen=True)
 class OperationNote(_Note):
     """``_operations`` of an SB, by operation name or by ``State/Operation`` (which wins)."""
 
     title: str = ""
-    cost: float | None = Field(default=None, ge=0, allow_inf_nan=False)
+    cost: Annotated[float, Ge(0)] | None = None
     risk: Literal["low", "medium", "high"] | None = None
     actor: Literal["human", "shared", "robot"] | None = None
     confirm: tuple[str, ...] = ()
-    duration: float | None = Field(default=None, ge=0)
-    timeout: float | None = Field(default=None, gt=0)
+    duration: Annotated[float, Ge(0)] | None = None
+    timeout: Annotated[float, Gt(0)] | None = None
     stop: Literal["abort", "hold", "finish"] | None = None
     repeatable: bool = False
-    requires: dict[str, str] = Field(default_factory=dict)
+    requires: dict[str, str] = field(default_factory=dict)
     """Facts of any SB that must hold first: ``{"SB/digit": value}``."""
     subs: Literal["drive", "load"] = "drive"
     binding: Binding | None = None
 
 
+@dataclass(frozen=True)
 class Hazard(_Note):
     """``_hazards`` of the file: facts (``"SB/digit": value``) that must never hold together."""
 
@@ -80,22 +94,27 @@ class Hazard(_Note):
     facts: dict[str, str]
 
 
-class Notes(_Note):
-    """The annotations of one SB, and what in them could not be understood."""
+@dataclass(frozen=True)
+class Notes:
+    """The annotations of one SB, and what in them could not be understood.
 
-    facts: dict[int, FactNote] = Field(default_factory=dict)
-    states: dict[str, StateNote] = Field(default_factory=dict)
-    operations: dict[str, OperationNote] = Field(default_factory=dict)
-    layout: dict[str, tuple[float, float]] = Field(default_factory=dict)
+    ``written`` has, for each entry of ``operations``, the words that stand in it.
+    """
+
+    facts: Mapping[int, FactNote] = field(default_factory=dict)
+    states: Mapping[str, StateNote] = field(default_factory=dict)
+    operations: Mapping[str, OperationNote] = field(default_factory=dict)
+    layout: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     faults: tuple[tuple[tuple[str, ...], str], ...] = ()
+    written: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     def operation(self, state: str, operation: str) -> OperationNote:
         """The note of one edge: the one of its name, overridden by the one of the edge."""
-        common = self.operations.get(note_key(operation))
-        own = self.operations.get(note_key(operation, state))
+        key = note_key(operation, state)
+        common, own = self.operations.get(note_key(operation)), self.operations.get(key)
         if common is None or own is None:
             return own or common or PLAIN
-        return common.model_copy(update={k: getattr(own, k) for k in own.model_fields_set})
+        return replace(common, **{word: getattr(own, word) for word in self.written[key]})
 
 
 PLAIN = OperationNote()
@@ -125,19 +144,18 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
         if state is not None:
             states[name] = state
     operations: dict[str, OperationNote] = {}
+    written: dict[str, frozenset[str]] = {}
     for name, raw in table("_operations").items():
         operation = _validated(OperationNote, raw, ("_operations", name), faults)
         if operation is not None:
-            operations[name] = operation
+            operations[name], written[name] = operation, frozenset(raw)
     layout: dict[str, tuple[float, float]] = {}
     for name, at in table("_layout").items():
         if _is_point(at):
             layout[name] = (float(at[0]), float(at[1]))
         else:
             faults.append((("_layout", name), "a position is [x, y]"))
-    return Notes(
-        facts=facts, states=states, operations=operations, layout=layout, faults=tuple(faults)
-    )
+    return Notes(facts, states, operations, layout, tuple(faults), written)
 
 
 def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, ...], str], ...]]:
@@ -160,10 +178,21 @@ def _is_point(at: Json) -> bool:
 def _validated(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> NoteT | None:
+    from pydantic import ValidationError
+
+    kind: Any = model
     try:
-        return model.model_validate(raw)
+        found: NoteT = _adapter(kind).validate_python(raw)
     except ValidationError as error:
         for fault in error.errors(include_url=False):
             inner = ".".join(str(part) for part in fault["loc"])
             faults.append((path, f"{inner}: {fault['msg']}" if inner else fault["msg"]))
         return None
+    return found
+
+
+@lru_cache(maxsize=8)
+def _adapter(model: type[Any]) -> TypeAdapter[Any]:
+    from pydantic import TypeAdapter
+
+    return TypeAdapter(model)

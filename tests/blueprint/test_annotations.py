@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -56,7 +57,7 @@ def test_what_does_not_fit_is_left_out_and_reported(
 ) -> None:
     notes = read_notes(fields)
     assert [where for where, _ in notes.faults] == [path]
-    assert notes.model_copy(update={"faults": ()}) == Notes()
+    assert replace(notes, faults=()) == Notes()
 
 
 def test_hazards_name_facts_that_must_not_hold_together() -> None:

@@ -47,6 +47,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "scipy": ("graph/",),
     "numpy": ("graph/", "world/", "studio/"),
     "pydantic": ("",),
+    "annotated_types": ("blueprint/",),
     "typing_extensions": ("",),
 }
 

@@ -95,6 +95,7 @@ def test_without_qt_the_window_is_refused_with_a_reason() -> None:
     [
         ("import smsl_studio", (*HEAVY, "scipy", "networkx", "numpy", "pydantic")),
         ("from smsl_studio import read", (*HEAVY, "scipy", "networkx")),
+        ("import smsl_studio.inspection.inspect", (*HEAVY, "scipy", "networkx", "pydantic")),
         ("import smsl_studio.__main__", (*HEAVY, "scipy", "networkx", "argparse", "pydantic")),
     ],
 )
