@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QIcon, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QPushButton, QStyle, QStyleOptionButton
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QStyle, QStyleOptionButton
 
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens, text_font
@@ -28,6 +28,7 @@ class KeyButton(QPushButton):
         self._short = False
         self.setProperty("role", role)
         self.setFixedHeight(CONTROL_DECISION)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(words)
 
     def set_words(self, words: str, key: str, name: str) -> None:

@@ -41,7 +41,7 @@ from smsl_studio.studio.tabs import Tabs
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import capital
 
-FACTS = 410
+FACTS = 380
 """The least width of the facts, so that their words are not cut."""
 FRAME = 33
 """Milliseconds between two pictures of the world."""
@@ -86,6 +86,8 @@ class RunPane(QWidget):
 
     def play(self) -> None:
         """Start a run, or go on with the one that is paused, held or waits for a hand."""
+        if self.run.phase == "running":
+            return
         if self.run.exists:
             self.transport.by_hand.setChecked(False)
             self.run.play()

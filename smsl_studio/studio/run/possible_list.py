@@ -22,6 +22,8 @@ from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import pixmap
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
+ROW = 35
+REASONED = ("refused", "pruned")
 WIDEST = (146, 80)
 """Pixels for the names of operations and of targets."""
 
@@ -117,10 +119,13 @@ class PossibleList(QScrollArea):
         line = QFrame()
         line.setObjectName("possibleRow")
         line.setProperty("kind", row.kind)
-        line.setFixedHeight(36)
-        across = QHBoxLayout(line)
-        across.setContentsMargins(12, 0, 12, 0)
+        whole = QVBoxLayout(line)
+        whole.setContentsMargins(12, 0, 12, 0)
+        whole.setSpacing(0)
+        across = QHBoxLayout()
         across.setSpacing(8)
+        across.addStrut(ROW)
+        whole.addLayout(across)
         across.addWidget(self._mark(row.kind))
         if row.kind in ("route", "possible") and self._by_hand:
             hint = f"Carry out {row.address}"
@@ -129,7 +134,14 @@ class PossibleList(QScrollArea):
             plain = row.kind in ("waits", "pruned", "refused", "later")
             across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
         across.addWidget(self._fixed(label(row.target, "mono"), 1))
-        across.addWidget(_Words(row.words), 1)
+        if row.kind in REASONED:
+            # Why something is not possible is never cut: it goes on below.
+            across.addStretch(1)
+            reason = label(row.words, "hint")
+            reason.setContentsMargins(24, 0, 0, 9)
+            whole.addWidget(reason)
+        else:
+            across.addWidget(_Words(row.words), 1)
         if row.kind == "pruned":
             hint = f"Let the route use {row.address} again"
             across.addWidget(self._button("Restore", hint, self.restore_wanted, row))

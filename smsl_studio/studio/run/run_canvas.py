@@ -69,6 +69,7 @@ class RunCanvas(QWidget):
         whole = laid_over(
             self.canvas, words_over(buttons, self._steps), tools_over(self._follow, self._fit)
         )
+        self.setMinimumWidth(280)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.addWidget(whole, 0, 0)

@@ -10,10 +10,10 @@ Words = tuple[tuple[str, ...], tuple[str, ...]]
 
 
 def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
-    """(left, right), both empty before the first run."""
+    """(left, right)."""
     choice, status = run.choice, run.status
     if choice is None:
-        return (), ()
+        return ("No run yet",), ("Simulation only",)
     left = [f"World {choice.world}", f"Seed {choice.seed}"]
     if status is not None:
         left.append(f"Simulated {status.time:.1f} s")

@@ -17,7 +17,7 @@ from smsl_studio.studio.run.lanes import Block, Lane
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 AXIS = 27
-LABELS = 94
+LABELS, EMPTY = 94, 160
 EARLY = 0.0125
 """The share of the shown time that lies before the start, so that "0 s" has room."""
 PITCH = {"state": 27, "operation": 27, "fact": 22}
@@ -127,7 +127,7 @@ class Timeline(QScrollArea):
         self._badge.adjustSize()
         (left, right), _ = self._box.viewRange()
         room = 0.9 * self._badge.width() * (right - left) / max(self._box.width(), 1.0)
-        self._axis.hidden = (self._time - room, self._time + room)
+        self._axis.hide_from_to(self._time - room, self._time + room)
         share = (self._time - left) / max(right - left, 1e-9)
         at = round(share * self._box.width()) - self._badge.width() // 2
         at = min(max(at, 0), max(self._plot.width() - self._badge.width(), 0))
@@ -144,10 +144,11 @@ class _Labels(QWidget):
         super().__init__()
         self.tokens = tokens
         self._lanes: Sequence[Lane] = ()
-        self.setFixedWidth(LABELS)
+        self.setFixedWidth(EMPTY)
 
     def show_lanes(self, lanes: Sequence[Lane]) -> None:
         self._lanes = lanes
+        self.setFixedWidth(LABELS if lanes else EMPTY)
         self.setAccessibleName(", ".join(lane.label for lane in lanes))
         self.setToolTip("\n".join(lane.label for lane in lanes))
         self.update()
@@ -162,7 +163,7 @@ class _Labels(QWidget):
         painter.setFont(text_font(12))
         painter.setPen(self.tokens.tx2)
         if not self._lanes:
-            painter.drawText(QRectF(12, AXIS, LABELS - 12, 27), middle, "Starts with the run")
+            painter.drawText(QRectF(12, AXIS, EMPTY - 12, 27), middle, "Starts with the run")
         top = float(AXIS)
         for lane in self._lanes:
             room = QRectF(12, top, LABELS - 20, PITCH[lane.kind])
@@ -179,12 +180,18 @@ class _Seconds(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
 
     def __init__(self, orientation: str) -> None:
         super().__init__(orientation)
-        self.hidden = (0.0, 0.0)
-        """From when to when the badge of the present covers the axis."""
+        self._hidden = (0.0, 0.0)
+
+    def hide_from_to(self, low: float, high: float) -> None:
+        """Leave out the labels that the badge of the present would cover."""
+        if (low, high) != self._hidden:
+            self._hidden = (low, high)
+            self.picture = None
+            self.update()
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
         digits = 0 if spacing >= 1 else 1 if spacing >= 0.1 else 2
-        low, high = self.hidden
+        low, high = self._hidden
         return ["" if low < v < high else f"{v:.{digits}f} s" for v in values]
 
 

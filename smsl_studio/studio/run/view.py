@@ -245,8 +245,8 @@ def _kind(status: DispatchStatus, item: Possible) -> tuple[str, str]:
     if not item.permitted:
         return "refused", "; ".join(item.reasons)
     if item.on_route:
-        return "route", "possible, on the route"
-    return "possible", "possible, off the route" if status.route else "possible"
+        return "route", "on the route"
+    return "possible", "off the route" if status.route else "possible"
 
 
 def _predicted(blueprint: Blueprint, status: DispatchStatus) -> Iterator[PossibleRow]:

@@ -228,7 +228,7 @@ class WorldView(QWidget):
             width = QFontMetricsF(painter.font()).horizontalAdvance(words) + 20
             self._paint_box(painter, QRectF(left, bottom - 24, width, 24), words, self._tokens.tx2)
             left += width + 8
-        if len(self._frames) > 2 and perf_counter() - self._frames[-1] < 1:
+        if not self.patient and len(self._frames) > 2 and perf_counter() - self._frames[-1] < 1:
             rate = (len(self._frames) - 1) / max(self._frames[-1] - self._frames[0], 1e-3)
             painter.setPen(self._tokens.tx3)
             room = QRectF(self.width() - 132, bottom - 24, 120, 24)
