@@ -178,7 +178,7 @@ class FindingDelegate(QStyledItemDelegate):
 
     def _low(self, painter: QPainter, rect: QRectF, finding: Finding, right: float) -> None:
         tokens = self.tokens
-        wide = ADDRESS if rect.width() > 620 else ADDRESS * 0.7
+        wide = ADDRESS if rect.width() > 800 else ADDRESS * 0.7
         address = QRectF(rect.left() + TEXT_X, rect.top(), wide - 12, rect.height())
         paint_text(painter, address, _path(finding, " / ", False), Ink(tokens.tx2))
         text = QRectF(
