@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 
-from annotated_types import Ge, Gt
+from annotated_types import Ge, Gt, Le
 
 from smsl_studio.blueprint.address import note_key
 
@@ -72,7 +72,8 @@ class OperationNote(_Note):
     """``_operations`` of an SB, by operation name or by ``State/Operation`` (which wins)."""
 
     title: str = ""
-    cost: Annotated[float, Ge(0)] | None = None
+    cost: Annotated[float, Ge(0), Le(1e12)] | None = None
+    """Bounded, so that the cost of any route is a number too."""
     risk: Literal["low", "medium", "high"] | None = None
     actor: Literal["human", "shared", "robot"] | None = None
     confirm: tuple[str, ...] = ()

@@ -45,6 +45,7 @@ def test_an_edge_can_set_back_what_its_name_says() -> None:
         ({"_facts": []}, ("_facts",)),
         ({"_states": {"S0": {"safe": "perhaps"}}}, ("_states", "S0")),
         ({"_operations": {"o": {"cost": -1}}}, ("_operations", "o")),
+        ({"_operations": {"o": {"cost": 1e300}}}, ("_operations", "o")),
         ({"_operations": {"o": {"subs": "both"}}}, ("_operations", "o")),
         ({"_operations": {"o": "words"}}, ("_operations", "o")),
         ({"_layout": {"S0": [1]}}, ("_layout", "S0")),
