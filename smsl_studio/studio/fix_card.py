@@ -17,7 +17,7 @@ from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens
 from smsl_studio.studio.words import capital
 
-WIDTH, EDGE, TOP, FOOT = 236, 14, 86, 58
+WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
 
 
 class FixCard(Card):
@@ -113,7 +113,7 @@ class FixCard(Card):
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
         corners = (
             QPoint(EDGE, TOP),
-            QPoint(wide, TOP),
+            QPoint(wide, RIGHT_TOP),
             QPoint(EDGE, high - FOOT),
             QPoint(wide, high - FOOT - 60),
         )
