@@ -22,7 +22,7 @@ from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
 from smsl_studio.host.sensing import Sensing
 from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import bindings_beside
-from smsl_studio.library.bound import Bindings
+from smsl_studio.library.bound import Bindings, BoundSensor
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE, WorldEntry
 from smsl_studio.library.table import facts_of
@@ -224,7 +224,7 @@ def _bounds(bindings: Bindings) -> dict[Address, Bound]:
     return found
 
 
-def _info(sensor: Any) -> SensorInfo:
+def _info(sensor: BoundSensor) -> SensorInfo:
     return SensorInfo(
         sensor.name,
         sensor.branch,
