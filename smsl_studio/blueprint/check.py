@@ -101,12 +101,12 @@ def state_check(
     own = blueprint.branches[branch]
     terms = []
     for digit, value in enumerate(own.facts(state)):
-        sub = own.subs.get(digit)
+        sub = blueprint.branches.get(own.subs.get(digit, ""))
         if (branch, digit) in transit:
             terms.append(Term((branch, digit), value, None, None, IN_TRANSIT))
-        elif sub is not None and sub in blueprint.branches:
-            goal = blueprint.branches[sub].activating
-            inner = state_check(blueprint, sub, goal, scene, believed, transit=transit)
+        elif sub is not None and sub.activating in sub.table:
+            goal = sub.activating
+            inner = state_check(blueprint, sub.name, goal, scene, believed, transit=transit)
             terms.append(_sub_term(own, digit, value, inner))
         else:
             terms.append(_term(own, digit, value, scene, believed))

@@ -123,7 +123,8 @@ class StateBranch:
         """The fact values of a state, digit 0 first."""
         shape = self.shape
         if shape.width == 0 and not shape.opaque:
-            return self.notes.states[state].facts
+            note = self.notes.states.get(state)
+            return note.facts if note else ()
         return shape.values(state)
 
     @cached_property

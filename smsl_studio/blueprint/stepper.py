@@ -160,6 +160,9 @@ class Stepper:
             branch = self.hierarchy.blueprint[subs[digit]]
             state = branch.activating if digit in edge.rises else branch.initial
             found.update(standing(self.hierarchy, branch.name, state))
+        for name, state in found.items():
+            if state not in self.hierarchy.blueprint[name].table:
+                raise Unavailable(f"{edge} loads {name} into {state}, which is no state of it")
         return found
 
     def _drive(self, script: Script, edge: Edge, held: Held) -> None:
