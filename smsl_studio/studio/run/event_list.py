@@ -25,6 +25,8 @@ class EventList(QListWidget):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFont(mono_font(12))
         self.setUniformItemSizes(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.setAccessibleName("Events")
         self.itemActivated.connect(self._jump)
         self.itemClicked.connect(self._jump)
@@ -36,9 +38,9 @@ class EventList(QListWidget):
         for event in events:
             if isinstance(event, QUIET):
                 continue
-            item = QListWidgetItem(f"{event.t:9.3f} s  {sentence(event)}")
+            item = QListWidgetItem(f"{event.t:8.2f} s  {sentence(event)}")
             item.setData(Qt.ItemDataRole.UserRole, getattr(event, "address", ""))
-            item.setToolTip(event.line())
+            item.setToolTip(f"{sentence(event)}\n{event.line()}")
             self.addItem(item)
         while self.count() > LONGEST:
             self.takeItem(0)

@@ -83,6 +83,12 @@ def test_the_renderer_draws_what_stands_in_front_or_says_why() -> None:
         assert left.red() > 2 * left.blue()
         assert right.blue() > 2 * right.red()
         assert image.pixelColor(100, 5).alpha() == 0
+    # Both walls in the middle now, the red one before or behind the blue one, and drawn first.
+    turn, blue = (0.0, 0.0, 0.0, 1.0), (0.0, -0.5, 0.0, 0.0, 0.0, 0.0, 1.0)
+    before = renderer.draw((0.5, 0.5, 0.0, *turn, *blue), AHEAD, Look(200, 100, dark=False))
+    behind = renderer.draw((-0.5, 0.5, 0.0, *turn, *blue), AHEAD, Look(200, 100, dark=False))
+    assert before.pixelColor(100, 45).red() > 2 * before.pixelColor(100, 45).blue()
+    assert behind.pixelColor(100, 45).blue() > 2 * behind.pixelColor(100, 45).red()
     renderer.close()
 
 
