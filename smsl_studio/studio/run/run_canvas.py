@@ -132,7 +132,9 @@ class RunCanvas(QWidget):
         run = self._run
         if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
             return ""
-        advice = "Decide below what is to be done." if run.exists else "Play starts a new run."
+        advice = (
+            "Choose an operation, restore one, or stop." if run.exists else "Play starts a new run."
+        )
         return f"{TROUBLE[run.phase]}: {capital(run.sentence)} {advice}"
 
     def say(self, words: str) -> None:
