@@ -32,6 +32,7 @@ class StatusLine(QStatusBar):
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
         self.addPermanentWidget(self.ending)
+        self.messageChanged.connect(lambda *_: self._show_parts())
 
     def show_blueprint(self, blueprint: Blueprint) -> None:
         """How much there is, and how it is written."""
@@ -73,9 +74,15 @@ class StatusLine(QStatusBar):
         return " | ".join(part.text() for part in shown if part.text())
 
     def _show_parts(self) -> None:
-        for part in (*self.counts, self.form, self.place):
+        """The parts of the mode. A hint takes the left side while it is there."""
+        free = not self.currentMessage()
+        for part in self.counts:
+            part.setVisible(free and not self._running)
+        for part in (self.form, self.place):
             part.setVisible(not self._running)
-        for part in (*self.run, *self.run_right):
+        for part in self.run:
+            part.setVisible(free and self._running and bool(part.text()))
+        for part in self.run_right:
             part.setVisible(self._running and bool(part.text()))
 
 

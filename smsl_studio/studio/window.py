@@ -175,6 +175,8 @@ class Window(QMainWindow):
             self.docks.restore(self._settings.bytes_of("panels/draw"))
         self._fit_width()
         self.mode_bar.show()
+        # What had the focus may be gone, and keys would end up in whatever Qt finds next.
+        (self.canvas if mode == "draw" else self.run_pane.canvas.canvas).setFocus()
         self.actions_table.refresh()
 
     @property

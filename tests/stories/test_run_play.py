@@ -119,6 +119,25 @@ def test_the_drawing_moves_on_and_the_run_keeps_its_version(sit: Sit) -> None:
     assert person.window.session.edited
 
 
+def test_another_file_is_not_shown_with_the_run_of_the_last(sit: Sit) -> None:
+    person = sit(HFSM)
+    run = AtRun(person)
+    person.click(run.pane.transport.play)
+    run.until_phase("Goal reached")
+    assert person.window.files.open_copy(HANOI)
+    assert run.phase == "Ready"
+    assert not run.facts()
+    assert not run.pane.timeline.lanes
+    assert not run.pane.events.count()
+    assert not person.window.outline.tree.active
+    person.click(run.pane.transport.step)
+    run.until_done(1)
+    assert person.window.outline.tree.active
+    assert person.window.files.open_copy(HFSM)
+    assert run.phase == "Paused"
+    assert not person.window.outline.tree.active
+
+
 def test_the_window_tells_the_same_story_as_a_headless_run(sit: Sit) -> None:
     person = sit(REGISTRATION)
     run = AtRun(person)

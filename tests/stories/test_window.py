@@ -121,6 +121,18 @@ def test_the_status_line_counts_and_places(sit: Sit) -> None:
     assert status.ending.text() == "Not a medical device"
 
 
+def test_a_hint_and_the_status_line_are_never_in_one_place(sit: Sit) -> None:
+    person = sit(HANOI)
+    status = person.window.status_line
+    status.showMessage("Run the blueprint in a world")
+    person.ctrl(Key.Key_2)
+    person.ctrl(Key.Key_1)
+    assert not any(part.isVisible() for part in status.counts)
+    status.clearMessage()
+    assert all(part.isVisible() for part in status.counts)
+    assert not any(part.isVisible() for part in status.run)
+
+
 def test_what_is_refused_is_a_line_and_no_dialog(sit: Sit) -> None:
     person = sit(HANOI)
     person.window.session.refused.emit(EditRefused("that cannot be", advice="Do this."))
@@ -148,8 +160,10 @@ def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
     window = person.window
     assert window.body.currentWidget() is window.run_pane
     assert not window.docks.left.isVisible()
+    assert window.focusWidget() is window.run_pane.canvas.canvas
     person.ctrl(Key.Key_1)
     assert window.body.currentWidget() is window.canvas
+    assert window.focusWidget() is window.canvas
     assert window.docks.left.isVisible()
     assert window.docks.bottom.isVisible()
 

@@ -74,7 +74,7 @@ class RunPane(QWidget):
         self.possible = PossibleList(tokens)
         self.timeline = Timeline(tokens)
         self.events = EventList()
-        self._offered = False
+        self._offered = self._foreign = False
         self._build()
         self._connect()
         self._frames = QTimer(self)
@@ -145,6 +145,7 @@ class RunPane(QWidget):
             seed=int(transport.seed.text() or 0),
             by_hand=transport.by_hand.isChecked(),
         )
+        self._foreign = False
         self.events.clear()
         self.world.clear()
         self.canvas.show_refusal("")
@@ -218,9 +219,22 @@ class RunPane(QWidget):
         self.possible.restore_wanted.connect(self.run.restore)
         self.canvas.chosen.connect(self.ask)
         self.events.jump_wanted.connect(self.canvas.jump)
+        self._session.opened.connect(self._another_file)
         self._session.blueprint_changed.connect(self._drawing_changed)
 
     # What is shown.
+
+    def _another_file(self) -> None:
+        """What was shown of another file's run says nothing about this one. A run that is there
+        goes on, and only the outline, which shows the new file, no longer speaks of it."""
+        self._foreign = self.run.exists
+        if not self.run.exists:
+            self.events.clear()
+            self.world.clear()
+            self._world_name.setText("")
+            self._world_tools.hide()
+            self.run.forget()
+        self._refresh()
 
     def _drawing_changed(self) -> None:
         self._offered = False
@@ -256,7 +270,8 @@ class RunPane(QWidget):
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running
         self._facts_note.setText(f"{running.operation} in transit" if running else "")
-        self.moved.emit(status.configuration, running.branch if running else "")
+        active = {} if self._foreign else status.configuration
+        self.moved.emit(active, running.branch if running and active else "")
 
     def _show_nothing(self) -> None:
         self.facts.show_rows(())

@@ -170,6 +170,14 @@ class RunSession(QObject):
             runner.deleteLater()
         self._set_exists(False)
 
+    def forget(self) -> None:
+        """Let go of a run that has ended, as if there had been none."""
+        if not self._exists and self.blueprint is not None:
+            self.close()
+            self.blueprint, self.status, self.choice = None, None, None
+            self.story, self.shapes, self.sensors = Story(), (), ()
+            self.changed.emit()
+
     def _command(self, command: Command) -> None:
         if self._runner is not None and self._exists:
             self._runner.command(command)

@@ -123,9 +123,9 @@ class Timeline(QScrollArea):
 
     def _place_badge(self) -> None:
         self._badge.setVisible(bool(self.lanes))
-        self._badge.setText(f"{self._time:.1f} s")
-        self._badge.adjustSize()
         (left, right), _ = self._box.viewRange()
+        self._badge.setText(f"{self._time:.{1 if right - left > 1 else 2}f} s")
+        self._badge.adjustSize()
         room = 0.9 * self._badge.width() * (right - left) / max(self._box.width(), 1.0)
         self._axis.hide_from_to(self._time - room, self._time + room)
         share = (self._time - left) / max(right - left, 1e-9)
