@@ -138,9 +138,7 @@ class Session(QObject):
         if branch is None or not address.state:
             return branch is not None
         operations = branch.table.get(address.state)
-        return operations is not None and (
-            not address.operation or address.operation in operations
-        )
+        return operations is not None and (not address.operation or address.operation in operations)
 
     def _show(self, blueprint: Blueprint) -> None:
         before, self._blueprint = self._blueprint, blueprint
