@@ -50,6 +50,9 @@ def parse_json(text: str, file: str) -> Document:
         values = json.loads(
             text[shift:], object_pairs_hook=keep, parse_constant=_no_number, parse_float=_number
         )
+    except RecursionError:
+        _check_depth(blank)
+        raise
     except json.JSONDecodeError as error:
         raise _invalid(blank, min(error.pos + shift, len(text)), error.msg) from None
     except ValueError:
@@ -60,6 +63,8 @@ def parse_json(text: str, file: str) -> Document:
             blank.place_at(skip_space(text, shift)),
             "An SMSL file is one JSON object whose members are State Branches.",
         )
+    if doubled or _is_deep(values):  # what a doubled key hides is not in the values
+        _check_depth(blank)
     return Document(text, file, "json", values, doubled)
 
 
@@ -112,18 +117,30 @@ def _is_too_large(number: str) -> bool:
 
 
 def _check_size(document: Document) -> None:
-    """Refuse texts so large or nested so deep that reading them would exhaust the machine."""
-    text = document.text
-    if len(text) > MAX_CHARACTERS:
+    """Refuse texts so large that reading them would exhaust the machine."""
+    if len(document.text) > MAX_CHARACTERS:
         raise ReadError(
             f"the file is larger than {MAX_CHARACTERS >> 20} million characters",
             document.place_at(0),
             "Split it into several files.",
         )
-    if text.count("[") + text.count("{") <= MAX_DEPTH:
-        return
+
+
+def _is_deep(values: Any) -> bool:
+    """Whether values are nested deeper than is allowed; far quicker than looking at the text."""
+    layer = [values]
+    for _ in range(MAX_DEPTH):
+        objects = (one.values() if isinstance(one, dict) else one for one in layer)
+        layer = [value for inner in objects for value in inner if type(value) in (dict, list)]
+        if not layer:
+            return False
+    return True
+
+
+def _check_depth(document: Document) -> None:
+    """Refuse texts nested so deep that working on them would exhaust the stack."""
     depth = 0
-    for match in _BRACKET.finditer(text):
+    for match in _BRACKET.finditer(document.text):
         mark = match[0]
         if mark in "[{":
             depth += 1

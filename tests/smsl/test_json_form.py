@@ -78,6 +78,8 @@ def test_the_canonical_layout_is_that_of_the_samples() -> None:
         ('{"a": "\\ud83d\\u0041"}', 1, 8, "half a surrogate pair"),
         ('{"a": "\ud800"}', 1, 8, "half a surrogate pair"),
         ("[" * 5000, 1, MAX_DEPTH + 1, "nested deeper than 64 levels"),
+        ('{"a":' + "[" * 99 + "]" * 99 + ',"a":1}', 1, 69, "nested deeper than 64 levels"),
+        ('{"a":' + "[" * 99 + "]" * 99 + "}", 1, 69, "nested deeper than 64 levels"),
         ('{"a":\n' * 5000, MAX_DEPTH + 1, 1, "nested deeper than 64 levels"),
     ],
     ids=range(20),
