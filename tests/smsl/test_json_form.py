@@ -82,7 +82,7 @@ def test_the_canonical_layout_is_that_of_the_samples() -> None:
         ('{"a":' + "[" * 99 + "]" * 99 + "}", 1, 69, "nested deeper than 64 levels"),
         ('{"a":\n' * 5000, MAX_DEPTH + 1, 1, "nested deeper than 64 levels"),
     ],
-    ids=range(20),
+    ids=range(22),
 )
 def test_a_refusal_names_the_place(text: str, line: int, column: int, words: str) -> None:
     error = refusal(text)
