@@ -71,8 +71,11 @@ class Loaded:
         for plugin in self.plugins:
             if name in plugin.library.worlds:
                 return plugin, plugin.library.worlds[name]
-        broken = "".join(f" {fault}." for fault in self.faults if name in fault.plugin)
-        advice = did_you_mean(name, self.worlds) or f"There are {', '.join(self.worlds)}."
+        near = did_you_mean(name, self.worlds)
+        # A plugin that did not load cannot say which worlds it would have had.
+        faults = [fault for fault in self.faults if not near or name in fault.plugin]
+        broken = "".join(f" {fault}." for fault in faults)
+        advice = near or f"There are {', '.join(self.worlds)}."
         raise WorldError(f"there is no world {name!r}.{broken}".removesuffix("."), advice=advice)
 
     def serving(self, world: str) -> tuple[Plugin, ...]:

@@ -76,6 +76,17 @@ def test_broken_plugins_are_named_with_their_lines_and_stop_nobody(tmp_path: Pat
         assert words in faults[name].sentence, faults[name].sentence
 
 
+def test_a_world_that_is_not_there_names_the_plugins_that_did_not_load(tmp_path: Path) -> None:
+    write_plugin(tmp_path, "bad", "def register(library)\n")
+    write_plugin(tmp_path, "zgood", GOOD, words='NAME = "good"')
+    loaded = discover([tmp_path])
+    with pytest.raises(WorldError, match="the plugin 'bad' did not load"):
+        loaded.world("kitchen")
+    with pytest.raises(WorldError) as near:
+        loaded.world("goood")
+    assert "bad" not in str(near.value)
+
+
 def test_a_fault_in_a_sibling_module_names_the_sibling(tmp_path: Path) -> None:
     write_plugin(tmp_path, "bad", GOOD, words="\n\nNAME = 1 / 0\n")
     (fault,) = discover([tmp_path]).faults
