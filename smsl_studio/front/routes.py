@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.errors import RunRefused
+from smsl_studio.blueprint.model import Blueprint, Operation, StateBranch
+from smsl_studio.errors import AddressError, RunRefused, did_you_mean
 from smsl_studio.front.addresses import Written, operations_at, state_at
 from smsl_studio.graph.routing import Route, cheapest
 
@@ -20,13 +20,15 @@ def plan_route(
 ) -> Route | None:
     """The cheapest route from one state to another of the same SB; None where none leads there.
 
-    In a State Branch only its own edges are looked at. In a Blueprint a route of an SB that has
+    In a State Branch only its own edges are looked at, and what names another SB is not avoided. In
+    a Blueprint a route of an SB that has
     sub-SBs is planned over joint configurations, so that its cost is that of what is really
     carried out; it lists the SB's own edges. AddressError for a name that does not exist;
     RunRefused where no run could stand in ``start``.
     """
     if isinstance(where, StateBranch):
-        return cheapest(where, str(start), str(goal), avoid=_in_branch(where, avoid))
+        first_name, last_name = _state_in(where, start), _state_in(where, goal)
+        return cheapest(where, first_name, last_name, avoid=list(_edges_in(where, avoid)))
     first = state_at(where, start, branch)
     last = state_at(where, goal, branch or first.branch)
     shut = operations_at(where, avoid)
@@ -58,6 +60,36 @@ def _joint_route(
     return Route(own, states, sum(leg.cost for leg in legs))
 
 
-def _in_branch(branch: StateBranch, avoid: Iterable[Written]) -> list[Address]:
-    found = [text if isinstance(text, Address) else Address(*Address.split(text)) for text in avoid]
-    return [address for address in found if address.branch == branch.name]
+def _state_in(branch: StateBranch, written: Written) -> str:
+    """The name of a state, written alone or with the SB; ``cheapest`` says where it is none."""
+    if isinstance(written, str) and written in branch.table:
+        return written
+    names = _names(written)
+    return names[-1] if names in ((branch.name, names[-1]), (names[-1],)) else str(written)
+
+
+def _edges_in(branch: StateBranch, avoid: Iterable[Written]) -> Iterator[Address]:
+    """The SB's edges among those to avoid; what names another SB is passed over."""
+    for written in avoid:
+        names = _names(written)
+        if names[0] == branch.name and len(names) > 1:
+            names = names[1:]
+        elif isinstance(written, Address) or (len(names) > 1 and names[0] not in branch.table):
+            continue
+        edges = [edge for edge in branch.edges() if names in _ways_to_write(edge)]
+        if not edges and (len(names) > 1 or names[0] not in branch.table):
+            known = [*branch.table, *(edge.name for edge in branch.edges())]
+            raise AddressError(
+                f"{written} is no operation of {branch.name}",
+                advice=did_you_mean(names[-1], known),
+            )
+        yield from (edge.address for edge in edges)
+
+
+def _ways_to_write(edge: Operation) -> tuple[tuple[str, ...], ...]:
+    """An edge by its state and name, by all that leads out of its state, by its name alone."""
+    return (edge.source, edge.name), (edge.source,), (edge.name,)
+
+
+def _names(written: Written) -> tuple[str, ...]:
+    return written.path if isinstance(written, Address) else Address.split(written)

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 import smsl_studio as smsl
-from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
+from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import AddressError, RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front import running
 from smsl_studio.front.running import Run
 from smsl_studio.runlog.events import EdgeSwept, Event, OperationStarted, RunFinished
@@ -55,6 +56,31 @@ def test_in_a_branch_only_its_own_edges_are_avoided() -> None:
     route = smsl.plan_route(branch, "State000", "State111", avoid)
     assert route is not None
     assert route.states == ("State000", "State100", "State110", "State111")
+
+
+@pytest.mark.parametrize(
+    ("avoid", "states"),
+    [
+        ("Operation100B", ("State000", "State100", "State110", "State111")),
+        ("State100/Operation100A", ("State000", "State100", "State111")),
+        (Address("SB1", "State110"), ("State000", "State100", "State111")),
+        ("SB1/State100", None),
+        ("State000", None),
+    ],
+)
+def test_in_a_branch_an_edge_is_avoided_however_it_is_written(
+    avoid: str | Address, states: tuple[str, ...] | None
+) -> None:
+    branch = smsl.read(_sample("hfsm"))["SB1"]
+    route = smsl.plan_route(branch, "SB1/State000", Address("SB1", "State111"), [avoid])
+    assert (route.states if route else None) == states
+
+
+@pytest.mark.parametrize("avoid", ["Operation100", "State100/Operation", "SB1/State9/Operation0"])
+def test_what_is_no_operation_of_a_branch_is_not_avoided_in_silence(avoid: str) -> None:
+    branch = smsl.read(_sample("hfsm"))["SB1"]
+    with pytest.raises(AddressError, match=f"{avoid} is no operation of SB1"):
+        smsl.plan_route(branch, "State000", "State111", [avoid])
 
 
 def _lamp(folder: Path, **others: object) -> Run:
