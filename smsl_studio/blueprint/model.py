@@ -33,6 +33,8 @@ class Header:
 
     ``sub_sbs`` are pairs (sub-SB, digit) in written order, so that two subs on one digit and one
     sub written twice can be seen; ``num_states`` is only checked; ``unknown`` keys are kept.
+    ``odd`` are known keys whose value is of the wrong kind, as written: they count as left out, and
+    inspection reports them, as it does the entries of SUB_SBS whose digit is no whole number.
     """
 
     initial: str | None = None
@@ -44,6 +46,7 @@ class Header:
     fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
     present: bool = True
     subs_as_written: Json = None
+    odd: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
 
 
 @dataclass(frozen=True, slots=True)

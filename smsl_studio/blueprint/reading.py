@@ -6,7 +6,7 @@ the wrong kind. Everything else opens and is reported by inspection.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -71,7 +71,7 @@ def _branch(document: Document, name: str, value: Json) -> StateBranch:
             fields[key] = inner
         elif key == HEADER:
             _must_be_map(document, (name, HEADER), inner, "a HEADER")
-            header = _header(document, name, inner)
+            header = _header(inner)
         else:
             _must_be_map(document, (name, key), inner, "a state")
             table[key] = _operations(document, (name, key), inner, state_fields)
@@ -92,7 +92,7 @@ def _operations(
             plain = False
         elif type(target) is not str or not key:
             raise ReadError(
-                f"the target of {key!r} is {_kind(target)}, not the name of a state"
+                f"the target of {key!r} is {kind_of(target)}, not the name of a state"
                 if key
                 else "an operation has no name",
                 document.place((*path, key)),
@@ -104,71 +104,69 @@ def _operations(
     return {k: v for k, v in value.items() if k[:1] != "_"}
 
 
-def _header(document: Document, branch: str, value: Mapping[str, Json]) -> Header:
+def _header(value: Mapping[str, Json]) -> Header:
     fields = {k: v for k, v in value.items() if k.startswith("_")}
     unknown = {k: v for k, v in value.items() if k not in KNOWN and not k.startswith("_")}
 
-    def get(key: str, kind: type, words: str) -> Any:
-        found = value.get(key)
-        if found is None or (type(found) is kind and found != ""):
-            return found
-        raise ReadError(
-            f"{key} is {_kind(found) if found != '' else 'empty'}, not {words}",
-            document.place((branch, HEADER, key)),
-            f"Write {key} as {words}, or leave it out.",
-        )
+    odd: dict[str, Json] = {}
 
+    def get(key: str, kind: type) -> Any:
+        found = value.get(key)
+        if type(found) is kind and found != "":
+            return found
+        if found is not None:
+            odd[key] = found
+        return None
+
+    written = value.get("SUB_SBS")
+    if written is not None and not isinstance(written, dict | list):
+        odd["SUB_SBS"] = written
+    pairs = ((sub, digit) for _, sub, digit in sub_entries(written))
     return Header(
-        initial=get("INITIAL", str, "the name of a state"),
-        activating=get("ACTIVATING", str, "the name of a state"),
-        num_facts=get("NUM_FACTS", int, "a whole number"),
-        sub_sbs=_sub_sbs(document, branch, value.get("SUB_SBS")),
-        num_states=get("NUM_STATES", int, "a whole number"),
+        initial=get("INITIAL", str),
+        activating=get("ACTIVATING", str),
+        num_facts=get("NUM_FACTS", int),
+        sub_sbs=tuple((sub, digit) for sub, digit in pairs if sub and type(digit) is int),
+        num_states=get("NUM_STATES", int),
         unknown=unknown or EMPTY,
         fields=fields or EMPTY,
-        subs_as_written=value.get("SUB_SBS"),
+        subs_as_written=written,
+        odd=odd or EMPTY,
     )
 
 
 KNOWN = ("INITIAL", "ACTIVATING", "NUM_FACTS", "SUB_SBS", "NUM_STATES")
 
 
-def _sub_sbs(document: Document, branch: str, value: Json) -> tuple[tuple[str, int], ...]:
-    """SUB_SBS as a map, as ``[]``, or as a list of one-key maps."""
-    if value is None:
-        return ()
-    path = (branch, HEADER, "SUB_SBS")
-    advice = 'Write SUB_SBS as {"SB2": 1}: the sub-SB and the digit it expands, counted from 0.'
-    if not isinstance(value, dict | list):
-        sentence = f"SUB_SBS is {_kind(value)}, not a map from sub-SBs to digits"
-        raise ReadError(sentence, document.place(path), advice)
-    pairs: list[tuple[str, int]] = []
-    for index, item in enumerate([value] if isinstance(value, dict) else value):
-        at = path if isinstance(value, dict) else (*path, str(index))
-        if not isinstance(item, dict):
-            sentence = f"{_kind(item)} in SUB_SBS is no map from a sub-SB to a digit"
-            raise ReadError(sentence, document.place(at), advice)
-        for sub, digit in item.items():
-            if sub[:1] == "_":
+def sub_entries(written: Json) -> Iterator[tuple[Path, str, Json]]:
+    """What stands in SUB_SBS (a map, or a list of one-key maps): where, the sub-SB, its digit.
+
+    What is no map in a list comes with an empty name; ``_`` names are passed over.
+    """
+    if isinstance(written, list):
+        for index, item in enumerate(written):
+            if not isinstance(item, dict):
+                yield (str(index),), "", item
                 continue
-            if type(digit) is not int or not sub:
-                sentence = f"the digit of {sub!r} in SUB_SBS is {_kind(digit)}, not a whole number"
-                sentence = sentence if sub else "a sub-SB in SUB_SBS has no name"
-                raise ReadError(sentence, document.place((*at, sub)), advice)
-            pairs.append((sub, digit))
-    return tuple(pairs)
+            for path, sub, digit in sub_entries(item):
+                yield (str(index), *path), sub, digit
+    elif isinstance(written, dict):
+        for sub, digit in written.items():
+            if sub[:1] != "_":
+                yield (sub,), sub, digit
 
 
 def _must_be_map(document: Document, path: Path, value: Json, what: str) -> None:
     if not isinstance(value, dict):
         raise ReadError(
-            f"{path[-1]!r} is {_kind(value)}, not {what}",
+            f"{path[-1]!r} is {kind_of(value)}, not {what}",
             document.place(path),
             f"Write {what} as {{ ... }}, or start the name with _ to have it skipped.",
         )
 
 
-def _kind(value: Json) -> str:
+def kind_of(value: Json) -> str:
+    """What a value is, in words: ``a text``, ``a list``, ``null`` ..."""
     if value is None:
         return "null"
     if isinstance(value, bool):

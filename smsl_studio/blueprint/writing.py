@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint, Header, StateBranch
-from smsl_studio.blueprint.reading import HEADER, read_blueprint
+from smsl_studio.blueprint.reading import HEADER, read_blueprint, sub_entries
 from smsl_studio.smsl.json_form import parse_json, write_json
 
 Json = Any
@@ -51,15 +51,16 @@ def _header(header: Header) -> dict[str, Json]:
         "NUM_STATES": header.num_states,
     }
     values = {key: value for key, value in known.items() if value is not None}
-    return {**values, **_plain(header.unknown), **_plain(header.fields)}
+    odd = {key: value for key, value in header.odd.items() if key not in values}
+    return {**values, **odd, **_plain(header.unknown), **_plain(header.fields)}
 
 
 def _subs(header: Header) -> Json:
     """SUB_SBS as it was written; else a map, or a list where one sub-SB is named twice."""
     written, pairs = header.subs_as_written, header.sub_sbs
-    maps = written if isinstance(written, list) else [written or {}]
-    told = [item for inner in maps for item in inner.items() if item[0][:1] != "_"]
-    if written is not None and tuple(told) == pairs:
+    told = [(sub, digit) for _, sub, digit in sub_entries(written)]
+    good = tuple((sub, digit) for sub, digit in told if sub and type(digit) is int)
+    if isinstance(written, dict | list) and good == pairs:
         return written
     if len({sub for sub, _ in pairs}) == len(pairs):
         return dict(pairs) or None

@@ -10,6 +10,7 @@ import pytest
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.writing import values_of
 from smsl_studio.errors import AddressError, Place, ReadError
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
@@ -96,15 +97,6 @@ def test_sub_sbs_may_be_a_map_a_list_or_absent(
         ('{"A": {"S": {"o": 1}}}', 14, "the target of 'o' is a number"),
         ('{"A": {"S": {"o": null}}}', 14, "the target of 'o' is null"),
         ('{"A": {"S": {"": "S"}}}', 14, "an operation has no name"),
-        ('{"A": {"HEADER": {"INITIAL": 5}}}', 19, "INITIAL is a number, not the name"),
-        ('{"A": {"HEADER": {"INITIAL": ""}}}', 19, "INITIAL is empty, not the name"),
-        ('{"A": {"HEADER": {"NUM_FACTS": "3"}}}', 19, "NUM_FACTS is a text, not a whole"),
-        ('{"A": {"HEADER": {"NUM_FACTS": true}}}', 19, "NUM_FACTS is true, not a whole"),
-        ('{"A": {"HEADER": {"NUM_FACTS": 1.5}}}', 19, "NUM_FACTS is a number, not a whole"),
-        ('{"A": {"HEADER": {"SUB_SBS": "B"}}}', 19, "SUB_SBS is a text, not a map"),
-        ('{"A": {"HEADER": {"SUB_SBS": ["B"]}}}', 31, "a text in SUB_SBS is no map"),
-        ('{"A": {"HEADER": {"SUB_SBS": {"B": "x"}}}}', 31, "the digit of 'B' in SUB_SBS is a text"),
-        ('{"A": {"HEADER": {"SUB_SBS": [{"B": 1.0}]}}}', 32, "the digit of 'B'"),
     ],
 )
 def test_what_cannot_be_a_blueprint_is_refused_at_its_key(
@@ -113,6 +105,31 @@ def test_what_cannot_be_a_blueprint_is_refused_at_its_key(
     error = refusal(text)
     assert error.place == Place("f.json", 1, column)
     assert words in error.sentence
+
+
+@pytest.mark.parametrize(
+    ("header", "odd"),
+    [
+        ('{"INITIAL": 5}', {"INITIAL": 5}),
+        ('{"ACTIVATING": ""}', {"ACTIVATING": ""}),
+        ('{"NUM_FACTS": "3"}', {"NUM_FACTS": "3"}),
+        ('{"NUM_FACTS": true}', {"NUM_FACTS": True}),
+        ('{"NUM_STATES": 1.5}', {"NUM_STATES": 1.5}),
+        ('{"SUB_SBS": "B"}', {"SUB_SBS": "B"}),
+        ('{"SUB_SBS": ["B", {"C": 0}]}', {}),
+        ('{"SUB_SBS": {"B": "x", "C": 0}}', {}),
+        ('{"SUB_SBS": [{"B": 1.0}]}', {}),
+    ],
+)
+def test_a_header_value_of_the_wrong_kind_opens_counts_as_left_out_and_is_kept(
+    header: str, odd: dict[str, object]
+) -> None:
+    blueprint = read(f'{{"A": {{"HEADER": {header}, "S0": {{}}}}, "B": {{}}, "C": {{}}}}')
+    found = blueprint["A"].header
+    assert dict(found.odd) == odd
+    assert (found.initial, found.activating, found.num_facts) == (None, None, None)
+    assert found.sub_sbs == ((("C", 0),) if '"C": 0' in header else ())
+    assert values_of(blueprint)["A"]["HEADER"] == json.loads(header)
 
 
 @pytest.mark.parametrize(

@@ -43,6 +43,18 @@ PLANTED = [
     ("R03", "E", "SB", "has no states", """{^"SB": {"HEADER": {}}}"""),
     ("R03", "E", "SB", "NUM_STATES is 3, but there are 2", """{"SB": {
   "HEADER": {^"NUM_STATES": 3}, "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R03", "E", "SB", "INITIAL is a number, not the name of a state", """{"SB": {
+  "HEADER": {"NUM_FACTS": 1, ^"INITIAL": 5},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R05", "E", "SB", "NUM_FACTS is a text, not a whole number", """{"SB": {
+  "HEADER": {^"NUM_FACTS": "1"},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "SUB_SBS is a text, not a map", """{"SB": {
+  "HEADER": {^"SUB_SBS": "B"},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R07", "E", "SB", "the digit of B is a text, not a whole number", """{"SB": {
+  "HEADER": {"SUB_SBS": {^"B": "x"}},
+  "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
     ("R04", "I", "SB", "INITIAL and NUM_FACTS are left to the default", """{"SB": {
   ^"HEADER": {"ACTIVATING": "State_1"},
   "State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),

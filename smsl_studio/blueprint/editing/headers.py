@@ -7,6 +7,7 @@ from typing import Any
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
 from smsl_studio.blueprint.facts import shape_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.reading import kind_of, sub_entries
 from smsl_studio.errors import EditRefused, did_you_mean
 
 Json = Any
@@ -33,7 +34,7 @@ def set_header(blueprint: Blueprint, branch: str, key: str, value: str | int | N
     draft = Draft(blueprint)
     if value is not None:
         draft.header(branch)[key] = value
-    elif getattr(found.header, key.lower()) is not None:
+    elif key in found.header.odd or getattr(found.header, key.lower()) is not None:
         del draft.header(branch)[key]
     after = draft.done()
     _check_digits(found, after[branch])
@@ -69,6 +70,11 @@ def attach_sub(blueprint: Blueprint, base: str, digit: int, sub: str) -> Bluepri
     draft = Draft(blueprint)
     header = draft.header(base)
     written = header.get("SUB_SBS")
+    if "SUB_SBS" in found.header.odd:
+        raise EditRefused(
+            f"SUB_SBS of {base} is {kind_of(written)}, not a map from sub-SBs to digits",
+            advice="Take SUB_SBS out first.",
+        )
     if isinstance(written, list) and written:
         header["SUB_SBS"] = [*written, {sub: digit}]
     else:
@@ -79,7 +85,7 @@ def attach_sub(blueprint: Blueprint, base: str, digit: int, sub: str) -> Bluepri
 def detach_sub(blueprint: Blueprint, base: str, sub: str) -> Blueprint:
     """Let ``sub`` expand no fact of ``base`` any more."""
     found = branch_of(blueprint, base)
-    subs = [name for name, _ in found.header.sub_sbs]
+    subs = [name for _, name, _ in sub_entries(found.header.subs_as_written)]
     if sub not in subs:
         raise EditRefused(f"{sub} expands no fact of {base}", advice=did_you_mean(sub, subs))
     draft = Draft(blueprint)
@@ -93,7 +99,7 @@ def drop_sub(draft: Draft, base: str, sub: str) -> None:
     written = header.get("SUB_SBS")
     left: Json
     if isinstance(written, list):
-        emptied = [{k: v for k, v in item.items() if k != sub} for item in written]
+        emptied = [_without(item, sub) for item in written]
         left = [now for was, now in zip(written, emptied, strict=True) if now or not was]
     else:
         left = {k: v for k, v in (written or {}).items() if k != sub}
@@ -101,6 +107,10 @@ def drop_sub(draft: Draft, base: str, sub: str) -> None:
         header["SUB_SBS"] = left
     else:
         header.pop("SUB_SBS", None)
+
+
+def _without(item: Json, sub: str) -> Json:
+    return {k: v for k, v in item.items() if k != sub} if isinstance(item, dict) else item
 
 
 def _check_state(branch: StateBranch, key: str, value: object) -> None:

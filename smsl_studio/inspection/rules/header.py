@@ -9,7 +9,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import set_header
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.reading import HEADER, KNOWN
+from smsl_studio.blueprint.reading import HEADER, KNOWN, kind_of
 from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import counted, listed, near, some
 
@@ -29,6 +29,8 @@ def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Finding]:
                 advice="add the first state, or remove the SB",
             )
         header = branch.header
+        for key in ("INITIAL", "ACTIVATING", "NUM_STATES"):
+            yield from _odd(blueprint, branch, key, "R03")
         for key, state in (("INITIAL", header.initial), ("ACTIVATING", header.activating)):
             if state is not None and state not in branch.table:
                 yield _unknown_state(blueprint, branch, key, state)
@@ -44,6 +46,24 @@ def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Finding]:
                 fix=_set(branch, "NUM_STATES", right, f"Write {right}"),
                 below=(HEADER, "NUM_STATES"),
             )
+
+
+def _odd(blueprint: Blueprint, branch: StateBranch, key: str, rule: str) -> Iterator[Finding]:
+    """A header key whose value is of the wrong kind; it counts as left out."""
+    if key not in branch.header.odd:
+        return
+    found = branch.header.odd[key]
+    words = "the name of a state" if key in ("INITIAL", "ACTIVATING") else "a whole number"
+    yield Finding.at(
+        blueprint,
+        rule,
+        ERROR,
+        branch.address,
+        f"{key} is {'empty' if found == '' else kind_of(found)}, not {words}",
+        advice=f"write {key} as {words}, or leave it out",
+        fix=_set(branch, key, None, f"Leave {key} to the default"),
+        below=(HEADER, key),
+    )
 
 
 def _unknown_state(blueprint: Blueprint, branch: StateBranch, key: str, state: str) -> Finding:
@@ -92,11 +112,11 @@ def r04_left_to_default(blueprint: Blueprint) -> Iterator[Finding]:
 def _defaults(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
     header = branch.header
     values: dict[str, str | int] = {}
-    if header.initial is None:
+    if header.initial is None and "INITIAL" not in header.odd:
         values["INITIAL"] = branch.initial
-    if header.activating is None:
+    if header.activating is None and "ACTIVATING" not in header.odd:
         values["ACTIVATING"] = branch.activating
-    if header.num_facts is None and not branch.shape.opaque:
+    if header.num_facts is None and "NUM_FACTS" not in header.odd and not branch.shape.opaque:
         values["NUM_FACTS"] = branch.num_facts
     if not values:
         return
@@ -124,6 +144,7 @@ def _write_all(blueprint: Blueprint, branch: str, values: dict[str, str | int]) 
 def r05_fact_strings(blueprint: Blueprint) -> Iterator[Finding]:
     """Fact strings of different length, or not divisible by NUM_FACTS."""
     for branch in blueprint:
+        yield from _odd(blueprint, branch, "NUM_FACTS", "R05")
         shape = branch.shape
         if not shape.misfits:
             continue

@@ -8,7 +8,7 @@ from functools import partial
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import attach_sub, detach_sub
 from smsl_studio.blueprint.model import Blueprint, Operation, StateBranch
-from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.blueprint.reading import HEADER, kind_of, sub_entries
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
 from smsl_studio.inspection.finding import Finding, Fix, Severity
@@ -24,6 +24,7 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
     for branch in blueprint:
         taken: dict[int, str] = {}
         digits: dict[str, int] = {}
+        yield from _no_digits(blueprint, branch)
         for sub, digit in branch.header.sub_sbs:
             if sub in digits:
                 yield _entry(
@@ -58,6 +59,25 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
                     "make a copy of it if they are two things",
                     severity=NOTE,
                 )
+
+
+def _no_digits(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
+    """SUB_SBS, or entries of it, that are of the wrong kind; they count as left out."""
+    advice = 'write SUB_SBS as {"SB2": 1}: the sub-SB and the digit it expands, counted from 0'
+    at = (HEADER, "SUB_SBS")
+    if "SUB_SBS" in branch.header.odd:
+        words = f"SUB_SBS is {kind_of(branch.header.odd['SUB_SBS'])}, not a map"
+        yield Finding.at(blueprint, "R07", ERROR, branch.address, words, advice=advice, below=at)
+    for path, sub, digit in sub_entries(branch.header.subs_as_written):
+        if sub and type(digit) is int:
+            continue
+        where, words = (*at, *path), f"the digit of {sub} is {kind_of(digit)}, not a whole number"
+        if not sub:
+            words = f"{kind_of(digit)} in SUB_SBS names no sub-SB and its digit"
+        fix = _detach(branch, sub) if sub else None
+        yield Finding.at(
+            blueprint, "R07", ERROR, branch.address, words, advice=advice, fix=fix, below=where
+        )
 
 
 def _unknown_sub(blueprint: Blueprint, branch: StateBranch, sub: str, digit: int) -> Finding:
