@@ -33,6 +33,10 @@ def line(name: str, row: Row) -> str:
     return "| " + " | ".join(cells) + " |"
 
 
+READING = """\
+A figure *side by side* is a limit (nothing can be quicker) or a peer (another way to do it); below 1x we are quicker.
+What each bench does stands at the top of its file in [benches/](../benches/). Times are CPU time unless they say so."""
+
 HEAD = """| bench | work | ours | side by side | ours as a multiple | promise |
 |---|---|---|---|---|---|"""
 
@@ -54,7 +58,7 @@ def main(arguments: list[str]) -> int:
         command = " ".join(["./dev bench", *wanted, "--write"])
         text = (
             f"# Benches\n\nMade by `{command}` on {machine}. Ratios travel between machines, "
-            f"times do not.\n\n{HEAD}\n" + "\n".join(lines) + "\n"
+            f"times do not.\n\n{READING}\n\n{HEAD}\n" + "\n".join(lines) + "\n"
         )
         PAGE.write_text(text, encoding="utf-8")
     return 0
