@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
@@ -10,6 +12,8 @@ from smsl_studio.studio.theme import STATUS_LINE
 from smsl_studio.studio.words import counted
 
 ENDING = "Not a medical device"
+LONG = 200
+"""Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
 
 
 class StatusLine(QStatusBar):
@@ -91,7 +95,7 @@ class _Part(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._label = QLabel()
+        self._label = _Saying()
         layout = row(self._label, rule(vertical=True, length=16), spacing=0)
         self.setLayout(layout)
 
@@ -100,3 +104,20 @@ class _Part(QWidget):
 
     def setText(self, text: str) -> None:
         self._label.setText(text)
+        self._label.setToolTip(text if self._label.sizeHint().width() > LONG else "")
+
+
+class _Saying(QLabel):
+    """Ends in an ellipsis where there is no room; the tooltip has it all."""
+
+    def minimumSizeHint(self) -> QSize:
+        return super().minimumSizeHint().boundedTo(QSize(LONG, 1 << 20))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(self.palette().windowText().color())
+        room = self.contentsRect()
+        right = Qt.TextElideMode.ElideRight
+        shown = self.fontMetrics().elidedText(self.text(), right, room.width() + 1)
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, shown)
+        painter.end()

@@ -75,6 +75,8 @@ class Tabs(QWidget):
         badge.setText(f"{count:,}")
         badge.setVisible(count > 0)
         badge.adjustSize()
+        # A badge that grew takes room from the name until the tabs are laid out again.
+        self.bar.setTabText(at, name)
         if not count:
             self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, None)
             badge.deleteLater()

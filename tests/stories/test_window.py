@@ -133,6 +133,28 @@ def test_a_hint_and_the_status_line_are_never_in_one_place(sit: Sit) -> None:
     assert not any(part.isVisible() for part in status.run)
 
 
+def test_a_long_reason_leaves_the_standing_notice_whole(sit: Sit) -> None:
+    person = sit(HANOI)
+    window, status = person.window, person.window.status_line
+    window.resize(1280, 800)
+    person.ctrl(Key.Key_2)
+    reason = "Nothing permitted leads from SB1/State_aaa to SB1/State_zzz. " * 3
+    left = ("World hanoi", "Seed 0", "Simulated 3.2 s", "Paced at real time", "Frozen", reason)
+    status.show_run((left, ("Process alive, 0.8 ms", "Simulation only")))
+    person.until(lambda: status.ending.geometry().right() < status.width())
+    assert status.ending.width() >= status.ending.sizeHint().width()
+    assert window.width() == 1280
+
+
+def test_a_count_that_grows_leaves_the_name_of_its_tab_whole(sit: Sit) -> None:
+    person = sit(HANOI)
+    tabs = person.window.docks.bottom_tabs
+    tabs.set_count("Findings", 1)
+    narrow = tabs.bar.tabRect(0).width()
+    tabs.set_count("Findings", 2900)
+    assert tabs.bar.tabRect(0).width() > narrow
+
+
 def test_what_is_refused_is_a_line_and_no_dialog(sit: Sit) -> None:
     person = sit(HANOI)
     person.window.session.refused.emit(EditRefused("that cannot be", advice="Do this."))

@@ -176,6 +176,8 @@ def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Re
         (x + gap, y - 36.0 * unit),
         (x - gap - width, y + 26.0 * unit),
     ]
+    # Between two nodes side by side there is only room above the line, or above the nodes.
+    corners += [(x - width / 2, y + apart * unit) for apart in (-26.0, 26.0, -50.0, 50.0)]
     rects = [(a, b - half, a + width, b + half) for a, b in corners]
     inside = [r for r in rects if _lies_in(r, view)] or rects
     rect = next((r for r in inside if _is_free(sheet, r, taken)), inside[0])
