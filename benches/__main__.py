@@ -34,8 +34,9 @@ def line(name: str, row: Row) -> str:
 
 
 READING = """\
-A figure *side by side* is a limit (nothing can be quicker) or a peer (another way to do it); below 1x we are quicker.
-What each bench does stands at the top of its file in [benches/](../benches/). Times are CPU time unless they say so."""
+A figure *side by side* is a limit (nothing can be quicker) or a peer (another way to do it); below
+1x we are quicker. What each bench does stands at the top of its file in [benches/](../benches/).
+Times are CPU time unless they say so."""
 
 HEAD = """| bench | work | ours | side by side | ours as a multiple | promise |
 |---|---|---|---|---|---|"""
