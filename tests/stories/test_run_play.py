@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QToolButton
 
 from smsl_studio import front
 from tests.stories.at_run import AtRun
@@ -136,6 +136,21 @@ def test_another_file_is_not_shown_with_the_run_of_the_last(sit: Sit) -> None:
     assert person.window.files.open_copy(HFSM)
     assert run.phase == "Paused"
     assert not person.window.outline.tree.active
+
+
+def test_long_names_are_read_whole_where_there_is_room(sit: Sit) -> None:
+    person = sit(SAMPLES / "three-roots.json")
+    run = AtRun(person)
+    person.click(run.pane.transport.play)
+    run.until_phase("Goal reached")
+    person.window.resize(1920, 1080)
+    person.until(lambda: run.pane.facts.columnWidth(0) > 110)
+    wide = [button.text() for button in run.pane.canvas.findChildren(QToolButton)]
+    assert "ROBOT  11" in wide
+    person.window.resize(1280, 800)
+    person.until(lambda: run.pane.facts.columnWidth(0) < 110)
+    narrow = [button.text() for button in run.pane.canvas.findChildren(QToolButton)]
+    assert "ROBOT" in narrow
 
 
 def test_the_window_tells_the_same_story_as_a_headless_run(sit: Sit) -> None:

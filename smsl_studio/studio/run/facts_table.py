@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -20,6 +20,8 @@ from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
 WIDTHS = (82, 62, 57, 58)
+QUALITY = 190
+"""What the last column keeps before long names get more room."""
 ROW = 32
 Index = QModelIndex | QPersistentModelIndex
 
@@ -112,7 +114,10 @@ class _Cells(QStyledItemDelegate):
                 self._quality(painter, room, row)
             case _:
                 painter.setFont(text_font(13))
-                self._words(painter, room.adjusted(12, 0, 0, 0), words, self.tokens.tx)
+                # Names of facts often begin alike.
+                middle = Qt.TextElideMode.ElideMiddle
+                shown = painter.fontMetrics().elidedText(words, middle, int(room.width()) - 16)
+                self._words(painter, room.adjusted(12, 0, 0, 0), shown, self.tokens.tx)
         painter.restore()
 
     def _group(self, painter: QPainter, room: QRectF, row: FactRow) -> None:
@@ -191,6 +196,7 @@ class FactsTable(QTableView):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.facts = FactsModel(self)
+        self._names: tuple[str, ...] = ()
         self.setModel(self.facts)
         self._cells = _Cells(tokens, self)
         self.setItemDelegate(self._cells)
@@ -223,6 +229,21 @@ class FactsTable(QTableView):
                 if group:
                     self.setSpan(at, 0, 1, len(COLUMNS))
             self.setMaximumHeight(sum(28 if group else ROW for group in grouped) + 31)
+        names = tuple(row.name for row in rows if not row.group)
+        if names != self._names:
+            self._names = names
+            self._fit_names()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_names()
+
+    def _fit_names(self) -> None:
+        """Give the names what they need, as far as the other columns can spare it."""
+        metrics = QFontMetrics(text_font(13))
+        needed = max((metrics.horizontalAdvance(name) for name in self._names), default=0) + 18
+        spare = self.viewport().width() - sum(WIDTHS[1:]) - QUALITY
+        self.horizontalHeader().resizeSection(0, max(WIDTHS[0], min(needed, spare)))
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._cells.tokens = tokens

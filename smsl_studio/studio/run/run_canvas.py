@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from collections.abc import Mapping
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -16,7 +19,7 @@ from smsl_studio.studio.run import view
 from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_over
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.words import capital, counted
 
 TROUBLE = {
@@ -26,6 +29,8 @@ TROUBLE = {
     "refused": "Refused",
 }
 TALLER = 1.2
+TOOLS, PADDING = 180, 16
+"""Pixels that the tools at the right take, and each SB's button beside its words."""
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 
 
@@ -102,6 +107,7 @@ class RunCanvas(QWidget):
         self._show(blueprint)
         self._name_branches(blueprint)
         self._steps.setText(self._step_words())
+        self._fit_steps()
         if self._branch and self._run.blueprint is blueprint and status is not None:
             marks = view.marks(blueprint, self._branch, status, self._run.story)
         else:
@@ -183,6 +189,8 @@ class RunCanvas(QWidget):
     def _name_branches(self, blueprint: Blueprint) -> None:
         status = self._run.status if self._run.blueprint is blueprint else None
         names = list(blueprint.branches)
+        states = status.configuration if status else {}
+        words = self._branch_words(blueprint, states)
         while self._buttons.count() < len(names):
             self._buttons.addWidget(self._button(self._buttons.count()))
         for index in range(self._buttons.count()):
@@ -192,20 +200,46 @@ class RunCanvas(QWidget):
             button.setVisible(index < len(names))
             if index < len(names):
                 name = names[index]
-                state = status.configuration.get(name, "") if status else ""
-                shown = view.short_name(blueprint[name], state) if state else ""
-                button.setText(f"{name}  {shown}" if shown and len(names) > 1 else name)
+                state = states.get(name, "")
+                button.setText(words[index])
+                button.setToolTip(f"Show {name}" + (f": {state} is active" if state else ""))
                 button.setAccessibleName(f"{name}, {state} active" if state else name)
                 button.setChecked(name == self._branch)
                 running = status.running if status else None
                 live = running is not None and running.branch == name
                 _set(button, "live", live and len(names) > 1)
 
+    def _branch_words(self, blueprint: Blueprint, states: Mapping[str, str]) -> list[str]:
+        """SBs with their active states, as far as there is room left of the tools."""
+        names = list(blueprint.branches)
+        if len(names) < 2:
+            return names
+        short = {n: view.short_name(blueprint[n], s) for n, s in states.items() if n in names}
+        full = [f"{name}  {short[name]}" if short.get(name) else name for name in names]
+        metrics = QFontMetrics(text_font(13, 600))
+        room = self.width() - TOOLS - PADDING * len(names)
+        here = [words if name == self._branch else name
+                for name, words in zip(names, full, strict=True)]  # fmt: skip
+        for words in (full, here, names):
+            if sum(map(metrics.horizontalAdvance, words)) <= room:
+                return words
+        middle, share = Qt.TextElideMode.ElideMiddle, max(room // len(names), 24)
+        return [metrics.elidedText(name, middle, share) for name in names]
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._name_branches(self._blueprint())
+        self._fit_steps()
+
+    def _fit_steps(self) -> None:
+        """How far the run is, where it does not run into the tools."""
+        wide = self._steps.fontMetrics().horizontalAdvance(self._steps.text()) + PADDING
+        self._steps.setVisible(self._buttons.sizeHint().width() + wide <= self.width() - TOOLS)
+
     def _button(self, index: int) -> QToolButton:
         button = QToolButton()
         button.setProperty("role", "branch")
         button.setCheckable(True)
-        button.setToolTip("Show this State Branch")
         button.clicked.connect(lambda: self.show_branch(list(self._blueprint().branches)[index]))
         return button
 

@@ -17,7 +17,8 @@ from smsl_studio.studio.run.lanes import Block, Lane
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 AXIS = 27
-LABELS, EMPTY = 94, 160
+LABELS, WIDEST, EMPTY = 94, 190, 160
+"""Pixels for the names of the lanes: at least, at most, and while there are none."""
 EARLY = 0.0125
 """The share of the shown time that lies before the start, so that "0 s" has room."""
 PITCH = {"state": 27, "operation": 27, "fact": 22}
@@ -148,7 +149,9 @@ class _Labels(QWidget):
 
     def show_lanes(self, lanes: Sequence[Lane]) -> None:
         self._lanes = lanes
-        self.setFixedWidth(LABELS if lanes else EMPTY)
+        metrics = QFontMetricsF(text_font(12))
+        needed = max((metrics.horizontalAdvance(lane.label) for lane in lanes), default=0.0) + 22
+        self.setFixedWidth(int(min(max(needed, LABELS), WIDEST)) if lanes else EMPTY)
         self.setAccessibleName(", ".join(lane.label for lane in lanes))
         self.setToolTip("\n".join(lane.label for lane in lanes))
         self.update()
@@ -166,7 +169,7 @@ class _Labels(QWidget):
             painter.drawText(QRectF(12, AXIS, EMPTY - 12, 27), middle, "Starts with the run")
         top = float(AXIS)
         for lane in self._lanes:
-            room = QRectF(12, top, LABELS - 20, PITCH[lane.kind])
+            room = QRectF(12, top, self.width() - 20, PITCH[lane.kind])
             shown = painter.fontMetrics().elidedText(
                 lane.label, Qt.TextElideMode.ElideMiddle, int(room.width())
             )
