@@ -11,7 +11,8 @@
     ├── PluginError          a plugin that cannot be loaded or bound
     ├── WorldError           a world that is unknown or cannot be built
     ├── HostError            the place where library code runs is gone or silent
-    └── RunRefused           a guard at the start said no; nothing moved     (exit 1)
+    ├── RunRefused           a guard at the start said no; nothing moved     (exit 1)
+    └── PlanningError        a plan was sought as far as is sensible         (exit 1)
 """
 
 from __future__ import annotations
@@ -81,6 +82,10 @@ class HostError(StudioError):
 
 class RunRefused(StudioError):  # noqa: N818
     """A guard at the start of a run said no; nothing has moved."""
+
+
+class PlanningError(StudioError):
+    """A plan may exist, but the search was given up: there are too many joint configurations."""
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

@@ -7,6 +7,8 @@ from collections.abc import Callable, Hashable, Iterable
 from itertools import count
 from typing import Any, NamedTuple, TypeVar
 
+from smsl_studio.errors import PlanningError
+
 Node = TypeVar("Node", bound=Hashable)
 
 
@@ -26,15 +28,28 @@ class Move(NamedTuple):
 
 
 Rank = tuple[float, int, int]
+MOST = 50_000
+
+
+def patience(states: int) -> int:
+    """How many joint configurations are looked at before a search is given up.
+
+    Every state of a flat SB, and then some: joint configurations multiply, and a tree of many
+    sub-SBs has more of them than anyone would wait for.
+    """
+    return MOST + 4 * states
 
 
 def cheapest(
-    start: Node, is_goal: Callable[[Node], bool], moves: Callable[[Node], Iterable[Move]]
+    start: Node,
+    is_goal: Callable[[Node], bool],
+    moves: Callable[[Node], Iterable[Move]],
+    most: int = MOST,
 ) -> list[Move] | None:
     """The cheapest sequence of moves to a goal, or None where there is none.
 
     Ties: cost, number of names, number of moves, then the names themselves, move by move. Costs
-    must not be negative.
+    must not be negative. PlanningError after ``most`` nodes (see ``patience``).
     """
     best: dict[Node, Rank] = {start: (0.0, 0, 0)}
     origins: dict[Node, list[tuple[Node, Move]]] = {start: []}
@@ -42,6 +57,7 @@ def cheapest(
     heap: list[tuple[Rank, int, Node]] = [((0.0, 0, 0), next(order), start)]
     goals: list[Node] = []
     reached: Rank | None = None
+    looked_at = 0
     while heap:
         rank, _, node = heapq.heappop(heap)
         if rank != best[node]:
@@ -52,6 +68,12 @@ def cheapest(
             goals.append(node)
             reached = rank
             continue
+        looked_at += 1
+        if looked_at > most:
+            raise PlanningError(
+                f"no plan was found among the first {most:,} joint configurations",
+                advice="Name a nearer goal, or split the blueprint into fewer sub-SBs.",
+            )
         for move in moves(node):
             # Rounded so that sums which differ only in their last bits still tie.
             further = (round(rank[0] + move.cost, 9), rank[1] + move.number, rank[2] + 1)

@@ -22,7 +22,7 @@ from smsl_studio.blueprint.downhill import Downhill
 from smsl_studio.blueprint.edges import Edge, Edges, Kind
 from smsl_studio.blueprint.joint import Carried, JointStep, Script
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.blueprint.search import Move, cheapest
+from smsl_studio.blueprint.search import Move, cheapest, patience
 
 MOST_REASONS = 8
 
@@ -219,7 +219,8 @@ class Stepper:
                 to = self.key(script.configuration)
                 yield Move(to, script.cost, 1, lambda: (), (edge.name,), edge)
 
-        found = cheapest(self.key(configuration), lambda node: node[at] == goal, moves)
+        most = patience(self.hierarchy.blueprint.state_count)
+        found = cheapest(self.key(configuration), lambda node: node[at] == goal, moves, most)
         if found is not None:
             return tuple(move.what for move in found)
         return self._no_way(configuration, branch, goal, reasons)

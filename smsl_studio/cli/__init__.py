@@ -13,7 +13,7 @@ from importlib import import_module
 
 from smsl_studio.cli.arguments import COMMANDS, Parser, overview
 from smsl_studio.cli.output import Output, claimed_stdout, note, report
-from smsl_studio.errors import RunRefused, StudioError, UsageError, did_you_mean
+from smsl_studio.errors import PlanningError, RunRefused, StudioError, UsageError, did_you_mean
 
 __all__ = ["main"]
 
@@ -30,7 +30,7 @@ def main(argv: Sequence[str] | None = None) -> int:
                 return _dispatch(arguments, Output(stream))
             except SystemExit as end:  # argparse has printed its help
                 return end.code if isinstance(end.code, int) else 2
-            except RunRefused as error:
+            except (RunRefused, PlanningError) as error:
                 report(error, name)
                 return 1
             except StudioError as error:

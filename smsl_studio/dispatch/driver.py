@@ -16,6 +16,7 @@ from smsl_studio.dispatch.pace import Pace
 from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.trouble import Hold, Trouble
+from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import (
     GoalReached,
     Held,
@@ -166,9 +167,14 @@ class Driver:
         if holds(run.configuration, course.goals):
             self._arrived()
             return
-        step, leg = course.next_step(run.configuration)
-        if step is None:
-            self._hold(self.trouble.no_way(self.outlook.details()))
+        try:
+            step, leg = course.next_step(run.configuration)
+            if step is None:
+                self._hold(self.trouble.no_way(self.outlook.details()))
+                return
+        except PlanningError as error:
+            words = f"{error.sentence[:1].upper()}{error.sentence[1:]}."
+            self._hold(Hold(words, (error.advice,)))
             return
         if leg is not None:
             operations = tuple(map(str, leg.operations))

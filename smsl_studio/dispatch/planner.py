@@ -10,7 +10,7 @@ from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge, Kind
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.search import Move, cheapest
+from smsl_studio.blueprint.search import Move, cheapest, patience
 from smsl_studio.blueprint.stepper import Stepper, Terms
 
 Key = tuple[str, ...]
@@ -87,6 +87,7 @@ class Planner:
             self.stepper.key(start),
             lambda node: all(node[at] == state for at, state in places),
             lambda node: self._moves(node, movers, quiet, goal.branch),
+            patience(self.hierarchy.blueprint.state_count),
         )
         if found is None:
             return None
