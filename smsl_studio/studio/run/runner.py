@@ -48,6 +48,7 @@ class Runner(QThread):
         self._speed = speed
         self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
         self._closing = False
+        self._dispatcher: Dispatcher | None = None
         self._lock = threading.Lock()
         self._news: News | None = None
         self.latency = 0.0
@@ -80,9 +81,15 @@ class Runner(QThread):
             self._news = ((*before, *events), status)
 
     def close(self) -> None:
-        """End the loop and the world; returns when both are gone."""
+        """End the loop and the world; returns when both are gone.
+
+        The world is ended from here, so that nobody waits for one that hangs or is still opening.
+        """
         self._closing = True
         self._commands.put(None)
+        dispatcher = self._dispatcher
+        if dispatcher is not None:
+            dispatcher.close()
         self.wait()
 
     def run(self) -> None:
@@ -95,7 +102,9 @@ class Runner(QThread):
             self.broke.emit(error)
 
     def _live(self) -> None:
-        dispatcher = self._make()
+        dispatcher = self._dispatcher = self._make()
+        if self._closing:
+            return
         try:
             events = dispatcher.open()
             self.opened.emit(dispatcher)
