@@ -102,6 +102,7 @@ def test_save_as_asks_in_a_dialog_and_goes_on_there(sit: Sit, tmp_path: Path) ->
     assert person.window.files.path == target.with_suffix(".json")
     assert read_document(target.with_suffix(".json")).text == (SAMPLES / "hfsm.json").read_text()
     assert person.window.menu_row.title == "other.json"
+    assert person.window.canvas.overlays.breadcrumb.words[0] == "other.json"
 
 
 def test_a_broken_file_is_said_with_its_place_and_nothing_is_lost(

@@ -133,6 +133,8 @@ class Canvas(Stage):
         sheet.picture.branch = blueprint[branch]
         index = sheet.picture.index
         sheet.move({index[n]: at for n, at in positions.items() if n in index})
+        # Saved under another name, the same picture stands below another file.
+        self.overlays.breadcrumb.show_branch(blueprint, branch)
         self.settle()
         self.hand.show_grip()
 

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.studio.chips import VALUE
 from smsl_studio.studio.controls import Combo, Field, label, row
 from smsl_studio.studio.panels.frame import Panel
@@ -20,6 +21,8 @@ from smsl_studio.studio.theme import CONTROL_ROW, Tokens, text_font
 from smsl_studio.studio.words import counted
 
 LABEL = 80
+NEW = ""
+"""In place of a name in the list of sub-SBs: one that is made for it."""
 
 
 @dataclass
@@ -155,6 +158,7 @@ class HeaderForm(Panel):
             fact.sub.addItem("None", None)
             for name in names:
                 fact.sub.addItem(name, name)
+            fact.sub.addItem("New", NEW)
             fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
             fact.sub.setToolTip(f"Sub-SB of fact {digit}: {sub or 'none'}")
             fact.sub.update()
@@ -197,8 +201,13 @@ class HeaderForm(Panel):
         before = self._session.blueprint[name].subs.get(digit)
         if sub == before:
             return
+        new = sub == NEW
+        if new:
+            sub = fresh_branch_name(self._session.blueprint)
 
         def change(blueprint: Blueprint) -> Blueprint:
+            if new:
+                blueprint = editing.add_branch(blueprint, sub)
             if before is not None:
                 blueprint = editing.detach_sub(blueprint, name, before)
             return editing.attach_sub(blueprint, name, digit, sub) if sub else blueprint
