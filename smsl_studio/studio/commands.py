@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Protocol
 
+from smsl_studio.shipped import samples_dir
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files import Files
@@ -51,6 +53,15 @@ def file_actions(files: Files, session: Session, shell: Shell) -> tuple[Action, 
         Action("save", "Save", files.save, "File", "save", ("Ctrl+S",), section=1),
         Action("save_as", "Save as…", files.save_as, "File", "", ("Ctrl+Shift+S",), section=1),
         Action("quit", "Quit", shell.close, "File", "", ("Ctrl+Q",), section=2),
+    )  # fmt: skip
+
+
+def sample_actions(files: Files) -> tuple[Action, ...]:
+    """In no menu: there is one of its own. The palette finds the samples by name."""
+    return tuple(
+        Action(f"sample_{path.stem}", f"Open sample {path.name}", partial(files.open_copy, path),
+               icon="file", tip=f"Open a copy of the sample {path.name}")
+        for path in sorted(samples_dir().glob("*.json"))
     )  # fmt: skip
 
 

@@ -144,7 +144,8 @@ class Palette(QFrame):
     def _fits(self, action: Action, words: list[str]) -> bool:
         said = f"{action.words} {action.menu}".casefold()
         enabled = self._actions[action.id].isEnabled() and action.id != "palette"
-        return enabled and all(word in said for word in words)
+        # What is in no menu is found by name, and does not fill the list before that.
+        return enabled and bool(words or action.menu) and all(word in said for word in words)
 
     def _places(self, words: list[str]) -> Iterator[Row]:
         found = 0

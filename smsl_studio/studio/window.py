@@ -101,6 +101,7 @@ class Window(QMainWindow):
         files, session, drawing = self.files, self.session, self.drawing
         table = (
             *commands.file_actions(files, session, self),
+            *commands.sample_actions(files),
             *commands.edit_actions(session, drawing, self),
             *commands.view_actions(drawing, self),
             *commands.blueprint_actions(drawing, self.findings, self),

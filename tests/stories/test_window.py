@@ -47,6 +47,15 @@ def test_the_palette_runs_a_command(sit: Sit) -> None:
     assert not person.blueprint["REGISTRATION"].notes.layout
 
 
+def test_the_palette_opens_a_sample(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.ctrl(Key.Key_K)
+    person.type("three-roots")
+    person.press(Key.Key_Return)
+    assert person.window.menu_row.title == "three-roots.json"
+    assert person.window.files.path is None
+
+
 def test_escape_closes_the_palette_and_gives_the_focus_back(sit: Sit) -> None:
     person = sit(HANOI)
     person.window.canvas.setFocus()
