@@ -29,11 +29,17 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     windows = [make_window(application, settings, path, mode) for path in paths or [""]]
     sys.excepthook = crash_hook(lambda: _kept(windows, settings), windows[0].toast.warn)
     stop = _let_interrupts_through(application)
+    known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
+    # Under nohup the end of the terminal is to be ignored, and stays so.
+    ends = [end for end in known if end and signal.getsignal(end) is not signal.SIG_IGN]
+    before = [signal.signal(end, lambda *_: leave(application, windows, settings)) for end in ends]
     try:
         return application.exec()
     finally:
         stop.stop()
         sys.excepthook = sys.__excepthook__
+        for end, handler in zip(ends, before, strict=True):
+            signal.signal(end, handler or signal.SIG_DFL)
 
 
 def make_application(argv: Sequence[str]) -> QApplication:
@@ -69,6 +75,15 @@ def main(argv: Sequence[str]) -> int:
     parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
     given = parser.parse_intermixed_args(list(argv))
     return open_window(given.files, given.mode)
+
+
+def leave(application: QApplication, windows: Sequence[Window], settings: Settings) -> None:
+    """Close without a question: the session or the terminal ends. Unsaved work is kept beside."""
+    for path in _kept(windows, settings):
+        print(f"smsl-studio: unsaved work was kept in {path}", file=sys.stderr)
+    for window in windows:
+        window.session.history.setClean()
+    application.quit()
 
 
 def _kept(windows: Sequence[Window], settings: Settings) -> list[Path]:

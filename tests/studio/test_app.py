@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from smsl_studio.blueprint import editing
 from smsl_studio.studio import app
 from smsl_studio.studio.settings import Settings
 
@@ -58,4 +59,23 @@ def test_the_window_runs_until_it_is_closed(
     for window in windows:
         window.close()
         window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
+    qapp: QApplication,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    settings = Settings()
+    window = app.make_window(qapp, settings, str(SAMPLES / "hfsm.json"))
+    window.session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State011"))
+    monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
+    app.leave(qapp, [window], settings)
+    assert not window.isVisible()
+    (kept,) = (settings.folder / "recovered").glob("hfsm-*.json")
+    assert "State011" in kept.read_text("utf-8")
+    assert str(kept) in capsys.readouterr().err
+    window.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
