@@ -45,3 +45,9 @@ def test_an_interrupt_ends_the_program() -> None:
     hook = crash_hook(list, lambda _: None)
     with pytest.raises(SystemExit):
         hook(KeyboardInterrupt, KeyboardInterrupt(), None)
+
+
+def test_windows_with_files_of_one_name_are_kept_apart(qapp: QApplication, tmp_path: Path) -> None:
+    kept = {keep_work(Session(empty_blueprint()), "a" * 300 + ".json", tmp_path) for _ in range(3)}
+    assert None not in kept
+    assert len(kept) == 3
