@@ -89,7 +89,11 @@ class Library(Panel):
     def _clicked(self, index: QModelIndex) -> None:
         row: Row = index.data(Qt.ItemDataRole.UserRole)
         if isinstance(row.payload, str):
-            self._session.select(_edges(self._session.blueprint, self._session.branch, row.payload))
+            edges = _edges(self._session.blueprint, self._session.branch, row.payload)
+            if edges:
+                # In another SB than the shown one they would be selected, and deleted, unseen.
+                self._session.show_branch(edges[0].branch)
+            self._session.select(edges)
 
     def _show(self) -> None:
         wanted = self.filter.text().strip().casefold()
@@ -122,7 +126,7 @@ class Library(Panel):
             note.title,
             f"{count:,}",
             severity,
-            tip=f"{name}, {times}. Click to select those of the shown State Branch.",
+            tip=f"{name}, {times}. Click to select those of one State Branch.",
         )
 
     def _hint(self, used: bool, shown: bool) -> str:
