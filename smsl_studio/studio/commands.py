@@ -33,7 +33,7 @@ class Shell(Protocol):
     def show_tab(self, name: str) -> None: ...
     def show_shortcuts(self) -> None: ...
     def show_about(self) -> None: ...
-    def close(self) -> bool: ...
+    def quit(self) -> None: ...
 
 
 class Transport(Protocol):
@@ -52,7 +52,7 @@ def file_actions(files: Files, session: Session, shell: Shell) -> tuple[Action, 
         Action("open", "Open…", files.open, "File", "folder", ("Ctrl+O",)),
         Action("save", "Save", files.save, "File", "save", ("Ctrl+S",), section=1),
         Action("save_as", "Save as…", files.save_as, "File", "", ("Ctrl+Shift+S",), section=1),
-        Action("quit", "Quit", shell.close, "File", "", ("Ctrl+Q",), section=2),
+        Action("quit", "Quit", shell.quit, "File", "", ("Ctrl+Q",), section=2),
     )  # fmt: skip
 
 

@@ -23,6 +23,7 @@ def context_menu(
 ) -> QMenu:
     """The menu for an element, which is selected with it, or for the empty canvas."""
     menu = QMenu(_window(editor))
+    menu.aboutToHide.connect(menu.deleteLater)
     if address is None:
         at = editor.canvas.mapToScene(editor.canvas.mapFromGlobal(QCursor.pos()))
         add = menu.addAction("Add a state here", partial(editor.add_state_at, at))
@@ -37,7 +38,7 @@ def context_menu(
         return menu
     _add(menu, actions, ON_STATE)
     menu.addSeparator()
-    for key, words in (("INITIAL", "Start here"), ("ACTIVATING", "Activating state")):
+    for key, words in (("INITIAL", "Make initial"), ("ACTIVATING", "Make activating")):
         chosen = getattr(session.blueprint[address.branch], key.lower()) == address.state
         mark = menu.addAction(words, partial(_set, session, key, address))
         mark.setCheckable(True)

@@ -28,7 +28,23 @@ class Dialogs:
         if not name:
             return None
         path = Path(name)
-        return path if path.suffix else path.with_suffix(".json")
+        if path.suffix:
+            return path
+        # The dialog asks about the name that was typed, not about the one it becomes.
+        path = path.with_suffix(".json")
+        return path if not path.exists() or self._may_replace(path) else None
+
+    def _may_replace(self, path: Path) -> bool:
+        box = QMessageBox(self._window)
+        box.setWindowTitle("Replace file")
+        box.setText(f"{path.name} is there already.")
+        box.setInformativeText("Replacing it loses what it holds now.")
+        replace = box.addButton(f"Replace {path.name}", QMessageBox.ButtonRole.DestructiveRole)
+        stay = box.addButton("Cancel", QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(stay)
+        box.setEscapeButton(stay)
+        box.exec()
+        return box.clickedButton() is replace
 
     def unsaved(self, name: str) -> Answer:
         box = QMessageBox(self._window)

@@ -44,6 +44,8 @@ class Files(QObject):
     """A StudioError: the file was not opened or not saved; what was there still is."""
     said = Signal(str)
     """Something that went well, in a short sentence."""
+    settling = Signal()
+    """The blueprint is about to be saved or left: what is still being typed has to be in it."""
 
     def __init__(
         self, session: Session, settings: Settings, asker: Asker, parent: QObject | None = None
@@ -72,8 +74,15 @@ class Files(QObject):
         if path is None:
             path = self._asker.file_to_open(self._folder())
         blueprint = self._read(path) if path is not None else None
+        self.settling.emit()
+        edited = self._session.edited
         if path is None or blueprint is None or not self.may_leave():
             return False
+        if edited:
+            # The answer may have been to save, and that to this very file.
+            blueprint = self._read(path)
+            if blueprint is None:
+                return False
         self._show(blueprint, path.absolute(), path.name)
         self._settings.remember(path.absolute())
         self.changed.emit()
@@ -89,15 +98,18 @@ class Files(QObject):
 
     def save(self) -> bool:
         """Save where the blueprint came from, or ask where to."""
+        self.settling.emit()
         return self._write(self.path) if self.path is not None else self.save_as()
 
     def save_as(self) -> bool:
         """Ask where to save, and save there."""
+        self.settling.emit()
         path = self._asker.file_to_save(self.path or self._folder() / self._name)
         return path is not None and self._write(path)
 
     def may_leave(self) -> bool:
         """Whether the blueprint may go: it is saved, or the person says what becomes of it."""
+        self.settling.emit()
         if not self._session.edited:
             return True
         answer = self._asker.unsaved(self._name)

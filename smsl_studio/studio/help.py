@@ -86,6 +86,7 @@ def about_dialog(parent: QWidget) -> QDialog:
 
 
 def _finish(dialog: QDialog, inner: QWidget) -> None:
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     close = QPushButton("Close")
     close.setDefault(True)
     close.clicked.connect(dialog.accept)

@@ -7,6 +7,7 @@ to its signals, and change the blueprint only through ``edit``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
@@ -96,9 +97,10 @@ class Session(QObject):
     def open(self, blueprint: Blueprint) -> None:
         """Replace the blueprint by another file's; history and selection start anew."""
         before, self._blueprint = self._blueprint, blueprint
-        self.history.clear()
+        # The history tells that it is empty now, and whoever hears it looks at all of this.
         self._branch = _first_branch(blueprint)
         self._selection = ()
+        self.history.clear()
         self.opened.emit()
         self.blueprint_changed.emit(before, blueprint)
         self.branch_changed.emit(self._branch)
@@ -106,9 +108,11 @@ class Session(QObject):
 
     def saved(self, blueprint: Blueprint) -> None:
         """What is shown was saved (perhaps under another name): the history is clean here."""
-        before, self._blueprint = self._blueprint, blueprint
         self.history.setClean()
+        before = self._blueprint
+        # Under the same name nothing has changed, also for who still inspects what is shown.
         if before.file != blueprint.file:
+            self._blueprint = blueprint
             self.blueprint_changed.emit(before, blueprint)
 
     def select(self, addresses: Iterable[Address]) -> None:
@@ -126,9 +130,12 @@ class Session(QObject):
             self.branch_changed.emit(name)
 
     def jump(self, address: Address) -> None:
-        """Show the SB an address lies in and select what stands there."""
+        """Show the SB an address lies in and select what stands there.
+
+        A whole SB is shown, not selected: Del would take it away, and nothing would show that.
+        """
         self.show_branch(address.branch)
-        self.select((address,))
+        self.select((address,) if address.state else ())
 
     def _clean_changed(self, clean: bool) -> None:
         self.edited_changed.emit(not clean)
@@ -141,7 +148,12 @@ class Session(QObject):
         return operations is not None and (not address.operation or address.operation in operations)
 
     def _show(self, blueprint: Blueprint) -> None:
-        before, self._blueprint = self._blueprint, blueprint
+        before, file = self._blueprint, self._blueprint.file
+        if blueprint.file != file:
+            # A step from before a save under another name: the name stays the new one.
+            document = replace(blueprint.document, file=file)
+            blueprint = replace(blueprint, document=document)
+        self._blueprint = blueprint
         moved = self._branch not in blueprint.branches
         if moved:
             self._branch = _renamed(before, blueprint, self._branch)

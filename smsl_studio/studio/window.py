@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
-from PySide6.QtWidgets import QApplication, QMainWindow, QMenu
+from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QMenu, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
@@ -43,6 +43,7 @@ from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.status_line import StatusLine
 from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.style import dress, tokens_of
+from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.toast import Toast
 from smsl_studio.studio.words import tally, worst
 
@@ -134,7 +135,9 @@ class Window(QMainWindow):
         for signal in (session.blueprint_changed, session.selection_changed,
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
             signal.connect(lambda *_: actions.refresh())
+        session.opened.connect(self._forget_findings)
         session.refused.connect(self._refused)
+        self.files.settling.connect(self._settle)
         self.files.refused.connect(self.toast.refuse)
         self.files.said.connect(self.toast.say)
         self.files.changed.connect(self._show_title)
@@ -151,9 +154,8 @@ class Window(QMainWindow):
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self.status_line.show_run)
         self.run_pane.moved.connect(self.outline.set_run)
-        self._application.styleHints().colorSchemeChanged.connect(
-            lambda *_: self.set_theme("system") if self.theme == "system" else None
-        )
+        # A method, not a lambda: it is let go of with the window.
+        self._application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
     # What the actions ask of the shell.
 
@@ -187,13 +189,29 @@ class Window(QMainWindow):
     def set_theme(self, theme: str) -> None:
         """Dress everything in light, dark, or what the desktop asks for; remembered."""
         self._settings.theme = theme
-        self.tokens = tokens_of(theme, self._application)
-        dress(self._application, self.tokens)
+        tokens = tokens_of(theme, self._application)
+        dress(self._application, tokens)
+        # The palette is the application's, so every window of it changes.
+        for window in self._application.topLevelWidgets():
+            if isinstance(window, Window):
+                window.wear(tokens)
+
+    def wear(self, tokens: Tokens) -> None:
+        """Paint everything in these colours."""
+        self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
         for part in (self.canvas, self.run_pane, *panels, *frame, self.actions_table):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
+
+    def _desktop_changed(self) -> None:
+        if self.theme == "system":
+            self.set_theme("system")
+
+    def quit(self) -> None:
+        """Close every window; each asks about its own unsaved work, and one that stays ends it."""
+        self._application.closeAllWindows()
 
     def open_palette(self) -> None:
         box = self.mode_bar.search
@@ -204,7 +222,7 @@ class Window(QMainWindow):
 
     def choose_sub_sb(self) -> None:
         """A menu of the facts, and of the SBs that could expand each."""
-        menu = QMenu(self)
+        menu = _passing_menu(self)
         fill_sub_sbs(self.session, self.drawing, menu)
         menu.popup(self.mode_bar.below("sub_sb"))
 
@@ -266,6 +284,23 @@ class Window(QMainWindow):
         if self.editor.field is None:
             self.toast.refuse(error)
 
+    def _settle(self) -> None:
+        """What is still being typed counts: leaving a field takes it over, then one goes on."""
+        field = self.focusWidget()
+        if isinstance(field, QLineEdit):
+            at = field.cursorPosition()
+            field.clearFocus()
+            if field.isVisible():
+                field.setFocus()
+                field.setCursorPosition(at)
+
+    def _forget_findings(self) -> None:
+        for panel in (self.outline, self.library, self.source, self.fix_card):
+            panel.set_findings(())
+        self.findings.forget()
+        self.editor.set_findings({})
+        self.status_line.show_findings("checking")
+
     def _checking(self) -> None:
         self.findings.set_checking()
 
@@ -285,7 +320,7 @@ class Window(QMainWindow):
         menu.popup(at)
 
     def _offer_samples(self) -> None:
-        menu = QMenu(self)
+        menu = _passing_menu(self)
         fill_samples(self.files, menu)
         button = self.canvas.overlays.empty.sample
         menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))
@@ -332,3 +367,10 @@ class Window(QMainWindow):
         # The history empties itself when it goes, and nobody is left to be told.
         self.session.history.blockSignals(True)
         event.accept()
+
+
+def _passing_menu(window: QWidget) -> QMenu:
+    """A menu for one time; it goes when it is left."""
+    menu = QMenu(window)
+    menu.aboutToHide.connect(menu.deleteLater)
+    return menu

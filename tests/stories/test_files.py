@@ -192,3 +192,101 @@ def test_what_was_closed_is_as_it_was(sit: Sit, tmp_path: Path) -> None:
 
 def _menu(window: Window, title: str) -> QMenu:
     return next(menu for menu in window.findChildren(QMenu) if menu.title() == title)
+
+
+def test_opening_the_file_that_is_saved_on_the_way_shows_what_was_saved(
+    sit: Sit, tmp_path: Path
+) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    edit(person)
+    answer(person, "Save")
+    assert person.window.files.open(path)
+    assert "State_zzz" in path.read_text()
+    assert "State_zzz" in person.blueprint["SB1"].table, "the next save would lose it"
+
+
+def test_what_is_still_being_typed_is_saved_along(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    person.select("SB1/State100")
+    person.click(person.window.properties.state.title)
+    person.type("Ready")
+    person.ctrl(Key.Key_S)
+    assert '"Ready"' in path.read_text()
+    person.type(" now")
+    assert person.window.properties.state.title.text() == "Ready now"
+    answer(person, "Cancel")
+    assert not person.window.close(), "what was typed is unsaved work"
+
+
+def test_a_name_without_an_ending_does_not_replace_a_file_unasked(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    other = copy_of("hanoi.json", tmp_path)
+    before = other.read_bytes()
+    typed = str(tmp_path / "hanoi"), ""
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: typed)
+    answer(person, "Cancel")
+    assert not person.window.files.save_as()
+    assert other.read_bytes() == before
+    answer(person, "Replace hanoi.json")
+    assert person.window.files.save_as()
+    assert other.read_bytes() != before
+
+
+def test_undo_past_a_save_as_keeps_the_new_name(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    edit(person)
+    target = tmp_path / "other.json"
+    monkeypatch.setattr(Dialogs, "file_to_save", lambda *_: target)
+    assert person.window.files.save_as()
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.file == str(target)
+    assert person.window.session.edited
+    person.ctrl(Key.Key_Y)
+    assert person.blueprint.file == str(target)
+    assert not person.window.session.edited
+
+
+def test_findings_of_the_last_file_are_not_shown_for_the_next(sit: Sit, tmp_path: Path) -> None:
+    person = sit(copy_of("hanoi.json", tmp_path))
+    person.until_inspected()
+    assert person.window.findings.findings
+    person.window.files.open(copy_of("hfsm.json", tmp_path))
+    assert not person.window.inspector.current
+    assert not person.window.findings.findings
+    assert "Not checked yet" in person.window.findings.empty.text()
+    assert not person.window.canvas.marks.findings
+
+
+def test_quit_closes_every_window_and_each_asks(sit: Sit, tmp_path: Path) -> None:
+    first, second = sit(copy_of("hfsm.json", tmp_path)), sit(copy_of("hanoi.json", tmp_path))
+    edit(first)
+    answer(first, "Cancel")
+    second.ctrl(Key.Key_Q)
+    assert first.window.isVisible()
+    answer(first, "Discard changes")
+    first.window.quit()
+    assert not first.window.isVisible()
+    assert not second.window.isVisible()
+
+
+def test_the_theme_is_that_of_every_window(sit: Sit) -> None:
+    first, second = sit(), sit()
+    second.window.set_theme("dark")
+    assert first.window.tokens.dark
+    assert first.window.canvas.tokens.dark
+
+
+def test_menus_of_one_time_are_let_go_of(sit: Sit, tmp_path: Path) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    before = len(person.window.findChildren(QMenu))
+    person.window.canvas.context_wanted.emit(None, QPoint(300, 300))
+    popup = QApplication.activePopupWidget()
+    assert isinstance(popup, QMenu)
+    popup.close()
+    person.until(lambda: len(person.window.findChildren(QMenu)) == before)

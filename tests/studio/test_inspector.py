@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 
 import pytest
@@ -74,3 +75,13 @@ def test_a_fault_in_a_rule_crashes_where_the_work_is_kept(
         qtbot.waitUntil(lambda: bool(caught))
     assert str(caught[0][1]) == "a rule of ours"
     assert not inspector.current
+
+
+def test_a_save_while_it_inspects_loses_nothing(
+    session: Session, inspector: Inspector, qtbot: QtBot
+) -> None:
+    qtbot.waitUntil(lambda: inspector.current)
+    inspector.current = False
+    inspector._inspect()
+    session.saved(replace(session.blueprint))
+    qtbot.waitUntil(lambda: inspector.current)

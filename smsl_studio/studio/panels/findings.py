@@ -64,6 +64,15 @@ class Findings(Panel):
         if not self._findings:
             self.empty.setText("Not checked yet. The findings come in a moment.")
 
+    def forget(self) -> None:
+        """Another file was opened: what was found in the last one says nothing about it."""
+        self._findings = ()
+        self.list.show_findings(())
+        self.fix_all_button.hide()
+        self._pages.setCurrentWidget(self.empty)
+        self.count_changed.emit(0)
+        self.set_checking()
+
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Show the findings of the blueprint as it is now."""
         self._findings = tuple(sorted(findings, key=_gravest_first))

@@ -131,6 +131,7 @@ class Outline(Panel):
             menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", self.rename_branch)
             menu.addAction(icon("trash", self._tokens), f"Delete {name}\tDel", self.delete_branch)
         menu.exec(self.tree.viewport().mapToGlobal(at))
+        menu.deleteLater()
 
     def _show(self) -> None:
         if self.tree.naming:
