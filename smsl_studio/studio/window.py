@@ -10,6 +10,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
 from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QMenu, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.library.loading import Loaded
@@ -28,6 +29,7 @@ from smsl_studio.studio.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.menu_row import MenuRow
 from smsl_studio.studio.mode_bar import ModeBar
+from smsl_studio.studio.notices import goal_moved
 from smsl_studio.studio.offers import offers
 from smsl_studio.studio.palette import Palette
 from smsl_studio.studio.panels.findings import Findings
@@ -137,6 +139,7 @@ class Window(QMainWindow):
             signal.connect(lambda *_: actions.refresh())
         session.opened.connect(self._forget_findings)
         session.refused.connect(self._refused)
+        session.blueprint_changed.connect(self._say_what_moved)
         self.files.settling.connect(self._settle)
         self.files.refused.connect(self.toast.refuse)
         self.files.said.connect(self.toast.say)
@@ -278,6 +281,11 @@ class Window(QMainWindow):
         name, edited = self.files.name, self.session.edited
         self.menu_row.show_title(name, edited)
         self.setWindowTitle(f"{name}{' (edited)' if edited else ''} · SMSL Studio")
+
+    def _say_what_moved(self, before: Blueprint, after: Blueprint) -> None:
+        words = goal_moved(before, after)
+        if words:
+            self.toast.warn(words)
 
     def _refused(self, error: StudioError) -> None:
         """Say it in a line, unless the field in which it was typed says it."""

@@ -1,0 +1,37 @@
+"""What an edit brought about without saying so is said in a line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.writing import new_blueprint
+from smsl_studio.smsl.files import read_document
+from smsl_studio.studio.notices import goal_moved
+
+HANOI = Path(__file__).parents[2] / "samples" / "hanoi.json"
+
+
+def test_a_new_state_that_takes_over_as_activating_is_told() -> None:
+    before = read_blueprint(read_document(HANOI))
+    after = editing.add_state(before, "SB1", "State_xyz")
+    assert goal_moved(before, after) == (
+        "State_xyz is listed last, so it is the activating state of SB1 now. "
+        "Set Activating in the branch header to keep State_ccc."
+    )
+    assert goal_moved(after, before) == ""
+
+
+def test_where_the_header_names_the_activating_state_there_is_nothing_to_tell() -> None:
+    plain = read_blueprint(read_document(HANOI))
+    before = editing.set_header(plain, "SB1", "ACTIVATING", "State_ccc")
+    assert goal_moved(before, editing.add_state(before, "SB1", "State_xyz")) == ""
+
+
+def test_while_a_branch_is_being_drawn_the_last_state_is_what_people_expect() -> None:
+    blueprint = editing.add_branch(new_blueprint(), "SB1")
+    for name in ("State_00", "State_10", "State_11"):
+        after = editing.add_state(blueprint, "SB1", name)
+        assert goal_moved(blueprint, after) == ""
+        blueprint = after
