@@ -9,6 +9,8 @@ from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 _TRIES = 4096
+_LONGEST = 64
+"""So many facts at most are put into a name that nobody has typed."""
 
 
 def fresh_branch_name(blueprint: Blueprint) -> str:
@@ -22,7 +24,7 @@ def fresh_state_name(branch: StateBranch) -> str:
     The first state of an SB is ``State0``, with as many digits as NUM_FACTS asks for.
     """
     if not branch.table:
-        return "State" + "0" * (branch.header.num_facts or 1)
+        return "State" + "0" * min(branch.header.num_facts or 1, _LONGEST)
     shape = branch.shape
     if shape.opaque or shape.width == 0:
         return _numbered("State", branch.table)

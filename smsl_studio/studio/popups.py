@@ -11,6 +11,9 @@ from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files import Files
 from smsl_studio.studio.session import Session
 
+MOST = 64
+"""So many facts are offered in a menu."""
+
 
 def fill_recent(files: Files, menu: QMenu) -> None:
     """The files opened or saved last."""
@@ -32,7 +35,7 @@ def fill_samples(files: Files, menu: QMenu) -> None:
 def fill_sub_sbs(session: Session, drawing: Drawing, menu: QMenu) -> None:
     """The facts of the SB that is shown, and the SBs that could expand each."""
     branch = session.blueprint[session.branch]
-    for digit in range(branch.num_facts):
+    for digit in range(min(branch.num_facts, MOST)):
         inner = menu.addMenu(f"{digit}  {branch.fact_name(digit)}")
         taken = branch.subs.get(digit)
         if taken is not None:

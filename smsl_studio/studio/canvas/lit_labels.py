@@ -18,7 +18,8 @@ from smsl_studio.studio.canvas.shape import EdgeShape
 from smsl_studio.studio.canvas.sheet import Sheet
 
 MOST = 400
-"""Beyond so many lit edges only those with a place of their own keep their label."""
+"""Beyond so many lit edges only those that say more than their name keep their label, so many of
+them at most: finding a place takes a millisecond, and thousands of names can be read by nobody."""
 
 
 @dataclass(frozen=True)
@@ -76,13 +77,22 @@ def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]
     """The labels of these edges, the most important last in ``edges``; some may find no place."""
     taken: list[Rect] = []
     found: list[LitLabel] = []
-    for count, edge in enumerate(reversed(list(edges))):
-        label = _label(sheet, edge, taken, view) if count < MOST else _plain(sheet, edge)
+    named = list(edges)[::-1]
+    if len(named) > MOST:
+        named = [edge for edge in named if _says_more(sheet.edge_look(edge))][:MOST]
+    for edge in named:
+        label = _label(sheet, edge, taken, view)
         if label is not None:
             taken.append(label.rect)
             found.append(label)
     found.reverse()
     return found
+
+
+def _says_more(look: EdgeLook) -> bool:
+    """Whether a label tells more than that its edge is selected, possible or on a way."""
+    marked = look.pruned or look.held_back or look.risky or look.hovered
+    return marked or bool(look.finding) or look.running is not None
 
 
 def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel | None:

@@ -21,6 +21,8 @@ from smsl_studio.studio.theme import CONTROL_ROW, Tokens, text_font
 from smsl_studio.studio.words import counted
 
 LABEL = 80
+MOST = 64
+"""So many facts have a row; a slip in NUM_FACTS must not fill the window with thousands."""
 NEW = ""
 """In place of a name in the list of sub-SBs: one that is made for it."""
 
@@ -95,7 +97,7 @@ class HeaderForm(Panel):
         self._show_states(branch)
         header = branch.header
         self.num_facts.settle("" if header.num_facts is None else str(header.num_facts))
-        self.num_facts.setPlaceholderText(f"{branch.num_facts}" if branch.table else "")
+        self.num_facts.setPlaceholderText(f"{branch.num_facts}" if branch.table else "none yet")
         self.num_facts.set_suffix(_width_words(branch))
         self._show_facts(blueprint, branch)
         self.sentence.setText(_explanation(blueprint, branch))
@@ -134,7 +136,7 @@ class HeaderForm(Panel):
                 combo.setCurrentIndex(0 if written is None else states.index(written) + 1)
 
     def _show_facts(self, blueprint: Blueprint, branch: StateBranch) -> None:
-        count = branch.num_facts if branch.table else (branch.header.num_facts or 0)
+        count = min(_count(branch), MOST)
         while len(self._rows) > count:
             gone = self._rows.pop()
             for widget in (gone.chip, gone.name, gone.sub):
@@ -249,6 +251,10 @@ def _labelled(words: str, field: QWidget) -> QHBoxLayout:
     return row(name, field, spacing=0)
 
 
+def _count(branch: StateBranch) -> int:
+    return branch.num_facts if branch.table else (branch.header.num_facts or 0)
+
+
 def _width_words(branch: StateBranch) -> str:
     shape = branch.shape
     if not branch.table:
@@ -263,7 +269,7 @@ def _width_words(branch: StateBranch) -> str:
 
 def _explanation(blueprint: Blueprint, branch: StateBranch) -> str:
     """What a sub-SB under a fact means, in a sentence for each."""
-    said = []
+    said = [f"The first {MOST} of {_count(branch):,} facts."] if _count(branch) > MOST else []
     for digit, sub in branch.subs.items():
         if sub in blueprint.branches:
             state = blueprint[sub].activating or "not drawn yet"

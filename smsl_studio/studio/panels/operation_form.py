@@ -224,18 +224,21 @@ class OperationForm(Panel):
             self._note(key, None if value == "drive" else value)
 
     def _note(self, key: str, value: object) -> bool:
+        # Thousands of edges of one name share one note, which is written once.
+        spots = dict.fromkeys(self._spot(edge, key) for edge in self._edges)
+
         def change(blueprint: Blueprint) -> Blueprint:
-            for edge in dict.fromkeys(self._edges):
-                here = note_key(edge.operation, edge.state)
-                where = here if self._only_here else note_key(edge.operation)
-                blueprint = set_note_value(
-                    blueprint, Spot(edge.branch, "_operations", where, key), value
-                )
+            for spot in spots:
+                blueprint = set_note_value(blueprint, spot, value)
             return blueprint
 
         names = sorted({edge.operation for edge in self._edges})
         words = names[0] if len(names) == 1 else counted(len(names), "operation")
         return try_edit(self._session, f"Set {_WORDS[key]} of {words}", change, self.refusal)
+
+    def _spot(self, edge: Address, key: str) -> Spot:
+        state = edge.state if self._only_here else ""
+        return Spot(edge.branch, "_operations", note_key(edge.operation, state), key)
 
     # Rows.
 
