@@ -15,7 +15,7 @@ from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens
-from smsl_studio.studio.words import capital
+from smsl_studio.studio.words import capital, whole_sentence
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
 
@@ -96,7 +96,7 @@ class FixCard(Card):
             return
         finding = self._shown
         self._title.setText(capital(finding.advice or finding.message))
-        self._body.setText(capital(finding.message))
+        self._body.setText(whole_sentence(finding))
         self._body.setVisible(bool(finding.advice))
         self.fix.setText(self._shown.fix.words)
         self.fix.setToolTip(f"{self._shown.fix.words} (Ctrl+.)")

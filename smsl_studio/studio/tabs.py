@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QVBoxLayout, QWidget
 
 from smsl_studio.studio.controls import label, rule
 
 HEIGHT = 36
+MARGIN = 12
+"""Pixels between two tabs, as in the style sheet."""
 
 
 class Tabs(QWidget):
@@ -71,6 +73,7 @@ class Tabs(QWidget):
         badge = self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide)
         if not isinstance(badge, QLabel):
             badge = label("", "count")
+            badge.installEventFilter(self)
             self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, badge)
         badge.setText(f"{count:,}")
         badge.setVisible(count > 0)
@@ -80,6 +83,16 @@ class Tabs(QWidget):
         if not count:
             self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, None)
             badge.deleteLater()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Qt puts a count into the room between two tabs; it belongs within its own."""
+        if event.type() == QEvent.Type.Move and isinstance(watched, QLabel):
+            for at in range(self.bar.count()):
+                if self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide) is watched:
+                    left = self.bar.tabRect(at).right() + 1 - MARGIN - watched.width()
+                    if watched.x() != left:
+                        watched.move(left, watched.y())
+        return super().eventFilter(watched, event)
 
     def _show(self, at: int) -> None:
         self._pages.setCurrentIndex(at)

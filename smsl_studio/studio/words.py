@@ -36,6 +36,20 @@ def worst(findings: Iterable[Finding]) -> dict[Address, str]:
     return found
 
 
+def subject(finding: Finding) -> str:
+    """What a message speaks of that begins with its verb; the empty text for any other message."""
+    name = finding.address.path[-1]
+    if finding.address.operation:
+        return "" if name in finding.message else name
+    return name if finding.message.startswith(("has ", "is ")) else ""
+
+
+def whole_sentence(finding: Finding) -> str:
+    """The message as a sentence that names what it is about."""
+    about = subject(finding)
+    return capital(f"{about} {finding.message}" if about else finding.message)
+
+
 def capital(sentence: str) -> str:
     """The sentence with a capital letter and a full stop."""
     said = sentence[:1].upper() + sentence[1:]

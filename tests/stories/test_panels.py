@@ -149,7 +149,7 @@ def test_several_are_deleted_as_one_step(sit: Sit) -> None:
     person = sit(HFSM)
     person.select("SB1/State100", "SB1/State110")
     several = person.window.properties.several
-    assert several.delete.text() == "Delete 2"
+    assert several.delete.text() == "Delete 2 states"
     person.click(several.delete)
     assert list(person.blueprint["SB1"].table) == ["State000", "State111"]
     person.ctrl(Key.Key_Z)
@@ -339,13 +339,13 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
 
     assert words(None)[0] == "Add a state here"
     assert words("SB1/State100") == [
-        "Connect", "Rename", "Delete", "Start here", "Activating state"
+        "Connect", "Rename", "Delete", "Make initial", "Make activating"
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
     assert words("SB1/State100/Operation100A") == ["Rename", "Delete"]
     state = person.blueprint.resolve("SB1/State100")
     menu = context_menu(window.session, window.editor, window.actions_table, state)
-    next(a for a in menu.actions() if a.text() == "Activating state").trigger()
+    next(a for a in menu.actions() if a.text() == "Make activating").trigger()
     assert person.blueprint["SB1"].activating == "State100"
 
 

@@ -297,12 +297,14 @@ class CanvasEditor(QObject):
         place_near(field, self.canvas, point)
         field.show()
         field.raise_()
+        self.canvas.overlays.empty.hide()
         (field.field if isinstance(field, NameField) else field.operation).setFocus()
 
     def _field_closed(self) -> None:
         self.canvas.show_pending(None)
         if self.field is not None:
             self.field = None
+            self.canvas.overlays.show_empty()
             self.canvas.setFocus()
 
     def _leave_card(self) -> None:

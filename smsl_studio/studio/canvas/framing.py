@@ -73,9 +73,8 @@ def _bounds(sheet: Sheet) -> QRectF:
         whole = whole.united(QRectF(x, below, 1.0, 24.0 * unit))
     geometry = sheet.geometry
     for edge in range(len(sheet.picture.operations)):
-        # During a run only what is lit is labelled.
-        label = None if sheet.looks.marks.dimmed else geometry.label(edge)
-        for rect in (geometry.shape(edge).bounds, label):
+        # Also during a run, in which each of them may come to be lit.
+        for rect in (geometry.shape(edge).bounds, geometry.label(edge)):
             if rect is not None:
                 left, top, right, bottom = rect
                 whole = whole.united(QRectF(left, top, right - left, bottom - top))

@@ -111,6 +111,11 @@ def paint_node(
         size = 13.0 if compact else 15.0
         draw_finding(painter, rect.right() - 1, rect.top() + 1, size, look.finding, ink.tokens)
     if look.goal:
+        half = ink.plain.width("goal") / 2 + 3.0
+        ground = QRectF(-half, rect.bottom() + 8.0, 2 * half, 15.0)
+        painter.setPen(NO_PEN)
+        painter.setBrush(faded(ink.tokens.canvas, 0.85))
+        painter.drawRoundedRect(ground, 3.0, 3.0)
         ink.plain.draw(painter, 0.0, rect.bottom() + 15.0, "goal", ink.tokens.tx2)
 
 

@@ -25,7 +25,7 @@ from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, text_font
-from smsl_studio.studio.words import capital
+from smsl_studio.studio.words import capital, subject
 
 Index = QModelIndex | QPersistentModelIndex
 LOW, HIGH, BUTTON = 35, 52, 26
@@ -164,9 +164,9 @@ class FindingDelegate(QStyledItemDelegate):
         tokens = self.tokens
         upper = QRectF(rect.left() + TEXT_X, rect.top() + 7, right - rect.left() - TEXT_X, 20)
         used = 0.0
-        if finding.address.operation and finding.address.operation not in finding.message:
-            name = f"{finding.address.operation} "
-            used = paint_text(painter, upper, name, Ink(tokens.tx, 13, 600))
+        about = subject(finding)
+        if about:
+            used = paint_text(painter, upper, f"{about} ", Ink(tokens.tx, 13, 600))
             text = sentence(finding)
             text = text[:1].lower() + text[1:]
         else:

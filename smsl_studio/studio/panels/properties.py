@@ -89,7 +89,7 @@ class _Several(Panel):
         self._count.setText(f"{' and '.join(words)} selected")
         self._facts.setText(_shared_facts(self._session.blueprint, states))
         self._facts.setVisible(bool(self._facts.text()))
-        self.delete.setText(f"Delete {len(states) + len(edges)}")
+        self.delete.setText(f"Delete {' and '.join(words)}")
 
     def _delete(self) -> None:
         chosen = self._session.selection
@@ -105,11 +105,11 @@ def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
     branch = blueprint[states[0].branch]
     columns = list(zip(*(branch.facts(a.state) for a in states), strict=False))
     same = [
-        f"{branch.fact_name(digit)} {column[0]}"
+        f"{branch.fact_name(digit)} is {column[0]}"
         for digit, column in enumerate(columns)
         if len(set(column)) == 1
     ]
-    return f"All of them: {', '.join(same)}." if same else "They share no fact."
+    return f"In all of them {', '.join(same)}." if same else "They share no fact."
 
 
 def _stands(blueprint: Blueprint, address: Address) -> bool:

@@ -20,7 +20,7 @@ from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
 WIDTHS = (82, 62, 57, 58)
-QUALITY = 190
+QUALITY = 120
 """What the last column keeps before long names get more room."""
 ROW = 32
 Index = QModelIndex | QPersistentModelIndex

@@ -115,7 +115,8 @@ def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
     made.setProperty("role", "over")
     made.setText(words)
     made.setIcon(icon(name, tokens))
-    made.setIconSize(QSize(16, 16))
+    # The icon keeps its size; the room around it parts it from the words.
+    made.setIconSize(QSize(22 if words else 16, 16))
     style = Qt.ToolButtonStyle
     made.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
     made.setFixedHeight(26)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
-from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -24,8 +24,10 @@ from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 ROW = 35
 REASONED = ("refused", "pruned")
-WIDEST = (146, 80)
+WIDEST = (160, 80)
 """Pixels for the names of operations and of targets."""
+PADDING = 24
+"""Pixels of a button beside its words."""
 
 
 @dataclass(frozen=True)
@@ -129,7 +131,14 @@ class PossibleList(QScrollArea):
         across.addWidget(self._mark(row.kind))
         if row.kind in ("route", "possible") and self._by_hand:
             hint = f"Carry out {row.address}"
-            across.addWidget(self._fixed(self._button(row.name, hint, self.chosen, row), 0))
+            button = self._button(row.name, hint, self.chosen, row)
+            across.addWidget(self._fixed(button, 0))
+            # Names of operations often begin alike; what is left out stands in the tooltip.
+            room = button.maximumWidth() - PADDING
+            middle = Qt.TextElideMode.ElideMiddle
+            metrics = QFontMetrics(text_font(13, 500))
+            button.setText(metrics.elidedText(row.name, middle, room))
+            button.setAccessibleName(row.name)
         else:
             plain = row.kind in ("waits", "pruned", "refused", "later")
             across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
@@ -156,7 +165,7 @@ class PossibleList(QScrollArea):
         fonts = text_font(13, 600), mono_font(12)
         metrics = QFontMetricsF(fonts[column])
         texts = ((row.name, row.target)[column] for row in self._rows)
-        pad = 24 if column == 0 and self._by_hand else 4
+        pad = PADDING if column == 0 and self._by_hand else 4
         widest = max(metrics.horizontalAdvance(text) for text in texts) + pad
         widget.setFixedWidth(round(min(widest, WIDEST[column])))
         return widget

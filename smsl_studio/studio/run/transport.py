@@ -14,7 +14,7 @@ from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
-LONGEST = 130
+LONGEST = 150
 WIDE, NARROW, NARROWEST = 1140, 990, 720
 """Pixels from which the choices have labels, buttons their words, and choices are shown at all."""
 

@@ -72,8 +72,7 @@ class Overlays:
             kinds = {sheet.picture.kind(e) for e in edges} - {""}
         if sheet is not None:
             self.legend.show_branch(sheet.picture.branch, kinds)
-        nothing = sheet is None or not len(sheet.picture)
-        self.empty.setVisible(nothing and self._canvas.editing)
+        self.show_empty()
         # A run has a head and buttons of its own in the breadcrumb's place.
         self.breadcrumb.setVisible(self._canvas.editing)
         self.zoom.setVisible(self._canvas.editing)
@@ -87,6 +86,12 @@ class Overlays:
     def show_zoom(self, zoom: float) -> None:
         self.zoom.show_zoom(zoom)
         self._explain()
+
+    def show_empty(self) -> None:
+        """Say how to begin, where there is nothing yet."""
+        sheet = self._canvas.sheet
+        nothing = sheet is None or not len(sheet.picture)
+        self.empty.setVisible(nothing and self._canvas.editing)
 
     def _explain(self) -> None:
         """Say what compact nodes and labels stand for, while they are shown."""

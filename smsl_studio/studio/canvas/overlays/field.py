@@ -64,6 +64,7 @@ def error_label(parent: QWidget, tokens: Tokens) -> QLabel:
     label = QLabel("", parent)
     label.setFont(text_font(12))
     label.setWordWrap(True)
+    label.setContentsMargins(7, 0, 7, 2)
     label.setTextFormat(Qt.TextFormat.PlainText)
     tint(label, tokens.bad)
     label.hide()
