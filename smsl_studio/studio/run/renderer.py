@@ -104,7 +104,11 @@ class _Program:
 
 
 class Renderer:
-    """Draws shapes at poses into images of any size. Not for use from two threads."""
+    """Draws shapes at poses into images of any size. Not for use from two threads.
+
+    Every window has a context of its own, and OpenGL draws into whichever is current: each verb
+    makes its own the current one.
+    """
 
     def __init__(self, context: moderngl.Context) -> None:
         self._gl = context
@@ -115,19 +119,26 @@ class Renderer:
             self._flat.program, context.buffer(square.tobytes()), "at"
         )
         self._shapes: list[tuple[Shape, moderngl.VertexArray, moderngl.VertexArray]] = []
+        self._held: list[moderngl.VertexArray | moderngl.Buffer] = []
+        """What the shapes hold in the graphics card."""
         self._size = (0, 0)
         self._smooth: moderngl.Framebuffer | None = None
         self._plain: moderngl.Framebuffer | None = None
 
     def load(self, shapes: Sequence[Shape]) -> None:
         """Send the meshes; replaces what was loaded before."""
-        for _, solid, flat in self._shapes:
-            solid.release()
-            flat.release()
-        self._shapes = [self._sent(shape) for shape in shapes]
+        with self._gl:
+            for old in self._held:
+                old.release()
+            self._held.clear()
+            self._shapes = [self._sent(shape) for shape in shapes]
 
     def draw(self, poses: Sequence[float], camera: Camera, look: Look) -> QImage:
         """The picture, premultiplied on transparent ground."""
+        with self._gl:
+            return self._draw(poses, camera, look)
+
+    def _draw(self, poses: Sequence[float], camera: Camera, look: Look) -> QImage:
         width, height = max(look.width, 1), max(look.height, 1)
         self._prepare(width, height)
         assert self._smooth is not None
@@ -181,11 +192,10 @@ class Renderer:
         both = np.hstack([points, normals(points)]).astype("f4")
         solid = self._gl.buffer(both.tobytes() or bytes(24))
         flat = self._gl.buffer(points.tobytes() or bytes(12))
-        return (
-            shape,
-            self._gl.vertex_array(self._solid.program, [(solid, "3f 3f", "at", "normal")]),
-            self._gl.vertex_array(self._flat.program, [(flat, "3f", "at")]),
-        )
+        near = self._gl.vertex_array(self._solid.program, [(solid, "3f 3f", "at", "normal")])
+        shadow = self._gl.vertex_array(self._flat.program, [(flat, "3f", "at")])
+        self._held += [near, shadow, solid, flat]
+        return shape, near, shadow
 
     def _prepare(self, width: int, height: int) -> None:
         if self._size == (width, height):

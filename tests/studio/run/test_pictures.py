@@ -92,6 +92,22 @@ def test_the_renderer_draws_what_stands_in_front_or_says_why() -> None:
     renderer.close()
 
 
+def test_two_windows_draw_each_their_own_world() -> None:
+    first, second = open_renderer(), open_renderer()
+    if not isinstance(first, Renderer) or not isinstance(second, Renderer):
+        assert first, "without graphics the reason is said"
+        return
+    first.load([_wall(0, 0, (1, 0, 0))])
+    second.load([_wall(0, 0, (0, 0, 1))])
+    look, at = Look(64, 48, False), (0.0,) * 6 + (1.0,)
+    red = first.draw(at, AHEAD, look)
+    assert second.draw(at, AHEAD, look) != red
+    assert first.draw(at, AHEAD, look) == red
+    second.close()
+    assert first.draw(at, AHEAD, look) == red
+    first.close()
+
+
 def test_a_drag_turns_the_camera_and_a_double_click_comes_back(qtbot: QtBot) -> None:
     class Painter(Renderer):
         """Draws one colour, and remembers from where."""
