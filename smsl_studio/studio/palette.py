@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from PySide6.QtCore import QEvent, QModelIndex, QObject, QPoint, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
+from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.actions import Action, Actions, key_words
@@ -74,7 +75,8 @@ class Palette(QFrame):
         """Close, and give the focus back to where it was."""
         if self.isVisible():
             self.hide()
-            if self._before is not None:
+            # A field that was open on the canvas has gone when it lost the focus.
+            if self._before is not None and isValid(self._before):
                 self._before.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

@@ -93,7 +93,7 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
-        self._stop_key = StopKey(self._application, self.run_pane.stop, self)
+        self._stop_key = StopKey(self._application, self.stop_every_run, self)
         self.docks = Docks(self, self.outline, self.library)
         self.docks.right_tabs.add("Properties", self.properties)
         self.docks.right_tabs.add("Source", self.source)
@@ -215,6 +215,12 @@ class Window(QMainWindow):
     def quit(self) -> None:
         """Close every window; each asks about its own unsaved work, and one that stays ends it."""
         self._application.closeAllWindows()
+
+    def stop_every_run(self) -> None:
+        """Stop the runs of all windows: who presses F8 does not look which one is in front."""
+        for window in self._application.topLevelWidgets():
+            if isinstance(window, Window):
+                window.run_pane.stop()
 
     def open_palette(self) -> None:
         box = self.mode_bar.search

@@ -96,3 +96,10 @@ def test_a_failed_operation_holds_says_why_and_can_be_restored(
     run.person.click(run.pane.transport.play)
     run.until_phase("Goal reached")
     assert run.pane.canvas.banner == ""
+
+
+def test_stop_ends_the_runs_of_every_window(sit: Sit) -> None:
+    first, second = _by_hand(sit, HFSM), _by_hand(sit, HFSM)
+    second.person.press(Key.Key_F8)
+    first.until_phase("Stopped")
+    second.until_phase("Stopped")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
+    QApplication,
     QComboBox,
     QDialog,
     QHeaderView,
@@ -257,3 +258,14 @@ def test_panels_keep_their_widths_when_the_window_grows_and_shrinks(sit: Sit) ->
         person.window.resize(*size)
         person.until(lambda: person.window.body.width() > 0)
         assert (docks.left.width(), docks.right.width()) == (232, 304), size
+
+
+def test_the_palette_over_a_name_being_edited_gives_the_focus_to_what_is_left(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json")
+    person.select("SB1/State100")
+    person.press(Key.Key_F2)
+    assert person.window.editor.field is not None
+    person.ctrl(Key.Key_K)
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    person.press(Key.Key_Escape)
+    assert not person.window.command_palette.isVisible()
