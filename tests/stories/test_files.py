@@ -220,6 +220,19 @@ def test_what_is_still_being_typed_is_saved_along(sit: Sit, tmp_path: Path) -> N
     assert not person.window.close(), "what was typed is unsaved work"
 
 
+def test_a_state_branch_that_is_still_being_named_is_saved_along(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    person.window.outline.tree.setFocus()
+    person.press(Key.Key_F2)
+    person.type("Digits")
+    person.ctrl(Key.Key_S)
+    assert '"Digits"' in path.read_text()
+    assert not person.window.session.edited
+    tree = person.window.outline.tree
+    person.until(lambda: "Digits" in [item.text(0) for item in tree.items()])
+
+
 def test_a_name_without_an_ending_does_not_replace_a_file_unasked(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

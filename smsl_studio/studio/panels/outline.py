@@ -112,13 +112,12 @@ class Outline(Panel):
 
     def _renamed(self, item: QTreeWidgetItem) -> None:
         line, new = line_of(item), item.text(0).strip()
-        if line.digit is None and new != line.branch:
-            # The editor still belongs to the tree, which the edit builds anew.
-            QTimer.singleShot(0, self, lambda: self._rename(line.branch, new))
-
-    def _rename(self, old: str, new: str) -> None:
-        words = f"Rename {old} to {new}"
-        self._session.edit(words, lambda bp: editing.rename(bp, Address(old), new))
+        old = line.branch
+        if line.digit is None and new != old:
+            # Now, not in a moment: it may be saved or closed by then. The tree, to which the
+            # editor still belongs, is built anew when the editor has gone.
+            words = f"Rename {old} to {new}"
+            self._session.edit(words, lambda bp: editing.rename(bp, Address(old), new))
 
     def _menu(self, at: QPoint) -> None:
         item = self.tree.itemAt(at)
