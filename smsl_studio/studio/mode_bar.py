@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -46,11 +46,10 @@ class ModeBar(QToolBar):
         self.segments = Segments([(actions[name], actions.table[name].short) for name in MODES])
         self.search = SearchBox(tokens)
         self.search.clicked.connect(self.search_wanted)
-        self.run = QPushButton("Run")
+        self.run = QPushButton(" Run")
         self.run.setProperty("role", "primary")
+        self.run.setAccessibleName("Run")
         self.run.setFixedHeight(32)
-        # The icon keeps its size; the room around it parts it from the word.
-        self.run.setIconSize(QSize(18, 14))
         self.run.setToolTip(actions.table["run_play"].hint)
         self.run.clicked.connect(actions["run_play"].trigger)
         self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPen
+from PySide6.QtGui import QPainter, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.studio.canvas import batch
@@ -22,8 +22,9 @@ from smsl_studio.studio.canvas.edge_paint import (
 )
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
 from smsl_studio.studio.canvas.labels import Rect
-from smsl_studio.studio.canvas.levels import Level
-from smsl_studio.studio.canvas.lit_labels import LitLabel, LitLabels, by_weight
+from smsl_studio.studio.canvas.levels import COMPACT_SIZE, FULL_SIZE, Level
+from smsl_studio.studio.canvas.lit_labels import LitLabel, LitLabels, by_weight, lit_boxes
+from smsl_studio.studio.canvas.node_paint import paint_goal
 from smsl_studio.studio.canvas.picture import Ints
 from smsl_studio.studio.canvas.sheet import Numbers, Sheet
 
@@ -219,9 +220,12 @@ class LitLayer(Layer):
         geometry, looks, unit = sheet.geometry, sheet.looks, sheet.unit
         order = by_weight(sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.save()
+        self._spare_names(painter, sheet, exposed)
         for edge in order:
             shape = geometry.shape(edge)
             paint_line(painter, shape, looks.edge(edge), sheet.ink, unit, sheet.compact)
+        painter.restore()
         painter.save()
         painter.scale(unit, unit)
         for edge in order:
@@ -238,6 +242,22 @@ class LitLayer(Layer):
             else:
                 look = looks.edge(label.edge)
                 paint_label(painter, label.text, middle, look, sheet.ink, label.ground)
+        half = (COMPACT_SIZE if sheet.compact else FULL_SIZE)[1] / 2
+        for goal in looks.marks.goals & sheet.picture.index.keys():
+            x, y = sheet.at[sheet.picture.index[goal]] / unit
+            paint_goal(painter, float(x), float(y) + half, sheet.ink)
         painter.restore()
         painter.setPen(NO_PEN)
         painter.setBrush(NO_BRUSH)
+
+    @staticmethod
+    def _spare_names(painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """In a far picture lines end at dots; they must not cross the names of lit nodes."""
+        boxes = lit_boxes(sheet)
+        if boxes:
+            outside, inside = QPainterPath(), QPainterPath()
+            outside.addRect(exposed)
+            inside.setFillRule(Qt.FillRule.WindingFill)
+            for left, top, right, bottom in boxes:
+                inside.addRect(left, top, right - left, bottom - top)
+            painter.setClipPath(outside.subtracted(inside), Qt.ClipOperation.IntersectClip)

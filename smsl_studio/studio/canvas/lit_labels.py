@@ -14,6 +14,7 @@ from smsl_studio.studio.canvas.edge_paint import (
     pill_width,
 )
 from smsl_studio.studio.canvas.labels import Rect
+from smsl_studio.studio.canvas.levels import COMPACT_SIZE, Level
 from smsl_studio.studio.canvas.shape import EdgeShape
 from smsl_studio.studio.canvas.sheet import Sheet
 
@@ -75,7 +76,7 @@ def _weight(look: EdgeLook) -> int:
 
 def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]:
     """The labels of these edges, the most important last in ``edges``; some may find no place."""
-    taken: list[Rect] = []
+    taken = lit_boxes(sheet)
     found: list[LitLabel] = []
     named = list(edges)[::-1]
     if len(named) > MOST:
@@ -117,8 +118,24 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             for side in (1, -1)
             for share in (0.5, 0.35, 0.65)
         ]
-        return _first(sheet, edge, text, rects, taken, False)
+        if sheet.level < Level.COMPACT and not look.hovered:
+            rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
+        return _first(sheet, edge, text, rects, taken, False) if rects else None
     return _plain(sheet, edge)
+
+
+def lit_boxes(sheet: Sheet) -> list[Rect]:
+    """Where lit nodes stand that are larger than the rest of a far picture."""
+    states = sheet.looks.lit_states
+    if sheet.level >= Level.COMPACT or len(states) > 60:
+        return []
+    high = COMPACT_SIZE[1] / 2 * sheet.unit
+    boxes: list[Rect] = []
+    for state in states:
+        x, y = (float(value) for value in sheet.at[state])
+        wide = float(sheet.compact_widths[state]) / 2 * sheet.unit
+        boxes.append((x - wide, y - high, x + wide, y + high))
+    return boxes
 
 
 def _plain(sheet: Sheet, edge: int) -> LitLabel | None:

@@ -110,13 +110,15 @@ def paint_node(
     if look.finding:
         size = 13.0 if compact else 15.0
         draw_finding(painter, rect.right() - 1, rect.top() + 1, size, look.finding, ink.tokens)
-    if look.goal:
-        half = ink.plain.width("goal") / 2 + 3.0
-        ground = QRectF(-half, rect.bottom() + 8.0, 2 * half, 15.0)
-        painter.setPen(NO_PEN)
-        painter.setBrush(faded(ink.tokens.canvas, 0.85))
-        painter.drawRoundedRect(ground, 3.0, 3.0)
-        ink.plain.draw(painter, 0.0, rect.bottom() + 15.0, "goal", ink.tokens.tx2)
+
+
+def paint_goal(painter: QPainter, x: float, top: float, ink: Ink) -> None:
+    """The word below a goal, on a ground of its own, because arrows may come from below."""
+    half = ink.plain.width("goal") / 2 + 3.0
+    painter.setPen(NO_PEN)
+    painter.setBrush(faded(ink.tokens.canvas, 0.9))
+    painter.drawRoundedRect(QRectF(x - half, top + 8.0, 2 * half, 15.0), 3.0, 3.0)
+    ink.plain.draw(painter, x, top + 15.0, "goal", ink.tokens.tx2)
 
 
 def _surroundings(painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: Ink) -> None:

@@ -23,6 +23,7 @@ class EventList(QListWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setObjectName("events")
         self.setFont(mono_font(12))
         self.setUniformItemSizes(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -38,7 +39,7 @@ class EventList(QListWidget):
         for event in events:
             if isinstance(event, QUIET):
                 continue
-            item = QListWidgetItem(f"{event.t:8.2f} s  {sentence(event)}")
+            item = QListWidgetItem(f"{event.t:6.2f} s  {sentence(event)}")
             item.setData(Qt.ItemDataRole.UserRole, getattr(event, "address", ""))
             item.setToolTip(f"{sentence(event)}\n{event.line()}")
             self.addItem(item)

@@ -23,6 +23,8 @@ WIDTHS = (82, 62, 57, 58)
 QUALITY = 120
 """What the last column keeps before long names get more room."""
 ROW = 32
+HEADS = 31
+"""The names of the columns and the line below them."""
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -216,6 +218,7 @@ class FactsTable(QTableView):
         for column, width in enumerate(WIDTHS):
             header.resizeSection(column, width)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setMaximumHeight(HEADS)
         self.setAccessibleName("Facts: believed and sensed")
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
@@ -228,7 +231,7 @@ class FactsTable(QTableView):
                 self.setRowHeight(at, 28 if group else ROW)
                 if group:
                     self.setSpan(at, 0, 1, len(COLUMNS))
-            self.setMaximumHeight(sum(28 if group else ROW for group in grouped) + 31)
+            self.setMaximumHeight(sum(28 if group else ROW for group in grouped) + HEADS)
         names = tuple(row.name for row in rows if not row.group)
         if names != self._names:
             self._names = names

@@ -22,6 +22,8 @@ from smsl_studio.studio.icons import draw, icon
 from smsl_studio.studio.theme import Tokens
 
 HEAD = 36
+MIDDLE = 22
+"""Where the words and tools over a picture have their middle, from its top."""
 
 
 def head(title: str, *rest: QWidget | None) -> QWidget:
@@ -43,8 +45,9 @@ def head(title: str, *rest: QWidget | None) -> QWidget:
 def words_over(*parts: QWidget) -> QWidget:
     """Words that stand on a picture, at its top left."""
     made = QWidget()
+    made.setFixedHeight(2 * MIDDLE)
     across = QHBoxLayout(made)
-    across.setContentsMargins(12, 12, 0, 0)
+    across.setContentsMargins(12, 0, 0, 0)
     across.setSpacing(8)
     for part in parts:
         across.addWidget(part)
@@ -115,8 +118,7 @@ def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
     made.setProperty("role", "over")
     made.setText(words)
     made.setIcon(icon(name, tokens))
-    # The icon keeps its size; the room around it parts it from the words.
-    made.setIconSize(QSize(22 if words else 16, 16))
+    made.setIconSize(QSize(16, 16))
     style = Qt.ToolButtonStyle
     made.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
     made.setFixedHeight(26)
@@ -126,7 +128,10 @@ def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
 
 
 class _Tool(QToolButton):
-    """A tool with a chevron where it opens a menu."""
+    """A tool whose words keep off its icon, with a chevron where it opens a menu."""
+
+    def setText(self, words: str) -> None:
+        super().setText(f" {words}" if words else "")
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

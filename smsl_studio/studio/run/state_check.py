@@ -54,6 +54,7 @@ class StateCheckView(QWidget):
             return
         self._shown = key
         self._verdict.setVisible(check is not None)
+        self._terms.setVisible(check is not None)
         if check is None or blueprint is None:
             self._name.setText("")
             self._terms.setText("")
