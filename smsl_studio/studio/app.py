@@ -79,6 +79,9 @@ def main(argv: Sequence[str]) -> int:
 
 def leave(application: QApplication, windows: Sequence[Window], settings: Settings) -> None:
     """Close without a question: the session or the terminal ends. Unsaved work is kept beside."""
+    for window in windows:
+        # Closing takes over what is being typed: by then it would be asked about.
+        window.files.settling.emit()
     for path in _kept(windows, settings):
         print(f"smsl-studio: unsaved work was kept in {path}", file=sys.stderr)
     for window in windows:

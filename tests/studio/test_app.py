@@ -6,10 +6,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.studio import app
 from smsl_studio.studio.settings import Settings
 
@@ -71,11 +73,17 @@ def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
     settings = Settings()
     window = app.make_window(qapp, settings, str(SAMPLES / "hfsm.json"))
     window.session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State011"))
+    window.session.select([Address("SB1", "State011")])
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.properties.state.title.setFocus()
+    QTest.keyClicks(window.properties.state.title, "Half typed")
     monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
     app.leave(qapp, [window], settings)
     assert not window.isVisible()
     (kept,) = (settings.folder / "recovered").glob("hfsm-*.json")
     assert "State011" in kept.read_text("utf-8")
+    assert "Half typed" in kept.read_text("utf-8")
     assert str(kept) in capsys.readouterr().err
     window.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
