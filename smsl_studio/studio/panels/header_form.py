@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -14,13 +14,13 @@ from smsl_studio.studio.chips import VALUE
 from smsl_studio.studio.controls import Combo, Field, label, row
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.panels.note_edits import Spot, set_note_value
+from smsl_studio.studio.panels.state_form import labelled
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import CONTROL_ROW, Tokens, text_font
 from smsl_studio.studio.words import counted
 
-LABEL = 80
 MOST = 64
 """So many facts have a row; a slip in NUM_FACTS must not fill the window with thousands."""
 NEW = ""
@@ -56,7 +56,7 @@ class HeaderForm(Panel):
         self.num_facts.setAccessibleName("Number of facts")
         self.num_facts.setToolTip("NUM_FACTS: how many facts a state's name carries")
         self.num_facts.editingFinished.connect(self._set_num_facts)
-        self.column.addLayout(_labelled("Facts", self.num_facts))
+        self.column.addLayout(labelled("Facts", self.num_facts))
         self.refusal: QLabel = label("", "refusal")
         self.refusal.hide()
         self.column.addWidget(self.refusal)
@@ -113,7 +113,7 @@ class HeaderForm(Panel):
         combo.setAccessibleName(f"{words} state")
         combo.setToolTip(f"{key}: {tip}")
         combo.activated.connect(lambda at: self._set_state(key, combo, at))
-        self.column.addLayout(_labelled(words, combo))
+        self.column.addLayout(labelled(words, combo))
         return combo
 
     def _show_states(self, branch: StateBranch) -> None:
@@ -242,13 +242,6 @@ class HeaderForm(Panel):
         self.refusal.setText(sentence)
         self.refusal.show()
         self.num_facts.set_refused(True)
-
-
-def _labelled(words: str, field: QWidget) -> QHBoxLayout:
-    name = label(words, "label")
-    name.setFixedWidth(LABEL)
-    name.setBuddy(field)
-    return row(name, field, spacing=0)
 
 
 def _count(branch: StateBranch) -> int:
