@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRectF, Qt, Signal
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QFrame,
     QHBoxLayout,
     QPushButton,
+    QSizePolicy,
     QStackedWidget,
     QToolBar,
     QToolButton,
@@ -26,6 +27,8 @@ DRAW_TOOLS = (
     ("add_state", "connect", "sub_sb"),
     ("tidy",),
 )
+SEARCH = 248
+"""Pixels of the search field; it gives way where the bar is narrow."""
 MODES = ("mode_draw", "mode_run")
 
 
@@ -156,12 +159,21 @@ class SearchBox(QAbstractButton):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self._tokens = tokens
-        self.setFixedSize(248, 32)
+        self.setFixedHeight(32)
+        self.setMinimumWidth(44)
+        self.setMaximumWidth(SEARCH)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setText("Find or run a command")
         self.setAccessibleName("Find or run a command")
         self.setToolTip("Find a state or operation, or run a command (Ctrl+K)")
         self.setCursor(Qt.CursorShape.IBeamCursor)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+
+    def sizeHint(self) -> QSize:
+        return QSize(SEARCH, 32)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(44, 32)
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
@@ -178,9 +190,14 @@ class SearchBox(QAbstractButton):
         draw(painter, "search", QRectF(10, 9, 14, 14), tokens.tx2, tokens.surf)
         painter.setPen(tokens.tx2)
         painter.setFont(text_font(13))
-        painter.drawText(
-            self.rect().adjusted(33, 0, -60, 0), Qt.AlignmentFlag.AlignVCenter, self.text()
-        )
+        roomy = self.width() > SEARCH - 40
+        words = self.rect().adjusted(33, 0, -60 if roomy else -8, 0)
+        right = Qt.TextElideMode.ElideRight
+        shown = painter.fontMetrics().elidedText(self.text(), right, words.width() + 1)
+        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, shown)
+        if not roomy:
+            painter.end()
+            return
         key = QRectF(self.width() - 51, 7, 42, 18)
         painter.setPen(QPen(tokens.line, 1))
         painter.setBrush(tokens.win)

@@ -102,7 +102,11 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         w, h = boxed_width(text, sheet.ink) * sheet.unit, 18.0 * sheet.unit
         rect = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)
         x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
-        return LitLabel(edge, text, (x - w / 2, y - h / 2, x + w / 2, y + h / 2))
+        rects = [
+            (x - w / 2, y + off - h / 2, x + w / 2, y + off + h / 2)
+            for off in (step * sheet.unit for step in (0.0, -14.0, 14.0, -24.0, 24.0))
+        ]
+        return _first(sheet, edge, text, rects, taken, True)
     if look.running is not None:
         return _pill(sheet, edge, shape, taken, view)
     if look.pruned or look.held_back or look.risky:

@@ -15,8 +15,9 @@ from smsl_studio.studio.theme import Tokens
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
 LONGEST = 150
-WIDE, NARROW, NARROWEST = 1140, 990, 720
-"""Pixels from which the choices have labels, buttons their words, and choices are shown at all."""
+WIDE, NARROW, SEEDED, NARROWEST = 1140, 990, 850, 720
+"""Pixels from which the choices have labels, buttons their words, the seed is shown, and choices
+are shown at all."""
 
 PHASES = {
     "": ("Ready", "quiet"),
@@ -142,6 +143,7 @@ class Transport(QWidget):
             words.setVisible(wide >= WIDE)
         for button in (self.step, self.play):
             button.set_short(wide < NARROW)
+        self.seed.setVisible(wide >= SEEDED)
         self._choices.setVisible(wide >= NARROWEST)
 
     def _by_hand(self) -> QToolButton:

@@ -50,10 +50,13 @@ class ConnectCard(Card):
         self._to.setFont(text_font(11, 500))
         tint(self._to, tokens.tx3)
         self._to.setVisible(target is not None)
+        self._new = QLabel("New operation. Enter adds it", self)
+        self._new.setFont(text_font(11, 500))
+        tint(self._new, tokens.tx3)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(8, 8, 8, 8)
         layout.setSpacing(4)
-        for widget in (self.operation, self.choices, self._to, self.target, self.error):
+        for widget in (self.operation, self.choices, self._new, self._to, self.target, self.error):
             layout.addWidget(widget)
         self.setFixedWidth(252)
         self._wire()
@@ -136,6 +139,7 @@ class ConnectCard(Card):
         found = [name for name in self._names if wanted in name.casefold()]
         found.sort(key=lambda name: not name.casefold().startswith(wanted))
         exact = typed.strip() in found
+        self._new.setVisible(bool(wanted) and not found)
         self.choices.show_names([] if exact else found[:ROWS])
         if exact:
             self._suggest_target(typed.strip())
