@@ -58,10 +58,21 @@ def key_words(keys: str) -> str:
 
 
 class Actions(QObject):
-    """The table as Qt actions, which follow what is enabled and checked."""
+    """The table as Qt actions, which follow what is enabled and checked.
 
-    def __init__(self, table: Iterable[Action], window: QWidget, tokens: Tokens) -> None:
+    ``before`` is called ahead of every one: what is being typed is taken over, because a key or a
+    button of the bar leaves the focus where it is.
+    """
+
+    def __init__(
+        self,
+        table: Iterable[Action],
+        window: QWidget,
+        tokens: Tokens,
+        before: Callable[[], object] = always,
+    ) -> None:
         super().__init__(window)
+        self._before = before
         self.table: dict[str, Action] = {action.id: action for action in table}
         self._made: dict[str, QAction] = {}
         self._held: frozenset[str] = frozenset()
@@ -110,6 +121,7 @@ class Actions(QObject):
 
     def _caller(self, action: Action) -> Callable[[], None]:
         def call() -> None:
+            self._before()
             if action.enabled():
                 action.call()
             self.refresh()

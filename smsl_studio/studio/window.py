@@ -111,7 +111,7 @@ class Window(QMainWindow):
             *commands.run_actions(self.run_pane, self),
             *commands.help_actions(self),
         )
-        self.actions_table = Actions(table, self, self.tokens)
+        self.actions_table = Actions(table, self, self.tokens, self._settle)
 
     def _build_frame(self) -> None:
         actions, tokens = self.actions_table, self.tokens

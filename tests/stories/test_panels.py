@@ -145,6 +145,17 @@ def test_a_click_on_an_operation_out_selects_it_and_it_is_led_elsewhere(sit: Sit
     assert person.blueprint["SB1"].operation_note("State100", "Operation100B").actor == "human"
 
 
+def test_what_is_being_typed_outlives_a_key_that_goes_elsewhere(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    person.select("SB1/State_aaa")
+    person.click(person.window.properties.state.title)
+    person.type("Start")
+    person.press(Key.Key_F3)
+    assert person.steps() == ["Title State_aaa “Start”"]
+    assert person.selected() != ["SB1/State_aaa"]
+
+
 def test_several_are_deleted_as_one_step(sit: Sit) -> None:
     person = sit(HFSM)
     person.select("SB1/State100", "SB1/State110")
