@@ -145,15 +145,16 @@ def test_a_click_on_an_operation_out_selects_it_and_it_is_led_elsewhere(sit: Sit
     assert person.blueprint["SB1"].operation_note("State100", "Operation100B").actor == "human"
 
 
-def test_what_is_being_typed_outlives_a_key_that_goes_elsewhere(sit: Sit) -> None:
-    person = sit(HANOI)
-    person.until_inspected()
-    person.select("SB1/State_aaa")
+def test_what_is_being_typed_is_a_step_before_a_button_undoes_one(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.select("SB1/State100", "SB1/State110")
+    person.click(person.window.properties.several.delete)
+    person.select("SB1/State000")
     person.click(person.window.properties.state.title)
     person.type("Start")
-    person.press(Key.Key_F3)
-    assert person.steps() == ["Title State_aaa “Start”"]
-    assert person.selected() != ["SB1/State_aaa"]
+    person.window.actions_table["undo"].trigger()
+    assert person.steps() == ["Delete 2 elements", "Title State000 “Start”"]
+    assert "State100" not in person.blueprint["SB1"].table, "only the title is undone"
 
 
 def test_several_are_deleted_as_one_step(sit: Sit) -> None:
