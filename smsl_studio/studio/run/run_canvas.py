@@ -31,6 +31,7 @@ TROUBLE = {
 TALLER = 1.2
 TOOLS, PADDING = 180, 16
 """Pixels that the tools at the right take, and each SB's button beside its words."""
+NOTHING = "There is no state to run yet. Draw the first one in Draw mode"
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
 
 
@@ -127,7 +128,8 @@ class RunCanvas(QWidget):
         self._show_banner()
 
     def _show_banner(self) -> None:
-        words = [self._refusal, self._trouble(), MOVED_ON if self.moved_on else ""]
+        why = self._refusal if self._blueprint().state_count else NOTHING
+        words = [why, self._trouble(), MOVED_ON if self.moved_on else ""]
         said = "\n".join(word for word in words if word)
         if said != self._banner:
             self._banner = said
