@@ -276,7 +276,7 @@ def _refuse_nonsense(blueprint: Blueprint) -> None:
         raise RunRefused(
             f"{found[0].rule} {found[0].address}: {found[0].message}{more}",
             found[0].place,
-            "Check the file and mend what it says.",
+            "Mend what this finding says, then run it again.",
         )
 
 

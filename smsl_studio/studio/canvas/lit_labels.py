@@ -42,9 +42,9 @@ class LitLabels:
         self._found: list[LitLabel] = []
 
     def of(self, sheet: Sheet, view: Rect) -> list[LitLabel]:
-        """The labels now; what runs is named where it is in view."""
-        looks = sheet.looks
-        seen = view if looks.marks.running is not None else None
+        """The labels now; what runs and what is possible is named where it is in view."""
+        looks, marks = sheet.looks, sheet.looks.marks
+        seen = view if marks.running or marks.possible or marks.planned or marks.trail else None
         key = (looks.marks, looks.hovered_edge, sheet.version, sheet.level, sheet.unit, seen)
         if key != self._key:
             self._key = key
@@ -122,6 +122,9 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             for side in (1, -1)
             for share in (0.5, 0.35, 0.65)
         ]
+        if not (look.trail or look.planned or look.hovered):
+            # What is only possible is named where there is room; its row in the list says the rest.
+            rects = [r for r in rects if _lies_in(r, view) and _is_free(sheet, r, taken)]
         if sheet.level < Level.COMPACT and not look.hovered:
             rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
         return _first(sheet, edge, text, rects, taken, False) if rects else None
