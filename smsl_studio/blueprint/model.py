@@ -14,6 +14,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
 from smsl_studio.errors import AddressError, Place, did_you_mean
 from smsl_studio.seal.digest import digest_of
@@ -24,57 +25,6 @@ if TYPE_CHECKING:
 
 Json = Any
 Table = dict[str, Mapping[str, str]]
-EMPTY: Mapping[str, Any] = MappingProxyType({})
-
-
-@dataclass(frozen=True, slots=True)
-class Header:
-    """The header as written: None where a key is left to its default.
-
-    ``sub_sbs`` are pairs (sub-SB, digit) in written order, so that two subs on one digit and one
-    sub written twice can be seen; ``num_states`` is only checked; ``unknown`` keys are kept.
-    ``odd`` are known keys whose value is of the wrong kind, as written: they count as left out, and
-    inspection reports them, as it does the entries of SUB_SBS whose digit is no whole number.
-    """
-
-    initial: str | None = None
-    activating: str | None = None
-    num_facts: int | None = None
-    sub_sbs: tuple[tuple[str, int], ...] = ()
-    num_states: int | None = None
-    unknown: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
-    fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
-    present: bool = True
-    subs_as_written: Json = None
-    odd: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
-
-
-@dataclass(frozen=True, slots=True)
-class Operation:
-    """A permitted edge: from ``source`` by ``name`` to ``target``, all in ``branch``."""
-
-    branch: str
-    source: str
-    name: str
-    target: str
-
-    @property
-    def address(self) -> Address:
-        return Address(self.branch, self.source, self.name)
-
-
-@dataclass(frozen=True, slots=True)
-class State:
-    """A node: its name, its fact values (digit 0 first) and the operations it permits."""
-
-    branch: str
-    name: str
-    facts: tuple[str, ...]
-    operations: Mapping[str, Operation]
-
-    @property
-    def address(self) -> Address:
-        return Address(self.branch, self.name)
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +36,7 @@ class StateBranch:
 
     name: str
     table: Table
-    header: Header = Header()
+    header: Header = field(default_factory=Header)
     fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
     state_fields: Mapping[str, Mapping[str, Json]] = field(default_factory=lambda: EMPTY)
 

@@ -10,7 +10,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from smsl_studio.blueprint.model import EMPTY, Blueprint, Header, StateBranch
+from smsl_studio.blueprint.elements import EMPTY, Header
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document, Path
 

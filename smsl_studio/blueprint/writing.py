@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from smsl_studio.blueprint.model import Blueprint, Header, StateBranch
+from smsl_studio.blueprint.elements import Header
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, read_blueprint, sub_entries
 from smsl_studio.smsl.json_form import parse_json, write_json
 

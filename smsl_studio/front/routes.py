@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint, Operation, StateBranch
+from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import AddressError, RunRefused, did_you_mean
 from smsl_studio.front.addresses import Written, operations_at, state_at
 from smsl_studio.graph.routing import Route, cheapest

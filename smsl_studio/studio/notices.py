@@ -15,7 +15,7 @@ def goal_moved(before: Blueprint, after: Blueprint) -> str:
         return ""
     for name, branch in after.branches.items():
         old = before.branches.get(name)
-        if old is None or old is branch or len(old.table) < 3 or branch.header.activating:
+        if old is None or old is branch or len(old.table) < 3:
             continue
         if branch.activating not in old.table and old.activating in branch.table:
             return (

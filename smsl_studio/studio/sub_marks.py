@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from smsl_studio.blueprint.model import Operation, StateBranch
+from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.model import StateBranch
 
 
 def sub_mark(branch: StateBranch, edge: Operation) -> str:

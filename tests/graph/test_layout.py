@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from smsl_studio.blueprint.model import Blueprint, Header, StateBranch
+from smsl_studio.blueprint.elements import Header
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.graph.layout import place_states
 from smsl_studio.smsl.json_form import parse_json

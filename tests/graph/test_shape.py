@@ -6,7 +6,8 @@ import networkx as nx
 from hypothesis import given
 from hypothesis import strategies as st
 
-from smsl_studio.blueprint.model import Blueprint, Header, StateBranch
+from smsl_studio.blueprint.elements import Header
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.hierarchy import cycles, levels
 from smsl_studio.graph.shape import (

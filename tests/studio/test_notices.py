@@ -8,6 +8,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.smsl.files import read_document
+from smsl_studio.smsl.json_form import parse_json
 from smsl_studio.studio.notices import goal_moved
 
 HANOI = Path(__file__).parents[2] / "samples" / "hanoi.json"
@@ -35,3 +36,11 @@ def test_while_a_branch_is_being_drawn_the_last_state_is_what_people_expect() ->
         after = editing.add_state(blueprint, "SB1", name)
         assert goal_moved(blueprint, after) == ""
         blueprint = after
+
+
+def test_another_file_is_no_edit_of_this_one() -> None:
+    hanoi = read_document(HANOI)
+    before = read_blueprint(hanoi)
+    longer = editing.add_state(before, "SB1", "State_xyz").document.text
+    other = read_blueprint(parse_json(longer, "other.json"))
+    assert goal_moved(before, other) == ""

@@ -9,7 +9,8 @@ from functools import partial
 
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.editing import rename, set_note
-from smsl_studio.blueprint.model import Blueprint, Operation, StateBranch
+from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import counted, fact_words, listed, some
 

@@ -7,7 +7,8 @@ from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import attach_sub, detach_sub
-from smsl_studio.blueprint.model import Blueprint, Operation, StateBranch
+from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, kind_of, sub_entries
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QGraphicsDropShadowEffect, QLabel, QWidget
 
@@ -43,6 +43,25 @@ class Card(QWidget):
         rect = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
         painter.drawRoundedRect(rect, self.radius, self.radius)
         painter.end()
+
+
+class PassingCard(Card):
+    """A card that is there for one answer: once closed it says so and is gone for good."""
+
+    closed = Signal()
+
+    def __init__(self, parent: QWidget, tokens: Tokens, radius: float) -> None:
+        super().__init__(parent, tokens, radius)
+        self._closing = False
+        self.float_up()
+
+    def close_field(self) -> None:
+        """Go away; calling it twice is harmless."""
+        if not self._closing:
+            self._closing = True
+            self.hide()
+            self.closed.emit()
+            self.deleteLater()
 
 
 def tint(label: QLabel, colour: QColor) -> None:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from smsl_studio.studio.canvas.overlays.card import Card, tint
+from smsl_studio.studio.canvas.overlays.card import PassingCard, tint
 from smsl_studio.studio.canvas.overlays.choices import Choices
 from smsl_studio.studio.canvas.overlays.field import Field, complain, error_label
 from smsl_studio.studio.theme import Tokens, text_font
@@ -15,14 +14,12 @@ from smsl_studio.studio.theme import Tokens, text_font
 ROWS = 4
 
 
-class ConnectCard(Card):
+class ConnectCard(PassingCard):
     """The fields of a new operation: its name, with the names in use, and perhaps its target.
 
     ``commit`` takes (operation, target) and answers with a reason or the empty text. Without a
     fixed target the second field names a state that is there, or a new one.
     """
-
-    closed = Signal()
 
     def __init__(
         self,
@@ -35,9 +32,8 @@ class ConnectCard(Card):
         target_for: Callable[[str], str] | None = None,
     ) -> None:
         super().__init__(parent, tokens, 10.0)
-        self._names, self._commit, self._closing = list(names), commit, False
+        self._names, self._commit = list(names), commit
         self._target_for, self._own_target, self._touched = target_for, False, False
-        self.float_up()
         self.operation = Field(self, tokens, "Operation")
         self.operation.setText(operation)
         self.operation.selectAll()
@@ -86,13 +82,6 @@ class ConnectCard(Card):
             self._complain(reason)
         else:
             self.close_field()
-
-    def close_field(self) -> None:
-        if not self._closing:
-            self._closing = True
-            self.hide()
-            self.closed.emit()
-            self.deleteLater()
 
     @property
     def untouched(self) -> bool:

@@ -4,23 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from smsl_studio.studio.canvas.overlays.card import Card
+from smsl_studio.studio.canvas.overlays.card import PassingCard
 from smsl_studio.studio.canvas.overlays.field import Field, complain, error_label
 from smsl_studio.studio.theme import Tokens
 
 
-class NameField(Card):
+class NameField(PassingCard):
     """One name, edited where it stands.
 
     ``commit`` takes the text and answers with the reason it was refused, or with the empty text.
     Enter commits, Esc leaves everything as it was; leaving by a click elsewhere commits what fits.
     """
-
-    closed = Signal()
 
     def __init__(
         self,
@@ -31,8 +29,7 @@ class NameField(Card):
         commit: Callable[[str], str],
     ) -> None:
         super().__init__(parent, tokens, 8.0)
-        self._commit, self._before, self._closing = commit, text, False
-        self.float_up()
+        self._commit, self._before = commit, text
         self.field = Field(self, tokens, hint)
         self.field.setText(text)
         self.field.selectAll()
@@ -69,13 +66,6 @@ class NameField(Card):
             self.field.setFocus()
         else:
             self.close_field()
-
-    def close_field(self) -> None:
-        if not self._closing:
-            self._closing = True
-            self.hide()
-            self.closed.emit()
-            self.deleteLater()
 
     def _lost_focus(self) -> None:
         """Somebody went elsewhere: a new name is taken over, one that does not fit stays here."""

@@ -1,0 +1,63 @@
+"""What an SB is made of: its header, its states, its operations, as frozen values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+
+Json = Any
+EMPTY: Mapping[str, Any] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class Header:
+    """The header as written: None where a key is left to its default.
+
+    ``sub_sbs`` are pairs (sub-SB, digit) in written order, so that two subs on one digit and one
+    sub written twice can be seen; ``num_states`` is only checked; ``unknown`` keys are kept.
+    ``odd`` are known keys whose value is of the wrong kind, as written: they count as left out, and
+    inspection reports them, as it does the entries of SUB_SBS whose digit is no whole number.
+    """
+
+    initial: str | None = None
+    activating: str | None = None
+    num_facts: int | None = None
+    sub_sbs: tuple[tuple[str, int], ...] = ()
+    num_states: int | None = None
+    unknown: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+    fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+    present: bool = True
+    subs_as_written: Json = None
+    odd: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """A permitted edge: from ``source`` by ``name`` to ``target``, all in ``branch``."""
+
+    branch: str
+    source: str
+    name: str
+    target: str
+
+    @property
+    def address(self) -> Address:
+        return Address(self.branch, self.source, self.name)
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A node: its name, its fact values (digit 0 first) and the operations it permits."""
+
+    branch: str
+    name: str
+    facts: tuple[str, ...]
+    operations: Mapping[str, Operation]
+
+    @property
+    def address(self) -> Address:
+        return Address(self.branch, self.name)
