@@ -4,6 +4,7 @@
 
     StudioError              what is wrong, where, and what to do about it
     ├── ReadError            a text or file cannot be opened as SMSL        (exit 2)
+    ├── ConvertError         the other form has no spelling for it          (exit 2)
     ├── SaveError            a file could not be written; the old one stands (exit 2)
     ├── AddressError         nothing stands at that address                  (exit 2)
     ├── UsageError           a command or call that makes no sense           (exit 2)
@@ -17,7 +18,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher, get_close_matches
 
@@ -48,8 +49,44 @@ class StudioError(Exception):
         return f"{where}{self.sentence}"
 
 
+@dataclass(frozen=True, slots=True)
+class TextFix:
+    """A repair of a text: words for its button, and what stands between two offsets after it."""
+
+    words: str
+    start: int
+    end: int
+    text: str
+
+
 class ReadError(StudioError):
-    """A text or file that cannot be opened as SMSL."""
+    """A text or file that cannot be opened as SMSL.
+
+    ``length`` characters from its place on are at fault. ``fix`` repairs this one fault, where
+    that is possible. ``more`` are the further faults of the same text, in the order of the text.
+    """
+
+    def __init__(
+        self,
+        sentence: str,
+        place: Place | None = None,
+        advice: str = "",
+        *,
+        length: int = 1,
+        fix: TextFix | None = None,
+        more: Sequence[ReadError] = (),
+    ) -> None:
+        super().__init__(sentence, place, advice)
+        self.length, self.fix, self.more = length, fix, tuple(more)
+
+    @property
+    def faults(self) -> tuple[ReadError, ...]:
+        """This fault and all further ones."""
+        return (self, *self.more)
+
+
+class ConvertError(StudioError):
+    """Something that another written form has no spelling for; nothing was written."""
 
 
 class SaveError(StudioError):

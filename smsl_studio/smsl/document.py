@@ -2,21 +2,52 @@
 
 A Document knows spelling, not meaning. Its text is kept to the character (BOM, line ends, order,
 indentation), so that writing back a document nobody edited gives the same bytes. Spans are worked
-out object by object when first asked for, because most loads never ask.
+out when first asked for, by the form the text is written in, because most loads never ask.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
 from smsl_studio.errors import Place, ReadError
-from smsl_studio.smsl.scanning import Member, scan_container, skip_space
 
 Json = Any
 Path = tuple[str, ...]
+
+
+class Member(NamedTuple):
+    """One key and its value, as offsets into the text (ends are exclusive).
+
+    An element of a list has its index for a key, which takes no room.
+    """
+
+    key: str
+    key_start: int
+    key_end: int
+    value_start: int
+    value_end: int
+
+
+class Spans(Protocol):
+    """Where things stand in one text. Each form has its own, made for one valid text."""
+
+    @property
+    def root(self) -> int:
+        """The offset at which the content begins."""
+
+    def members(self, path: Path) -> tuple[Member, ...]:
+        """The members of the map or list at ``path``, as written, doubles included.
+
+        The path follows the values of the document; of a doubled key the last one counts.
+        Raises KeyError where no map or list stands there.
+        """
+
+    def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
+        """Every key written more than once in one map, with the offsets of all its places."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,25 +55,28 @@ class Document:
     """A text in one of the written forms, and the values it holds.
 
     ``values`` keeps the order of the keys; where a key is written twice the last one wins and
-    ``doubled`` is true (see ``duplicates``). ``file`` is the name that messages show.
+    ``doubled`` is true (see ``duplicates``). ``file`` is the name that messages show. ``form`` is
+    the name of the form (``json``, ``smsl``, ``yaml``), ``spans_of`` finds where things stand.
     """
 
     text: str
     file: str
     form: str
     values: Mapping[str, Json]
+    spans_of: Callable[[str], Spans] = field(repr=False)
     doubled: bool = False
-    _members: dict[int, tuple[Member, ...]] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def spans(self) -> Spans:
+        """Where things stand; worked out now if nobody asked before."""
+        return self.spans_of(self.text)
 
     def members(self, path: Path = ()) -> tuple[Member, ...]:
-        """The members of the object at ``path``, in order, doubles included.
+        """The members of the map at ``path``, in order, doubles included.
 
-        Raises KeyError where no object stands at ``path``.
+        Raises KeyError where no map stands at ``path``.
         """
-        start = self.root
-        for key in path:
-            start = self._last(start, key).value_start
-        return self.scan(start)
+        return self.spans.members(path)
 
     def member(self, path: Path) -> Member:
         """The member at ``path`` (the last one, where its key is doubled); KeyError if none."""
@@ -52,41 +86,30 @@ class Document:
         raise KeyError(path)
 
     def place(self, path: Path) -> Place:
-        """Where the key at ``path`` stands, or the nearest object above it that exists."""
+        """Where the key at ``path`` stands, or the nearest one above it that exists."""
         while path:
             try:
                 return self.place_at(self.member(path).key_start)
             except KeyError:
                 path = path[:-1]
-        return self.place_at(self.root)
+        return self.place_at(self.spans.root)
 
     def place_at(self, offset: int) -> Place:
         """Line and column of an offset; a BOM is no column."""
         starts = self._line_starts
-        line = _bisect(starts, offset)
+        line = bisect_right(starts, offset) - 1
         column = offset - starts[line] + 1
         if line == 0 and self.text.startswith("\ufeff"):
             column = max(1, column - 1)
         return Place(self.file, line + 1, column)
 
-    def scan(self, start: int) -> tuple[Member, ...]:
-        """The members of the object that opens at offset ``start``, doubles included.
-
-        The elements of a list are members whose key is their index and takes no room. KeyError
-        where neither opens.
-        """
-        if start not in self._members:
-            self._members[start] = tuple(scan_container(self.text, start))
-        return self._members[start]
-
-    def end_of(self, start: int) -> int:
-        """The offset behind the object or list that opens at ``start``."""
-        members = self.scan(start)
-        return skip_space(self.text, members[-1].value_end if members else start + 1) + 1
-
     def duplicates(self) -> tuple[tuple[Path, tuple[Place, ...]], ...]:
-        """Every key that is written more than once in one object, with all its places."""
-        return tuple(self._doubles((), self.root)) if self.doubled else ()
+        """Every key that is written more than once in one map, with all its places."""
+        if not self.doubled:
+            return ()
+        return tuple(
+            (path, tuple(map(self.place_at, offsets))) for path, offsets in self.spans.doubles()
+        )
 
     def encoded(self) -> bytes:
         """The bytes of the file."""
@@ -100,40 +123,12 @@ class Document:
         return "\r" if "\r" in self.text and "\n" not in self.text else "\n"
 
     @cached_property
-    def root(self) -> int:
-        """The offset at which the file's object opens."""
-        return skip_space(self.text, 1 if self.text.startswith("\ufeff") else 0)
-
-    @cached_property
     def _line_starts(self) -> list[int]:
         starts, at = [0], self.text.find("\n")
         while at >= 0:
             starts.append(at + 1)
             at = self.text.find("\n", at + 1)
         return starts
-
-    def _last(self, start: int, key: str) -> Member:
-        for member in reversed(self.scan(start)):
-            if member.key == key:
-                return member
-        raise KeyError(key)
-
-    def _doubles(self, path: Path, start: int) -> Iterator[tuple[Path, tuple[Place, ...]]]:
-        places: dict[str, list[Place]] = {}
-        for member in self.scan(start):
-            places.setdefault(member.key, []).append(self.place_at(member.key_start))
-        for key, found in places.items():
-            if len(found) > 1:
-                yield (*path, key), tuple(found)
-        for member in self.scan(start):
-            if self.text[member.value_start] in "{[":
-                yield from self._doubles((*path, member.key), member.value_start)
-
-
-def _bisect(starts: list[int], offset: int) -> int:
-    from bisect import bisect_right
-
-    return bisect_right(starts, offset) - 1
 
 
 def decode(raw: bytes, file: str) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from smsl_studio.errors import Place, ReadError, SaveError
 from smsl_studio.smsl.document import Document, decode
-from smsl_studio.smsl.json_form import parse_json
+from smsl_studio.smsl.forms import form_named, form_of
 
 _CHUNK = 1 << 20
 
@@ -33,8 +33,12 @@ def read_document(path: str | os.PathLike[str]) -> Document:
 
 
 def parse_bytes(raw: bytes, file: str) -> Document:
-    """The document in the bytes of a file; ``file`` is the name that messages show."""
-    return parse_json(decode(raw, file), file)
+    """The document in the bytes of a file; ``file`` is the name that messages show.
+
+    Its form is told by the suffix of ``file``, else by how the text begins.
+    """
+    text = decode(raw, file)
+    return form_named(form_of(file, text)).parse(text, file)
 
 
 def save_document(document: Document, path: str | os.PathLike[str]) -> None:

@@ -48,6 +48,8 @@ HOMES: dict[str, tuple[str, ...]] = {
     "numpy": ("graph/", "world/", "studio/"),
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),
+    "orjson": ("smsl/",),
+    "ruamel": ("smsl/yaml_form/",),
     "typing_extensions": ("",),
 }
 

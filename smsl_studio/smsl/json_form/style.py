@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.json_form.spans import JsonSpans
 
 Json = Any
 _SAMPLED = 8
@@ -60,11 +61,12 @@ def _wrapped(marks: str, items: list[str], style: Style, indent: str, broken: bo
 
 def style_of(document: Document) -> Style:
     """The style a text is written in, learnt from its first objects."""
-    members = document.members()
+    spans = JsonSpans(document.text)
+    members = spans.members(())
     if not members:
         return Style(newline=document.newline)
     text, first = document.text, members[0]
-    lead = text[document.root + 1 : first.key_start]
+    lead = text[spans.root + 1 : first.key_start]
     colon = text[first.key_end : first.value_start]
     if "\n" in colon or "\r" in colon:
         colon = ": "
@@ -72,25 +74,25 @@ def style_of(document: Document) -> Style:
     if document.newline not in lead:
         return Style(document.newline, "", colon, comma, 0)
     unit = lead.rpartition(document.newline)[2]
-    return Style(document.newline, unit, colon, comma, _inline_from(document))
+    return Style(document.newline, unit, colon, comma, _inline_from(document, spans))
 
 
-def _inline_from(document: Document) -> int:
+def _inline_from(document: Document, spans: JsonSpans) -> int:
     """The depth from which the objects of a text stand on one line."""
-    text, starts = document.text, [document.root]
+    text, starts = document.text, [spans.root]
     for depth in range(1, 5):
         inner = [
             member.value_start
             for start in starts
-            for member in document.scan(start)[:_SAMPLED]
+            for member in spans.scan(start)[:_SAMPLED]
             if text[member.value_start] == "{"
         ]
-        starts = [start for start in inner if document.scan(start)]
-        if starts and not any(_broken(document, start) for start in starts):
+        starts = [start for start in inner if spans.scan(start)]
+        if starts and not any(_broken(document, spans, start) for start in starts):
             return depth
     return 99
 
 
-def _broken(document: Document, start: int) -> bool:
+def _broken(document: Document, spans: JsonSpans, start: int) -> bool:
     """Whether the object at ``start`` begins its members on a new line."""
-    return document.newline in document.text[start : document.scan(start)[0].key_start]
+    return document.newline in document.text[start : spans.scan(start)[0].key_start]

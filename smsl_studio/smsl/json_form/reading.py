@@ -1,7 +1,4 @@
-"""The JSON form: text to Document, and where everything stands in it.
-
-Values come from the standard library's parser; where they stand is found later (``scanning``).
-"""
+"""Reading JSON: text to Document. Where its values stand is found later (``spans``)."""
 
 from __future__ import annotations
 
@@ -13,8 +10,8 @@ from typing import Any, NoReturn
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.scanning import STRING, skip_space
-from smsl_studio.smsl.style import CANONICAL, render
+from smsl_studio.smsl.json_form.spans import STRING, JsonSpans, skip_space
+from smsl_studio.smsl.json_form.style import CANONICAL, render
 
 MAX_CHARACTERS = 256 * 1024 * 1024
 MAX_DEPTH = 64
@@ -27,13 +24,13 @@ _SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|.)", re.DOTALL)
 
 
-def parse_json(text: str, file: str) -> Document:
+def parse(text: str, file: str) -> Document:
     """Read a JSON text; ReadError with file:line:column where it is no JSON object.
 
     A BOM is accepted and kept. A key written twice opens: the last one wins, in the place of the
     first, and ``Document.duplicates`` finds them all.
     """
-    blank = Document(text, file, "json", {})
+    blank = Document(text, file, "json", {}, JsonSpans)
     _check_size(blank)
     _check_characters(blank)
     doubled = False
@@ -65,10 +62,10 @@ def parse_json(text: str, file: str) -> Document:
         )
     if doubled or _is_deep(values):  # what a doubled key hides is not in the values
         _check_depth(blank)
-    return Document(text, file, "json", values, doubled)
+    return Document(text, file, "json", values, JsonSpans, doubled)
 
 
-def write_json(values: Mapping[str, Any]) -> str:
+def write(values: Mapping[str, Any]) -> str:
     """Values as a new text in the canonical layout: four spaces, one member a line."""
     return render(dict(values), CANONICAL, "", 0) + "\n"
 

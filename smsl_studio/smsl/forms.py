@@ -1,0 +1,75 @@
+"""The written forms, and which one a text is in.
+
+A form is a package whose functions are its doors; one that is not needed is not loaded.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import PurePath
+from typing import Any, Protocol
+
+from smsl_studio.smsl.document import Document, Path
+
+Json = Any
+
+SUFFIXES = {".json": "json", ".smsl": "smsl", ".yaml": "yaml", ".yml": "yaml"}
+WORDS = {"json": "JSON", "smsl": "SMSL", "yaml": "YAML"}
+"""What people call the forms."""
+
+
+class Form(Protocol):
+    """What every form can do."""
+
+    def parse(self, text: str, file: str) -> Document:
+        """Read a text; ReadError (with all its faults) where it is not in this form."""
+
+    def recover(self, text: str, file: str) -> Document:
+        """A document of its own with everything that could be read of a faulty text."""
+
+    def write(self, values: Mapping[str, Json]) -> str:
+        """Values as a new text in the canonical layout; ConvertError for what has no spelling."""
+
+    def reconcile(self, document: Document, values: Mapping[str, Json]) -> Document:
+        """A document that reads to ``values``; see ``splicing``."""
+
+    def keep_winner(self, document: Document, path: Path) -> Document:
+        """The document with a doubled key written once; see ``splicing``."""
+
+    def tidy(self, document: Document) -> Document:
+        """The document in the canonical layout: comments, ``_`` fields and order kept."""
+
+
+def form_of(file: str, text: str) -> str:
+    """The name of the form of a file: by its suffix, else by how the text begins."""
+    suffix = PurePath(file).suffix.lower()
+    return SUFFIXES.get(suffix) or _looks_like(text)
+
+
+def form_named(name: str) -> Form:
+    """The doors of a form; KeyError for a name that no form has."""
+    if name == "json":
+        from smsl_studio.smsl import json_form
+
+        return json_form
+    if name == "smsl":
+        from smsl_studio.smsl import native_form
+
+        return native_form
+    if name == "yaml":
+        from smsl_studio.smsl import yaml_form
+
+        return yaml_form
+    raise KeyError(name)
+
+
+_NATIVE = re.compile(r"(?:\s|//[^\n]*(?:\n|$))*(?:,\s*)?(?:#|\{\s*(?:#|//|[^\s\"}]))")
+_JSON = re.compile(r"\s*(?:[\[\{]|$)")
+
+
+def _looks_like(text: str) -> str:
+    text = text.removeprefix("\ufeff")
+    if text.lstrip().startswith("//") or _NATIVE.match(text):
+        return "smsl"
+    return "json" if _JSON.match(text) else "yaml"

@@ -1,0 +1,12 @@
+"""The JSON form, ``{SB: {"HEADER": {...}, STATE: {OPERATION: TARGET}}}``: lossless.
+
+The functions here are the doors of a form; see ``forms.Form``.
+"""
+
+from smsl_studio.smsl.json_form.reading import MAX_DEPTH, parse, write
+from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
+
+parse_json, write_json = parse, write
+"""The names under which those call them who want this form and no other."""
+
+__all__ = ["MAX_DEPTH", "keep_winner", "parse", "parse_json", "reconcile", "write", "write_json"]
