@@ -1,33 +1,39 @@
 """Session: the blueprint being worked on, its history, the selection and the SB that is shown.
 
 Nothing else: it knows no file dialog, no canvas and no panel. Panels and the canvas read it, listen
-to its signals, and change the blueprint only through ``edit``.
+to its signals, and change the blueprint only through ``edit``; what is typed in a text comes
+through ``write`` or ``take``. A text that does not read is kept beside the last blueprint that did.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
+
+__all__ = ["Broken", "Session"]
+
+Stand = tuple[Blueprint, Broken | None]
+"""The last blueprint that could be read, and the text typed since that cannot."""
 
 
 class _Edit(QUndoCommand):
-    """The one undo command: the blueprint before and after."""
+    """The one undo command: how things stood before and after."""
 
-    def __init__(self, words: str, session: Session, before: Blueprint, after: Blueprint) -> None:
+    def __init__(self, words: str, session: Session, before: Stand, after: Stand) -> None:
         super().__init__(words)
         self._session, self._before, self._after = session, before, after
 
     def undo(self) -> None:
-        self._session._show(self._before)
+        self._session._show(*self._before)
 
     def redo(self) -> None:
-        self._session._show(self._after)
+        self._session._show(*self._after)
 
 
 class Session(QObject):
@@ -41,6 +47,10 @@ class Session(QObject):
     """Another file was opened: told before ``blueprint_changed``; nothing said of before holds."""
     blueprint_changed = Signal(object, object)
     """(before, after): after every edit, undo and redo, and when another file is opened."""
+    broken_changed = Signal()
+    """A text does not read any more, reads again, or does not read in another way."""
+    settling = Signal()
+    """An edit is wanted: whoever holds what is being typed hands it over first."""
     selection_changed = Signal(object)
     """The new selection: a tuple of addresses."""
     branch_changed = Signal(str)
@@ -53,6 +63,7 @@ class Session(QObject):
     def __init__(self, blueprint: Blueprint, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._blueprint = blueprint
+        self._broken: Broken | None = None
         self._selection: tuple[Address, ...] = ()
         self._branch = _first_branch(blueprint)
         self.history = QUndoStack(self)
@@ -62,6 +73,16 @@ class Session(QObject):
     @property
     def blueprint(self) -> Blueprint:
         return self._blueprint
+
+    @property
+    def broken(self) -> Broken | None:
+        """The text that does not read; ``blueprint`` is then the last one that did."""
+        return self._broken
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """The text of every file, as it is to be saved."""
+        return texts_of(self._blueprint, self._broken)
 
     @property
     def branch(self) -> str:
@@ -81,28 +102,59 @@ class Session(QObject):
         """Carry out one undoable edit; False (and ``refused``) where it would leave nonsense.
 
         ``words`` name the step in the history, such as "Rename State_0 to State_1". An edit that
-        changes nothing leaves no step.
+        changes nothing leaves no step. While a text does not read every edit is refused: it would
+        be made in a text that is no longer the one that stands there.
         """
         from smsl_studio.errors import StudioError
 
+        self.settling.emit()
         try:
+            if self._broken is not None:
+                raise self._broken.refusal
             after = change(self._blueprint)
         except StudioError as error:
             self.refused.emit(error)
             return False
-        if after is not self._blueprint:
-            self.history.push(_Edit(words, self, self._blueprint, after))
+        self._push(words, after, None)
         return True
 
-    def open(self, blueprint: Blueprint) -> None:
-        """Replace the blueprint by another file's; history and selection start anew."""
+    def write(self, words: str, text: str, file: str | None = None) -> None:
+        """One undoable step: ``text`` is what now stands in one of the files (else its own).
+
+        Where it reads the blueprint follows, else it is ``broken``. Of several files only one may
+        be broken at a time; writing in another one is refused.
+        """
+        name = file if file is not None else self._blueprint.file
+        self.take(words, read_text(self._blueprint, name, text), name)
+
+    def take(self, words: str, reading: Reading, file: str) -> None:
+        """Like ``write``, for a text that was read elsewhere (``read_text`` of this blueprint)."""
+        if self._broken is not None and self._broken.file != file:
+            self.refused.emit(self._broken.refusal)
+        elif isinstance(reading, Broken):
+            self._push(words, self._blueprint, reading)
+        elif texts_of(reading, None) == texts_of(self._blueprint, None):
+            self._push(words, self._blueprint, None)
+        else:
+            self._push(words, reading, None)
+
+    def open(self, blueprint: Blueprint, broken: Broken | None = None) -> None:
+        """Replace the blueprint by another file's; history and selection start anew.
+
+        ``broken`` is the file's text where it does not read; then ``blueprint`` is what could be
+        read of it.
+        """
         before, self._blueprint = self._blueprint, blueprint
+        told = self._broken is not broken
+        self._broken = broken
         # The history tells that it is empty now, and whoever hears it looks at all of this.
         self._branch = _first_branch(blueprint)
         self._selection = ()
         self.history.clear()
         self.opened.emit()
         self.blueprint_changed.emit(before, blueprint)
+        if told:
+            self.broken_changed.emit()
         self.branch_changed.emit(self._branch)
         self.selection_changed.emit(())
 
@@ -112,8 +164,7 @@ class Session(QObject):
         before = self._blueprint
         # Under the same name nothing has changed, also for who still inspects what is shown.
         if before.file != blueprint.file:
-            self._blueprint = blueprint
-            self.blueprint_changed.emit(before, blueprint)
+            self._replace(blueprint, under_name(before, self._broken, blueprint.file)[1])
 
     def select(self, addresses: Iterable[Address]) -> None:
         """Select what stands at these addresses; others are left out."""
@@ -147,13 +198,26 @@ class Session(QObject):
         operations = branch.table.get(address.state)
         return operations is not None and (not address.operation or address.operation in operations)
 
-    def _show(self, blueprint: Blueprint) -> None:
-        before, file = self._blueprint, self._blueprint.file
-        if blueprint.file != file:
-            # A step from before a save under another name: the name stays the new one.
-            document = replace(blueprint.document, file=file)
-            blueprint = replace(blueprint, document=document)
-        self._blueprint = blueprint
+    def _push(self, words: str, after: Blueprint, broken: Broken | None) -> None:
+        if after is not self._blueprint or broken != self._broken:
+            before = (self._blueprint, self._broken)
+            self.history.push(_Edit(words, self, before, (after, broken)))
+
+    def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
+        # A step from before a save under another name: the name stays the new one.
+        self._replace(*under_name(blueprint, broken, self._blueprint.file))
+
+    def _replace(self, blueprint: Blueprint, broken: Broken | None) -> None:
+        before, self._blueprint = self._blueprint, blueprint
+        told, self._broken = self._broken != broken, broken
+        if before is not blueprint:
+            self._follow(before)
+        if told:
+            self.broken_changed.emit()
+
+    def _follow(self, before: Blueprint) -> None:
+        """Tell of another blueprint, and show and select what of the former still stands."""
+        blueprint = self._blueprint
         moved = self._branch not in blueprint.branches
         if moved:
             self._branch = _renamed(before, blueprint, self._branch)

@@ -136,6 +136,9 @@ class RunPane(QWidget):
         self._offer()
 
     def _begin(self, stepping: bool) -> None:
+        if self._session.broken is not None:
+            self._say_refused(self._session.broken.refusal)
+            return
         self._offer()
         transport = self.transport
         choice = RunChoice(
@@ -221,6 +224,7 @@ class RunPane(QWidget):
         self.events.jump_wanted.connect(self.canvas.jump)
         self._session.opened.connect(self._another_file)
         self._session.blueprint_changed.connect(self._drawing_changed)
+        self._session.broken_changed.connect(self._text_repaired)
 
     # What is shown.
 
@@ -242,6 +246,10 @@ class RunPane(QWidget):
             self._offer()
         self.canvas.drawing_changed()
         self._say()
+
+    def _text_repaired(self) -> None:
+        if self._session.broken is None:
+            self.canvas.show_refusal("")
 
     def _offer(self) -> None:
         """Fill the transport's choices from the blueprint that is drawn now."""

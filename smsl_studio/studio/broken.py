@@ -1,0 +1,83 @@
+"""What a typed text comes to: the blueprint it means, or the faults for which it means none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import PurePath
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import EditRefused, ReadError
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.forms import form_named
+
+
+@dataclass(frozen=True)
+class Broken:
+    """A text that does not read, as it stands now, and why."""
+
+    file: str
+    text: str
+    error: ReadError
+
+    @property
+    def refusal(self) -> EditRefused:
+        """What is said to who wants to go on as if the text could be read."""
+        place = self.error.place
+        where = f", line {place.line}" if place else ""
+        return EditRefused(
+            f"the text of {PurePath(self.file).name} does not read{where}: {self.error.sentence}",
+            place,
+            "Repair the text first, or undo what was typed.",
+        )
+
+
+Reading = Blueprint | Broken
+
+
+def read_text(former: Blueprint, file: str, text: str) -> Reading:
+    """What ``former`` becomes where this is the text of one of its files.
+
+    A pure function: it may run beside the window. KeyError where no document has that name.
+    """
+    try:
+        document = document_of(former, file)
+        fresh = form_named(document.form).parse(text, file)
+        return _with_document(former, document, fresh)
+    except ReadError as error:
+        return Broken(file, text, error)
+
+
+def document_of(blueprint: Blueprint, file: str) -> Document:
+    """The document of that file; KeyError where the blueprint has none."""
+    for document in blueprint.documents:
+        if document.file == file:
+            return document
+    raise KeyError(file)
+
+
+def texts_of(blueprint: Blueprint, broken: Broken | None) -> dict[str, str]:
+    """The text of every file as it is to be saved, one that does not read included."""
+    texts = {document.file: document.text for document in blueprint.documents}
+    if broken is not None:
+        texts[broken.file] = broken.text
+    return texts
+
+
+def under_name(
+    blueprint: Blueprint, broken: Broken | None, file: str
+) -> tuple[Blueprint, Broken | None]:
+    """The same under the name that the blueprint's own file has been given since."""
+    if blueprint.file == file:
+        return blueprint, broken
+    moved = replace(blueprint, document=replace(blueprint.document, file=file))
+    if broken is None or broken.file != blueprint.file:
+        return moved, broken
+    again = read_text(moved, file, broken.text)
+    return moved, again if isinstance(again, Broken) else replace(broken, file=file)
+
+
+def _with_document(former: Blueprint, document: Document, fresh: Document) -> Blueprint:
+    if document is former.document:
+        return read_blueprint(fresh, former)
+    raise KeyError(document.file)
