@@ -33,6 +33,7 @@ from smsl_studio.studio.settings import Settings  # noqa: E402
 from smsl_studio.studio.style import dress  # noqa: E402
 from smsl_studio.studio.theme import LIGHT  # noqa: E402
 from smsl_studio.studio.window import Window  # noqa: E402
+from smsl_studio.studio.windows import Windows  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
@@ -85,14 +86,15 @@ class Studio:
     """Opens windows on scenes and photographs them."""
 
     def __init__(self, application: QApplication, settings: Settings, out: Path) -> None:
-        self._application, self._settings, self._out = application, settings, out
+        self._application, self._out = application, out
+        self._windows = Windows(application, settings)
 
     def take(self, scene: Scene, modes: list[str]) -> None:
         """Every picture of a scene."""
         for mode in modes:
             name = (scene.drawn or scene.sample) if mode == "draw" else scene.sample
-            self._settings.theme = "light"
-            window = make_window(self._application, self._settings)
+            self._windows.set_theme("light")
+            window = make_window(self._windows)
             window.files.open_copy(ROOT / "samples" / f"{name}.json")
             self._until(partial(getattr, window.inspector, "current"))
             {"draw": self._draw, "run": self._run}[mode](window, scene)
@@ -150,7 +152,7 @@ class Studio:
 
     def _dressed(self, window: Window) -> Iterator[tuple[str, tuple[int, int]]]:
         for theme in THEMES:
-            window.set_theme(theme)
+            self._windows.set_theme(theme)
             for size in SIZES:
                 window.resize(*size)
                 self._wait(0.1)

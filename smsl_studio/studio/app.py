@@ -15,10 +15,11 @@ from PySide6.QtWidgets import QApplication
 from smsl_studio.library.loading import discover
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.canvas import accessible_tree
-from smsl_studio.studio.recovery import crash_hook, keep_work
+from smsl_studio.studio.recovery import crash_hook
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of
 from smsl_studio.studio.window import Window
+from smsl_studio.studio.windows import Windows
 
 
 def open_window(paths: Sequence[str], mode: str = "draw") -> int:
@@ -26,17 +27,20 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     application = make_application(sys.argv)
     settings = Settings()
     dress(application, tokens_of(settings.theme, application))
-    windows = [make_window(application, settings, path, mode) for path in paths or [""]]
-    sys.excepthook = crash_hook(lambda: _kept(windows, settings), windows[0].toast.warn)
+    windows = Windows(application, settings)
+    shown = [make_window(windows, path, mode) for path in paths or [""]]
+    sys.excepthook = crash_hook(windows.keep, windows.warn)
     stop = _let_interrupts_through(application)
     known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
     # Under nohup the end of the terminal is to be ignored, and stays so.
     ends = [end for end in known if end and signal.getsignal(end) is not signal.SIG_IGN]
-    before = [signal.signal(end, lambda *_: leave(application, windows, settings)) for end in ends]
+    before = [signal.signal(end, lambda *_: windows.leave()) for end in ends]
     try:
         return application.exec()
     finally:
         stop.stop()
+        # Not before: a window that is let go of while it is being closed takes Qt along.
+        shown.clear()
         sys.excepthook = sys.__excepthook__
         for end, handler in zip(ends, before, strict=True):
             signal.signal(end, handler or signal.SIG_DFL)
@@ -54,11 +58,9 @@ def make_application(argv: Sequence[str]) -> QApplication:
     return application
 
 
-def make_window(
-    application: QApplication, settings: Settings, path: str = "", mode: str = "draw"
-) -> Window:
+def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     """A window that shows a file; where it cannot be read the window says why."""
-    window = Window(application, settings)
+    window = Window(windows)
     window.show()
     if path:
         window.files.open(Path(path))
@@ -75,27 +77,6 @@ def main(argv: Sequence[str]) -> int:
     parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
     given = parser.parse_intermixed_args(list(argv))
     return open_window(given.files, given.mode)
-
-
-def leave(application: QApplication, windows: Sequence[Window], settings: Settings) -> None:
-    """Close without a question: the session or the terminal ends. Unsaved work is kept beside."""
-    for window in windows:
-        # Closing takes over what is being typed: by then it would be asked about.
-        window.files.settling.emit()
-    for path in _kept(windows, settings):
-        print(f"smsl-studio: unsaved work was kept in {path}", file=sys.stderr)
-    for window in windows:
-        window.session.history.setClean()
-    application.quit()
-
-
-def _kept(windows: Sequence[Window], settings: Settings) -> list[Path]:
-    kept = (
-        keep_work(window.session, window.files.name, settings.folder)
-        for window in windows
-        if window.session.edited
-    )
-    return [path for path in kept if path is not None]
 
 
 def _let_interrupts_through(application: QApplication) -> QTimer:

@@ -108,7 +108,19 @@ class Docks(QObject):
             self.left.setVisible(not self.left.isVisible())
         self.changed.emit()
 
-    def toggle(self, dock: QDockWidget) -> None:
+    def right_shown(self) -> bool:
+        return self.right.isVisible()
+
+    def toggle_right(self) -> None:
+        self._toggle(self.right)
+
+    def bottom_shown(self) -> bool:
+        return self.bottom.isVisible()
+
+    def toggle_bottom(self) -> None:
+        self._toggle(self.bottom)
+
+    def _toggle(self, dock: QDockWidget) -> None:
         dock.setVisible(not dock.isVisible())
         self.changed.emit()
 

@@ -14,7 +14,9 @@ from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.errors import StudioError
+from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.files import read_document, save_document
+from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 
@@ -148,6 +150,12 @@ class Files(QObject):
         self.changed.emit()
         self.said.emit(f"Saved {path.name}.")
         return True
+
+
+def samples() -> tuple[Path, ...]:
+    """The samples that come along, in every form."""
+    found = (path for path in samples_dir().iterdir() if path.suffix in SUFFIXES)
+    return tuple(sorted(found))
 
 
 def empty_blueprint() -> Blueprint:

@@ -6,9 +6,8 @@ from functools import partial
 
 from PySide6.QtWidgets import QMenu
 
-from smsl_studio.shipped import samples_dir
 from smsl_studio.studio.drawing import Drawing
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files import Files, samples
 from smsl_studio.studio.session import Session
 
 MOST = 64
@@ -28,7 +27,7 @@ def fill_recent(files: Files, menu: QMenu) -> None:
 def fill_samples(files: Files, menu: QMenu) -> None:
     """The samples; each is opened as a copy."""
     menu.clear()
-    for path in sorted(samples_dir().glob("*.json")):
+    for path in samples():
         menu.addAction(path.name, partial(files.open_copy, path))
 
 

@@ -7,18 +7,17 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
-from PySide6.QtWidgets import QApplication, QLineEdit, QMainWindow, QMenu, QWidget
+from PySide6.QtWidgets import QLineEdit, QMainWindow, QMenu, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.inspection.finding import Finding
 from smsl_studio.library.loading import Loaded
-from smsl_studio.studio import commands
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.body import Body
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.commands import all_actions
 from smsl_studio.studio.context_menu import context_menu
 from smsl_studio.studio.dialogs import Dialogs
 from smsl_studio.studio.docks import Docks
@@ -41,13 +40,12 @@ from smsl_studio.studio.panels.source import Source
 from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.status_line import StatusLine
 from smsl_studio.studio.stop_key import StopKey
-from smsl_studio.studio.style import dress, tokens_of
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tidings import Tidings
 from smsl_studio.studio.toast import Toast
-from smsl_studio.studio.words import tally, worst
+from smsl_studio.studio.windows import Windows
 
 SIZE, SMALLEST = (1440, 900), (900, 560)
 
@@ -55,17 +53,17 @@ SIZE, SMALLEST = (1440, 900), (900, 560)
 class Window(QMainWindow):
     """One window on one blueprint."""
 
-    def __init__(self, application: QApplication, settings: Settings) -> None:
+    def __init__(self, windows: Windows) -> None:
         super().__init__()
-        self._application, self._settings = application, settings
+        self._windows, self._settings = windows, windows.settings
         self._mode = "draw"
         self._loaded = Loaded()
-        self.tokens = tokens_of(settings.theme, application)
+        self.tokens = windows.tokens
         self.setWindowTitle("SMSL Studio")
         self.setMinimumSize(*SMALLEST)
         self.setAcceptDrops(True)
         self.session = Session(empty_blueprint(), self)
-        self.files = Files(self.session, settings, Dialogs(self), self)
+        self.files = Files(self.session, self._settings, Dialogs(self), self)
         self.inspector = Inspector(self.session, self)
         self._build_panels()
         self._build_actions()
@@ -74,6 +72,7 @@ class Window(QMainWindow):
         self._restore()
         self._show_blueprint()
         self._show_title()
+        windows.add(self)
 
     # Building.
 
@@ -93,7 +92,7 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
-        self._stop_key = StopKey(self._application, self.stop_every_run, self)
+        self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
         self.docks = Docks(self, self.outline, self.library)
         self.docks.right_tabs.add("Properties", self.properties)
         self.docks.right_tabs.add("Source", self.source)
@@ -101,17 +100,11 @@ class Window(QMainWindow):
         self.docks.bottom_tabs.add("History", self.history)
 
     def _build_actions(self) -> None:
-        files, session, drawing = self.files, self.session, self.drawing
-        table = (
-            *commands.file_actions(files, session, self),
-            *commands.sample_actions(files),
-            *commands.edit_actions(session, drawing, self),
-            *commands.view_actions(drawing, self),
-            *commands.blueprint_actions(drawing, self.findings, self),
-            *commands.run_actions(self.run_pane, self),
-            *commands.help_actions(self),
-        )
-        self.actions_table = Actions(table, self, self.tokens, self._settle)
+        table = all_actions(
+            self, self.session, self.files, self.drawing, self.findings, self.docks,
+            self.run_pane, self._windows,
+        )  # fmt: skip
+        self.actions_table = Actions(table, self, self.tokens, self.settle)
 
     def _build_frame(self) -> None:
         actions, tokens = self.actions_table, self.tokens
@@ -127,6 +120,11 @@ class Window(QMainWindow):
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
         self.command_palette = Palette(self.session, actions, tokens, self)
+        marked = (self.outline, self.library, self.source, self.fix_card)
+        self.tidings = Tidings(
+            self.inspector, self.findings, self.editor, self.status_line, marked,
+            actions.refresh, self,
+        )  # fmt: skip
 
     def _connect(self) -> None:
         session, actions = self.session, self.actions_table
@@ -137,15 +135,13 @@ class Window(QMainWindow):
         for signal in (session.blueprint_changed, session.selection_changed,
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
             signal.connect(lambda *_: actions.refresh())
-        session.opened.connect(self._forget_findings)
+        session.opened.connect(self.tidings.forget)
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_what_moved)
-        self.files.settling.connect(self._settle)
+        self.files.settling.connect(self.settle)
         self.files.refused.connect(self.toast.refuse)
         self.files.said.connect(self.toast.say)
         self.files.changed.connect(self._show_title)
-        self.inspector.started.connect(self._checking)
-        self.inspector.found.connect(self._found)
         self.findings.count_changed.connect(
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)
         )
@@ -157,8 +153,6 @@ class Window(QMainWindow):
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self.status_line.show_run)
         self.run_pane.moved.connect(self.outline.set_run)
-        # A method, not a lambda: it is let go of with the window.
-        self._application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
     # What the actions ask of the shell.
 
@@ -185,20 +179,6 @@ class Window(QMainWindow):
         (self.canvas if mode == "draw" else self.run_pane.canvas.canvas).setFocus()
         self.actions_table.refresh()
 
-    @property
-    def theme(self) -> str:
-        return self._settings.theme
-
-    def set_theme(self, theme: str) -> None:
-        """Dress everything in light, dark, or what the desktop asks for; remembered."""
-        self._settings.theme = theme
-        tokens = tokens_of(theme, self._application)
-        dress(self._application, tokens)
-        # The palette is the application's, so every window of it changes.
-        for window in self._application.topLevelWidgets():
-            if isinstance(window, Window):
-                window.wear(tokens)
-
     def wear(self, tokens: Tokens) -> None:
         """Paint everything in these colours."""
         self.tokens = tokens
@@ -208,19 +188,17 @@ class Window(QMainWindow):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
 
-    def _desktop_changed(self) -> None:
-        if self.theme == "system":
-            self.set_theme("system")
+    @property
+    def name(self) -> str:
+        """The name of the file that is shown."""
+        return self.files.name
 
-    def quit(self) -> None:
-        """Close every window; each asks about its own unsaved work, and one that stays ends it."""
-        self._application.closeAllWindows()
+    def stop_run(self) -> None:
+        self.run_pane.stop()
 
-    def stop_every_run(self) -> None:
-        """Stop the runs of all windows: who presses F8 does not look which one is in front."""
-        for window in self._application.topLevelWidgets():
-            if isinstance(window, Window):
-                window.run_pane.stop()
+    def warn(self, words: str) -> None:
+        """Say something that went wrong."""
+        self.toast.warn(words)
 
     def open_palette(self) -> None:
         box = self.mode_bar.search
@@ -234,24 +212,6 @@ class Window(QMainWindow):
         menu = _passing_menu(self)
         fill_sub_sbs(self.session, self.drawing, menu)
         menu.popup(self.mode_bar.below("sub_sb"))
-
-    def left_shown(self) -> bool:
-        return self.docks.left_shown()
-
-    def toggle_left(self) -> None:
-        self.docks.toggle_left()
-
-    def right_shown(self) -> bool:
-        return self.docks.right.isVisible()
-
-    def toggle_right(self) -> None:
-        self.docks.toggle(self.docks.right)
-
-    def bottom_shown(self) -> bool:
-        return self.docks.bottom.isVisible()
-
-    def toggle_bottom(self) -> None:
-        self.docks.toggle(self.docks.bottom)
 
     def show_tab(self, name: str) -> None:
         self.docks.show_tab(name)
@@ -298,7 +258,7 @@ class Window(QMainWindow):
         if self.editor.field is None:
             self.toast.refuse(error)
 
-    def _settle(self) -> None:
+    def settle(self) -> None:
         """What is still being typed counts: leaving a field takes it over, then one goes on."""
         field = self.focusWidget()
         if isinstance(field, QLineEdit):
@@ -307,23 +267,6 @@ class Window(QMainWindow):
             if field.isVisible():
                 field.setFocus()
                 field.setCursorPosition(at)
-
-    def _forget_findings(self) -> None:
-        for panel in (self.outline, self.library, self.source, self.fix_card):
-            panel.set_findings(())
-        self.findings.forget()
-        self.editor.set_findings({})
-        self.status_line.show_findings("checking")
-
-    def _checking(self) -> None:
-        self.findings.set_checking()
-
-    def _found(self, findings: tuple[Finding, ...]) -> None:
-        for panel in (self.findings, self.outline, self.library, self.source, self.fix_card):
-            panel.set_findings(findings)
-        self.editor.set_findings(worst(findings))
-        self.status_line.show_findings(tally(findings) or "no findings")
-        self.actions_table.refresh()
 
     def _run_exists(self, exists: bool) -> None:
         self.mode_bar.show_stop(exists)
@@ -380,6 +323,7 @@ class Window(QMainWindow):
         self.inspector.stop()
         # The history empties itself when it goes, and nobody is left to be told.
         self.session.history.blockSignals(True)
+        self._windows.remove(self)
         event.accept()
 
 

@@ -15,6 +15,7 @@ from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress
 from smsl_studio.studio.theme import LIGHT
 from smsl_studio.studio.window import Window
+from smsl_studio.studio.windows import Windows
 from tests.stories.person import Person
 
 Sit = Callable[..., Person]
@@ -23,22 +24,22 @@ Sit = Callable[..., Person]
 @pytest.fixture
 def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
     """Open a window on a copy of a file (or an empty one) and sit down at it."""
-    windows: list[Window] = []
+    shown: list[Window] = []
+    windows = Windows(qapp, Settings(home))
 
     def open_on(path: Path | None = None, size: tuple[int, int] = (1440, 900)) -> Person:
-        settings = Settings(home)
-        settings.theme = "light"
+        windows.settings.theme = "light"
         dress(qapp, LIGHT)
-        window = make_window(qapp, settings, str(path) if path else "")
-        windows.append(window)
+        window = make_window(windows, str(path) if path else "")
+        shown.append(window)
         window.resize(*size)
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)
         window.canvas.setFocus()
-        return Person(window, qtbot)
+        return Person(window, qtbot, windows)
 
     yield open_on
-    for window in windows:
+    for window in shown:
         window.session.history.setClean()
         window.close()
         window.deleteLater()

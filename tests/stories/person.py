@@ -16,6 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.files import read_document
 from smsl_studio.studio.window import Window
+from smsl_studio.studio.windows import Windows
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 LEFT = Qt.MouseButton.LeftButton
@@ -29,8 +30,8 @@ def sample(name: str) -> Blueprint:
 class Person:
     """Knows what is on the screen and where; uses pointer and keys only."""
 
-    def __init__(self, window: Window, qtbot: QtBot) -> None:
-        self.window, self.qtbot = window, qtbot
+    def __init__(self, window: Window, qtbot: QtBot, windows: Windows) -> None:
+        self.window, self.qtbot, self.windows = window, qtbot, windows
 
     @property
     def blueprint(self) -> Blueprint:

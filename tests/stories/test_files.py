@@ -177,11 +177,11 @@ def test_a_file_dropped_on_the_window_is_opened(sit: Sit, tmp_path: Path) -> Non
 
 def test_what_was_closed_is_as_it_was(sit: Sit, tmp_path: Path) -> None:
     person = sit(copy_of("hfsm.json", tmp_path), (1300, 820))
-    person.window.set_theme("dark")
+    person.windows.set_theme("dark")
     person.ctrl(Key.Key_J)
     assert not person.window.docks.bottom.isVisible()
     assert person.window.close()
-    again = Window(QApplication.instance(), person.window.files._settings)  # type: ignore[arg-type]
+    again = Window(person.windows)
     again.show()
     again.resize(1300, 820)
     assert again.tokens.dark
@@ -283,14 +283,14 @@ def test_quit_closes_every_window_and_each_asks(sit: Sit, tmp_path: Path) -> Non
     second.ctrl(Key.Key_Q)
     assert first.window.isVisible()
     answer(first, "Discard changes")
-    first.window.quit()
+    first.windows.quit()
     assert not first.window.isVisible()
     assert not second.window.isVisible()
 
 
 def test_the_theme_is_that_of_every_window(sit: Sit) -> None:
     first, second = sit(), sit()
-    second.window.set_theme("dark")
+    second.windows.set_theme("dark")
     assert first.window.tokens.dark
     assert first.window.canvas.tokens.dark
 

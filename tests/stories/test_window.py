@@ -99,7 +99,7 @@ def test_a_theme_dresses_everything_and_is_remembered(sit: Sit) -> None:
     window.actions_table["theme_dark"].trigger()
     assert window.canvas.tokens.dark
     assert window.actions_table["theme_dark"].isChecked()
-    assert window.theme == "dark"
+    assert person.windows.theme == "dark"
     picture = window.grab().toImage()
     assert picture.pixelColor(1100, 16) == window.tokens.win
     window.actions_table["theme_light"].trigger()

@@ -14,6 +14,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio import app
 from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.windows import Windows
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 
@@ -36,7 +37,7 @@ def test_a_file_that_cannot_be_read_leaves_an_empty_window_that_says_why(
 ) -> None:
     path = tmp_path / "broken.json"
     path.write_text('{"SB1": [}')
-    window = app.make_window(qapp, Settings(), str(path))
+    window = app.make_window(Windows(qapp, Settings()), str(path))
     assert "broken.json:1:10" in window.toast.words
     assert list(window.session.blueprint.branches) == ["SB1"]
     window.close()
@@ -70,8 +71,8 @@ def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    settings = Settings()
-    window = app.make_window(qapp, settings, str(SAMPLES / "hfsm.json"))
+    windows = Windows(qapp, Settings())
+    window = app.make_window(windows, str(SAMPLES / "hfsm.json"))
     window.session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State011"))
     window.session.select([Address("SB1", "State011")])
     window.activateWindow()
@@ -79,9 +80,9 @@ def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
     window.properties.state.title.setFocus()
     QTest.keyClicks(window.properties.state.title, "Half typed")
     monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
-    app.leave(qapp, [window], settings)
+    windows.leave()
     assert not window.isVisible()
-    (kept,) = (settings.folder / "recovered").glob("hfsm-*.json")
+    (kept,) = (windows.settings.folder / "recovered").glob("hfsm-*.json")
     assert "State011" in kept.read_text("utf-8")
     assert "Half typed" in kept.read_text("utf-8")
     assert str(kept) in capsys.readouterr().err

@@ -1,0 +1,43 @@
+"""The rows of the table of actions: one file for each menu, put together here in their order."""
+
+from __future__ import annotations
+
+from smsl_studio.studio.actions import Action
+from smsl_studio.studio.commands.blueprint import blueprint_actions
+from smsl_studio.studio.commands.edit import edit_actions
+from smsl_studio.studio.commands.files import file_actions
+from smsl_studio.studio.commands.help import help_actions
+from smsl_studio.studio.commands.run import run_actions
+from smsl_studio.studio.commands.samples import sample_actions
+from smsl_studio.studio.commands.shell import Shell, Transport
+from smsl_studio.studio.commands.view import view_actions
+from smsl_studio.studio.docks import Docks
+from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.files import Files
+from smsl_studio.studio.panels.findings import Findings
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.windows import Windows
+
+__all__ = ["Shell", "Transport", "all_actions"]
+
+
+def all_actions(
+    shell: Shell,
+    session: Session,
+    files: Files,
+    drawing: Drawing,
+    findings: Findings,
+    docks: Docks,
+    run: Transport,
+    windows: Windows,
+) -> tuple[Action, ...]:
+    """Every row, menu by menu."""
+    return (
+        *file_actions(files, windows),
+        *sample_actions(files),
+        *edit_actions(session, drawing, shell),
+        *view_actions(drawing, docks, windows, shell),
+        *blueprint_actions(drawing, findings, shell),
+        *run_actions(run, windows, shell),
+        *help_actions(shell),
+    )

@@ -1,0 +1,26 @@
+"""The Run menu."""
+
+from __future__ import annotations
+
+from smsl_studio.studio.actions import Action
+from smsl_studio.studio.commands.shell import Shell, Transport
+from smsl_studio.studio.windows import Windows
+
+
+def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action, ...]:
+    def play() -> None:
+        shell.set_mode("run")
+        run.play()
+
+    def step() -> None:
+        shell.set_mode("run")
+        run.step()
+
+    return (
+        Action("run_play", "Run", play, "Run", "play", ("F5",),
+               tip="Start the run, or go on with it"),
+        Action("run_pause", "Pause", run.pause, "Run", "pause", ("F6",)),
+        Action("run_step", "One operation", step, "Run", "step", ("F10",)),
+        Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
+               tip="A controlled stop, from anywhere"),
+    )  # fmt: skip

@@ -1,0 +1,104 @@
+"""All windows of the program: what they share, and what is done to every one of them."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.studio.recovery import keep_work
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.style import dress, tokens_of
+from smsl_studio.studio.theme import Tokens
+
+
+class Shown(Protocol):
+    """What is asked of each window."""
+
+    @property
+    def session(self) -> Session: ...
+    @property
+    def name(self) -> str: ...
+    def wear(self, tokens: Tokens) -> None: ...
+    def stop_run(self) -> None: ...
+    def settle(self) -> None: ...
+    def warn(self, words: str) -> None: ...
+
+
+class Windows(QObject):
+    """The windows that are open, oldest first; each tells when it comes and goes."""
+
+    def __init__(self, application: QApplication, settings: Settings) -> None:
+        super().__init__()
+        self.application, self.settings = application, settings
+        self._open: list[Shown] = []
+        # A method, not a lambda: it is let go of with this object.
+        application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
+
+    def __iter__(self) -> Iterator[Shown]:
+        return iter(tuple(self._open))
+
+    def add(self, window: Shown) -> None:
+        self._open.append(window)
+
+    def remove(self, window: Shown) -> None:
+        """The window was closed."""
+        if window in self._open:
+            self._open.remove(window)
+
+    @property
+    def theme(self) -> str:
+        return self.settings.theme
+
+    @property
+    def tokens(self) -> Tokens:
+        """The colours of the theme that is chosen."""
+        return tokens_of(self.theme, self.application)
+
+    def set_theme(self, theme: str) -> None:
+        """Dress everything in light, dark, or what the desktop asks for; remembered."""
+        self.settings.theme = theme
+        dress(self.application, self.tokens)
+        # The palette is the application's, so every window of it changes.
+        for window in self:
+            window.wear(self.tokens)
+
+    def quit(self) -> None:
+        """Close every window; each asks about its own unsaved work, and one that stays ends it."""
+        self.application.closeAllWindows()
+
+    def stop_every_run(self) -> None:
+        """Stop the runs of all windows: who presses F8 does not look which one is in front."""
+        for window in self:
+            window.stop_run()
+
+    def warn(self, words: str) -> None:
+        """Say something in every window."""
+        for window in self:
+            window.warn(words)
+
+    def keep(self) -> list[Path]:
+        """Keep the unsaved work of every window beside; where it went."""
+        edited = (window for window in self if window.session.edited)
+        kept = (keep_work(w.session, w.name, self.settings.folder) for w in edited)
+        return [path for path in kept if path is not None]
+
+    def leave(self) -> None:
+        """Close without a question: the session or the terminal ends. Unsaved work is kept."""
+        for window in self:
+            # Closing takes over what is being typed: by then it would be asked about.
+            window.settle()
+        for path in self.keep():
+            print(f"smsl-studio: unsaved work was kept in {path}", file=sys.stderr)
+        for window in self:
+            window.session.history.setClean()
+        self.application.quit()
+
+    def _desktop_changed(self) -> None:
+        if self.theme == "system":
+            self.set_theme("system")
