@@ -147,9 +147,10 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
     operations: dict[str, OperationNote] = {}
     written: dict[str, frozenset[str]] = {}
     for name, raw in table("_operations").items():
-        operation = _validated(OperationNote, raw, ("_operations", name), faults)
+        path = ("_operations", name)
+        operation, words = _with_words(OperationNote, raw, path, faults)
         if operation is not None:
-            operations[name], written[name] = operation, frozenset(raw)
+            operations[name], written[name] = operation, words
     layout: dict[str, tuple[float, float]] = {}
     for name, at in table("_layout").items():
         if _is_point(at):
@@ -179,17 +180,29 @@ def _is_point(at: Json) -> bool:
 def _validated(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> NoteT | None:
+    """The note in ``raw``; a word that does not fit is a fault, and the others still count."""
+    return _with_words(model, raw, path, faults)[0]
+
+
+def _with_words(
+    model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
+) -> tuple[NoteT | None, frozenset[str]]:
+    """The note in ``raw``, and which of its words fit; none where one is missing that must not."""
     from pydantic import ValidationError
 
     kind: Any = model
     try:
-        found: NoteT = _adapter(kind).validate_python(raw)
+        return _adapter(kind).validate_python(raw), frozenset(raw)
     except ValidationError as error:
+        odd = set()
         for fault in error.errors(include_url=False):
             inner = ".".join(str(part) for part in fault["loc"])
+            odd.add(inner.partition(".")[0])
             faults.append((path, f"{inner}: {fault['msg']}" if inner else fault["msg"]))
-        return None
-    return found
+    fitting = {} if not isinstance(raw, dict) else {k: v for k, v in raw.items() if k not in odd}
+    if not fitting or len(fitting) == len(raw):
+        return None, frozenset()
+    return _with_words(model, fitting, path, [])
 
 
 @lru_cache(maxsize=8)

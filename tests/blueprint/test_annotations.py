@@ -61,6 +61,19 @@ def test_what_does_not_fit_is_left_out_and_reported(
     assert replace(notes, faults=()) == Notes()
 
 
+def test_a_word_that_does_not_fit_takes_no_other_along() -> None:
+    """A slip in a cost must not open a gate that ``requires`` keeps shut."""
+    raw = {"cost": "dear", "requires": {"A/0": "1"}, "colour": "red"}
+    notes = read_notes({"_operations": {"o": raw}, "_facts": {"0": {"on": 1, "name": "Lit"}}})
+    assert notes.operations["o"].requires == {"A/0": "1"}
+    assert notes.operations["o"].cost is None
+    assert notes.written["o"] == {"requires"}
+    assert notes.facts[0].name == "Lit"
+    assert sorted(sentence.partition(":")[0] for _, sentence in notes.faults) == [
+        "colour", "cost", "on"
+    ]  # fmt: skip
+
+
 def test_hazards_name_facts_that_must_not_hold_together() -> None:
     raw = [{"name": "both", "facts": {"A/0": "1", "B/1": "1"}}, {"name": 5}]
     hazards, faults = read_hazards(raw)

@@ -7,7 +7,13 @@ has changed. ``after.document`` always agrees with the meaning of ``after``.
 from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
 from smsl_studio.blueprint.editing.headers import attach_sub, detach_sub, set_header
 from smsl_studio.blueprint.editing.moving import reorder, retarget
-from smsl_studio.blueprint.editing.notes import keep_last, set_hazards, set_layout, set_note
+from smsl_studio.blueprint.editing.notes import (
+    change_notes,
+    keep_last,
+    set_hazards,
+    set_layout,
+    set_note,
+)
 from smsl_studio.blueprint.editing.removing import delete
 from smsl_studio.blueprint.editing.renaming import rename
 
@@ -16,6 +22,7 @@ __all__ = [
     "add_operation",
     "add_state",
     "attach_sub",
+    "change_notes",
     "delete",
     "detach_sub",
     "keep_last",

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
-from smsl_studio.blueprint.address import note_key
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import read_hazards, read_notes
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -49,7 +50,7 @@ def set_note(
     The key is a digit, a state's name, or an operation as ``note_key`` writes it. EditRefused
     where nothing has that name or the entry does not fit its kind.
     """
-    found = branch_of(blueprint, branch)
+    branch_of(blueprint, branch)
     draft = Draft(blueprint)
     if note is None:
         for present in draft.tables(branch, table):
@@ -57,21 +58,69 @@ def set_note(
             if not present:
                 del draft.at(branch)[table]
         return draft.done()
-    _must_be_noted(found, table, key)
+    _Noted(blueprint, branch, table).must_have(key)
     plain = _plain(note)
-    faults = read_notes({table: {key: plain}}).faults
-    if faults:
-        raise EditRefused(
-            f"this is no entry of {table}: {faults[0][1]}", advice="See the table of annotations."
-        )
+    _must_fit(table, plain)
     draft.table(branch, table)[key] = plain
     return draft.done()
 
 
-def set_hazards(blueprint: Blueprint, hazards: Sequence[Mapping[str, Json]]) -> Blueprint:
-    """Write the file's ``_hazards``; an empty list removes them."""
+def change_notes(
+    blueprint: Blueprint, table: str, changes: Mapping[tuple[str, str], Mapping[str, Json]]
+) -> Blueprint:
+    """Change words of many entries of one table at once, as a form does.
+
+    ``changes`` has new values for entries (SB, key); None takes a word out, and an entry without
+    words goes. What else stands in an entry stays, also what fits no kind (rule R29). EditRefused
+    where a new value does not fit, or something else than a map stands where an entry would be.
+    """
+    draft = Draft(blueprint)
+    checks = {branch: _Noted(blueprint, branch, table) for branch, _ in changes}
+    checked: set[int] = set()
+    for (branch, key), words in changes.items():
+        checks[branch].must_have(key)
+        if id(words) not in checked:
+            checked.add(id(words))
+            _must_fit(table, {w: v for w, v in words.items() if v is not None})
+    for branch in checks:
+        entries = draft.table(branch, table)
+        for key in (key for name, key in changes if name == branch):
+            after = _changed(branch, table, key, entries.get(key, {}), changes[branch, key])
+            if after:
+                entries[key] = after
+            else:
+                entries.pop(key, None)
+        if not entries:
+            del draft.at(branch)[table]
+    return draft.done()
+
+
+def _changed(
+    branch: str, table: str, key: str, entry: Json, words: Mapping[str, Json]
+) -> dict[str, Json]:
+    if not isinstance(entry, dict):
+        raise EditRefused(
+            f"{key} in {table} of {branch} is no map, so nothing can be added to it",
+            advice="Write it as { ... } in the text.",
+        )
+    after = {**entry, **_plain(words)}
+    return {word: value for word, value in after.items() if value is not None or word not in words}
+
+
+def set_hazards(blueprint: Blueprint, hazards: Sequence[Json]) -> Blueprint:
+    """Write the file's ``_hazards``; an empty list removes them.
+
+    Those that stood there before are not checked again: what did not fit is reported (R29).
+    """
     plain = _plain(list(hazards))
-    faults = read_hazards(plain)[1]
+    written = blueprint.fields.get("_hazards", [])
+    if not isinstance(written, list):
+        raise EditRefused(
+            "_hazards is no list, so nothing can be added to it",
+            blueprint.document.place(("_hazards",)),
+            "Write _hazards as [ ... ] in the text.",
+        )
+    faults = read_hazards([item for item in plain if item not in written])[1]
     if faults:
         raise EditRefused(f"this is no hazard: {faults[0][1]}", advice="Write a name and facts.")
     draft = Draft(blueprint)
@@ -93,31 +142,54 @@ def keep_last(blueprint: Blueprint, path: tuple[str, ...]) -> Blueprint:
     return read_blueprint(document)
 
 
-def _must_be_noted(branch: StateBranch, table: str, key: str) -> None:
-    if table == "_facts":
+def _must_fit(table: str, words: Mapping[str, Json]) -> None:
+    faults = read_notes({table: {"0": _plain(words)}}).faults if words else ()
+    if faults:
+        raise EditRefused(
+            f"this is no entry of {table}: {faults[0][1]}", advice="See the table of annotations."
+        )
+
+
+class _Noted:
+    """What the entries of one table of an SB may speak of; names are collected once."""
+
+    def __init__(self, blueprint: Blueprint, branch: str, table: str) -> None:
+        self._branch, self._table = branch_of(blueprint, branch), table
+        if table not in ("_facts", "_states", "_operations"):
+            raise EditRefused(
+                f"{table} is no table of annotations",
+                advice="Choose _facts, _states or _operations.",
+            )
+
+    @cached_property
+    def _names(self) -> set[str]:
+        return {name for operations in self._branch.table.values() for name in operations}
+
+    def must_have(self, key: str) -> None:
+        """EditRefused where nothing has this name (a digit, a state, an operation)."""
+        branch = self._branch
+        if self._table == "_facts":
+            self._must_be_digit(key)
+        elif self._table == "_states":
+            _must_be_state(branch, key)
+        else:
+            parts = Address.split(key)
+            edge = len(parts) == 2 and parts[1] in branch.table.get(parts[0], {})
+            if not edge and not (len(parts) == 1 and parts[0] in self._names):
+                raise EditRefused(
+                    f"there is no operation {key!r} in {branch.name}",
+                    advice=did_you_mean(key, self._names),
+                )
+
+    def _must_be_digit(self, key: str) -> None:
+        branch = self._branch
         count = max(branch.num_facts, branch.header.num_facts or 0)
-        if not (key.isascii() and key.isdecimal() and str(int(key)) == key and int(key) < count):
+        whole = key.isascii() and key.isdecimal() and len(key) < 7 and str(int(key)) == key
+        if not (whole and int(key) < count):
             raise EditRefused(
                 f"{branch.name} has {count} facts, so it has no digit {key!r}",
                 advice=f"Choose a digit from 0 to {count - 1}.",
             )
-    elif table == "_states":
-        _must_be_state(branch, key)
-    elif table == "_operations":
-        if not any(key in _keys(state, ops) for state, ops in branch.table.items()):
-            names = {name for operations in branch.table.values() for name in operations}
-            raise EditRefused(
-                f"there is no operation {key!r} in {branch.name}", advice=did_you_mean(key, names)
-            )
-    else:
-        raise EditRefused(
-            f"{table} is no table of annotations",
-            advice="Choose _facts, _states or _operations.",
-        )
-
-
-def _keys(state: str, operations: Mapping[str, str]) -> set[str]:
-    return {note_key(name) for name in operations} | {note_key(n, state) for n in operations}
 
 
 def _must_be_state(branch: StateBranch, state: str) -> None:
