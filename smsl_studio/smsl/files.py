@@ -16,18 +16,25 @@ _CHUNK = 1 << 20
 
 def read_document(path: str | os.PathLike[str]) -> Document:
     """The document in a file; ReadError, with a place, where there is none."""
-    file = os.fspath(path)
+    return parse_text(read_text(path), os.fspath(path))
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """The text of a file, whatever it says; ReadError where it cannot be read or is none."""
+    return decode(read_bytes(path), os.fspath(path))
+
+
+def read_bytes(path: str | os.PathLike[str]) -> bytes:
+    """The bytes of a file; ReadError where they cannot be read."""
     try:
-        raw = Path(path).read_bytes()
+        return Path(path).read_bytes()
     except OSError as error:
         reason = error.strerror or str(error)
     except ValueError as error:
         reason = str(error)
-    else:
-        return parse_bytes(raw, file)
     raise ReadError(
         f"the file cannot be read: {reason}",
-        Place(file, 1, 1),
+        Place(os.fspath(path), 1, 1),
         "Check the path and the right to read it.",
     )
 
@@ -37,7 +44,11 @@ def parse_bytes(raw: bytes, file: str) -> Document:
 
     Its form is told by the suffix of ``file``, else by how the text begins.
     """
-    text = decode(raw, file)
+    return parse_text(decode(raw, file), file)
+
+
+def parse_text(text: str, file: str) -> Document:
+    """The document in the text of a file; see ``parse_bytes``."""
     return form_named(form_of(file, text)).parse(text, file)
 
 
