@@ -1,0 +1,94 @@
+"""``compare``: two blueprints, element by element, in the order of the files."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparing.difference import Change, Difference, Kind
+from smsl_studio.blueprint.comparing.file_level import compare_fields, compare_order
+from smsl_studio.blueprint.comparing.headers import compare_header
+from smsl_studio.blueprint.comparing.matching import renamed_branches, renamed_states
+from smsl_studio.blueprint.comparing.notes import compare_notes
+from smsl_studio.blueprint.comparing.sides import BranchSides, Sides
+from smsl_studio.blueprint.comparing.states import compare_states
+from smsl_studio.blueprint.comparing.values import merged
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+
+
+def compare(before: Blueprint, after: Blueprint) -> Difference:
+    """What changed in meaning from ``before`` to ``after``, and which boxes were moved.
+
+    Deterministic, and the same read the other way round: an addition there is a removal here.
+    Time grows with the number of operations, not with its square.
+    """
+    renamed = renamed_branches(before.branches, after.branches)
+    sides = Sides(before, after, renamed)
+    moved: list[Address] = []
+    states: dict[str, dict[str, str]] = {}
+    compare_fields(sides)
+    old_names = {new: old for old, new in renamed.items()}
+    names = [renamed.get(name, name) for name in before.branches]
+    for name in merged(names, list(after.branches)):
+        old = old_names.get(name, name)
+        one, other = before.branches.get(old), after.branches.get(name)
+        if one is not None and other is not None:
+            states[old] = _compare_branch(sides, one, other, moved)
+        elif one is not None:
+            sides.changes.append(_whole(one, Kind.REMOVED))
+        elif other is not None:
+            sides.changes.append(_whole(other, Kind.ADDED))
+    compare_order(sides)
+    return Difference(before, after, tuple(sides.changes), tuple(moved), renamed, states)
+
+
+def _compare_branch(
+    sides: Sides, before: StateBranch, after: StateBranch, moved: list[Address]
+) -> dict[str, str]:
+    renamed = renamed_states(before, after)
+    if before is after:
+        return renamed
+    pair = BranchSides(sides, before, after, renamed)
+    if before.name != after.name:
+        words = f"The State Branch {before.name} is now called {after.name}."
+        pair.add(
+            Change(
+                Kind.RENAMED,
+                "branch",
+                before.address,
+                after.address,
+                words,
+                old=before.name,
+                new=after.name,
+                path_before=(before.name,),
+                path_after=(after.name,),
+            )
+        )
+    compare_header(pair)
+    compare_states(pair)
+    compare_notes(pair)
+    moved.extend(_moved(pair))
+    return renamed
+
+
+def _whole(branch: StateBranch, kind: Kind) -> Change:
+    size = f"{len(branch.table)} states and {branch.edge_count} operations"
+    words = f"The State Branch {branch.name} is {kind.value}, with {size}."
+    path = (branch.name,)
+    if kind is Kind.REMOVED:
+        return Change(kind, "branch", branch.address, None, words, path_before=path)
+    return Change(kind, "branch", None, branch.address, words, path_after=path)
+
+
+def _moved(pair: BranchSides) -> list[Address]:
+    old, new = (
+        side.notes.layout if "_layout" in side.fields else {} for side in (pair.before, pair.after)
+    )
+    if old == new:
+        return []
+    before, after = pair.before.table, pair.after.table
+    here = {pair.state(name): at for name, at in old.items() if name in before}
+    stays = {pair.state(name) for name in before}
+    return [
+        pair.address_after(name)
+        for name in merged(list(here), list(new))
+        if here.get(name) != new.get(name) and name in after and name in stays
+    ]

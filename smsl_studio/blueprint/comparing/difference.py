@@ -1,0 +1,152 @@
+"""A difference as frozen values: what a list, a picture, a rule and a script read alike."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place
+
+Json = Any
+Path = tuple[str, ...]
+
+
+class Kind(Enum):
+    """What happened to an element."""
+
+    REMOVED = "removed"
+    RENAMED = "renamed"
+    RETARGETED = "retargeted"
+    CHANGED = "changed"
+    ADDED = "added"
+
+
+@dataclass(frozen=True)
+class Change:
+    """One change.
+
+    ``what`` is the kind of element: ``branch``, ``state``, ``operation``, ``header``, ``fact``,
+    ``note``, ``hazard``, ``import``, ``field`` or ``order``. ``before`` and ``after`` are the
+    addresses of the element it belongs to on either side, None where there is none. ``field`` is
+    the key that changed, ``old`` and ``new`` its values, or the names of what was renamed, or the
+    targets of what was retargeted. The paths lead to the place in each side's text.
+    """
+
+    kind: Kind
+    what: str
+    before: Address | None
+    after: Address | None
+    words: str
+    field: str = ""
+    old: Json = None
+    new: Json = None
+    path_before: Path = ()
+    path_after: Path = ()
+
+    @property
+    def address(self) -> Address | None:
+        """Where to look: on the later side if it is there still."""
+        return self.after or self.before
+
+    def as_json(self) -> dict[str, Json]:
+        return {
+            "kind": self.kind.value,
+            "what": self.what,
+            "before": None if self.before is None else str(self.before),
+            "after": None if self.after is None else str(self.after),
+            "field": self.field or None,
+            "old": self.old,
+            "new": self.new,
+            "words": self.words,
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class Difference:
+    """All changes between two blueprints, in the order of the files.
+
+    ``moved`` are the states (on the later side) whose boxes stand elsewhere. ``states`` gives, for
+    each SB of the earlier side that is still there, the new names of the states that were renamed;
+    ``branches`` the same for SBs.
+    """
+
+    before: Blueprint
+    after: Blueprint
+    changes: tuple[Change, ...] = ()
+    moved: tuple[Address, ...] = ()
+    branches: dict[str, str] = field(default_factory=dict)
+    states: dict[str, dict[str, str]] = field(default_factory=dict)
+
+    @property
+    def same(self) -> bool:
+        """Whether nothing differs, layout included."""
+        return not self.changes and not self.moved
+
+    @property
+    def layout_only(self) -> bool:
+        """Whether boxes were moved and nothing else happened."""
+        return not self.changes and bool(self.moved)
+
+    @property
+    def removals_first(self) -> tuple[Change, ...]:
+        """The changes with the removals in front, which are the hardest to see otherwise."""
+        order = list(Kind)
+        return tuple(sorted(self.changes, key=lambda change: order.index(change.kind)))
+
+    def count(self, kind: Kind) -> int:
+        return Counter(change.kind for change in self.changes)[kind]
+
+    def place_before(self, change: Change) -> Place | None:
+        """Where a change stands in the earlier text; None for what was added."""
+        return _place(self.before, change.path_before)
+
+    def place_after(self, change: Change) -> Place | None:
+        """Where a change stands in the later text; None for what was removed."""
+        return _place(self.after, change.path_after)
+
+    @property
+    def words(self) -> str:
+        """The whole in one sentence."""
+        if self.same:
+            return "No difference."
+        if self.layout_only:
+            boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"
+            return f"Layout only: {boxes} moved."
+        parts = [f"{self.count(kind)} {kind.value}" for kind in Kind if self.count(kind)]
+        boxes = f"; {len(self.moved)} moved in the layout" if self.moved else ""
+        total = len(self.changes)
+        return f"{total} change{'' if total == 1 else 's'}: {', '.join(parts)}{boxes}."
+
+    def as_json(self) -> dict[str, Json]:
+        return {
+            "before": self.before.file,
+            "after": self.after.file,
+            "same": self.same,
+            "layout_only": self.layout_only,
+            "moved": len(self.moved),
+            "changes": [
+                {
+                    **change.as_json(),
+                    "place_before": _line_and_column(self.place_before(change)),
+                    "place_after": _line_and_column(self.place_after(change)),
+                }
+                for change in self.changes
+            ],
+        }
+
+
+def _place(blueprint: Blueprint, path: Path) -> Place | None:
+    if not path:
+        return None
+    home = blueprint.imported.get(path[0], blueprint.document)
+    return home.place(path)
+
+
+def _line_and_column(place: Place | None) -> Json:
+    if place is None:
+        return None
+    return {"file": place.file, "line": place.line, "column": place.column}

@@ -1,0 +1,189 @@
+"""What stands at file level: hazards, imports, other ``_`` fields, and the order of the SBs."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import Any
+
+from smsl_studio.blueprint.comparing.difference import Change, Kind, Path
+from smsl_studio.blueprint.comparing.sides import Sides
+from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged, said
+
+Json = Any
+_OWN = ("_hazards", "_imports")
+_TOLD = 8
+
+
+def compare_fields(sides: Sides) -> None:
+    """Hazards and imports one by one, every other field as a whole."""
+    _compare_hazards(sides)
+    _compare_imports(sides)
+    one = {k: v for k, v in sides.before.fields.items() if k not in _OWN}
+    other = {k: v for k, v in sides.after.fields.items() if k not in _OWN}
+    sides.changes.extend(changed_fields(one, other, "the file", (), ()))
+
+
+def changed_fields(
+    one: Any, other: Any, where: str, above_before: Path, above_after: Path, **more: Any
+) -> Iterator[Change]:
+    """A change for every ``_`` field that differs."""
+    for key, here, there in fields_that_differ(one, other):
+        old, new = one.get(key), other.get(key)
+        yield Change(
+            kind_of(here, there),
+            "field",
+            more.get("before"),
+            more.get("after"),
+            f"The field {key} of {where} {value_words(here, there, old, new)}.",
+            key,
+            old,
+            new,
+            (*above_before, key) if here else (),
+            (*above_after, key) if there else (),
+        )
+
+
+def kind_of(here: bool, there: bool) -> Kind:
+    """The kind of a change by the sides on which something stands."""
+    if here and there:
+        return Kind.CHANGED
+    return Kind.REMOVED if here else Kind.ADDED
+
+
+def value_words(here: bool, there: bool, old: Json, new: Json) -> str:
+    """What happened to a value, behind its name: ``is 2 instead of 1``."""
+    if here and there:
+        return f"is {said(new)} instead of {said(old)}"
+    return f"is removed (it was {said(old)})" if here else f"is added: {said(new)}"
+
+
+def compare_order(sides: Sides) -> None:
+    """The order of the SBs that both sides have: it counts where several roots are run."""
+    old = [name for name in sides.before.branches if sides.branch(name) in sides.after.branches]
+    kept = {sides.branch(name) for name in old}
+    new = [name for name in sides.after.branches if name in kept]
+    if [sides.branch(name) for name in old] != new:
+        words = f"The order of the State Branches is {_list(new)} instead of {_list(old)}."
+        sides.changes.append(Change(Kind.CHANGED, "order", None, None, words, "order", old, new))
+
+
+def _list(names: list[str]) -> str:
+    return ", ".join(names) if len(names) <= _TOLD else ", ".join((*names[:_TOLD], "…"))
+
+
+def _compare_hazards(sides: Sides) -> None:
+    one, other = sides.before.fields.get("_hazards"), sides.after.fields.get("_hazards")
+    if alike(one or None, other or None):
+        return
+    old = {k: (i, _mapped(sides, v)) for k, (i, v) in _by_name(one).items()}
+    new = _by_name(other)
+    found = len(sides.changes)
+    for key in merged(list(old), list(new)):
+        here, there = old.get(key), new.get(key)
+        if here is not None and there is not None and alike(here[1], there[1]):
+            continue
+        sides.changes.append(_hazard(key[0], here, there))
+    if len(sides.changes) == found and list(old) != list(new):
+        names = [[key[0] for key in side] for side in (old, new)]
+        words = "The hazards stand in another order."
+        sides.changes.append(
+            Change(
+                Kind.CHANGED,
+                "order",
+                None,
+                None,
+                words,
+                "_hazards",
+                names[0],
+                names[1],
+                ("_hazards",),
+                ("_hazards",),
+            )
+        )
+
+
+Numbered = tuple[int, Json]
+
+
+def _by_name(raw: Json) -> dict[tuple[str, int], Numbered]:
+    """The hazards by name, and those of one name by number; what is none goes by its text."""
+    found: dict[tuple[str, int], Numbered] = {}
+    seen: Counter[str] = Counter()
+    items = raw if isinstance(raw, list) else [] if raw is None else [raw]
+    for index, item in enumerate(items):
+        name = said(item.get("name", item) if isinstance(item, dict) else item)
+        found[name, seen[name]] = index, item
+        seen[name] += 1
+    return found
+
+
+def _mapped(sides: Sides, hazard: Json) -> Json:
+    if isinstance(hazard, dict) and isinstance(hazard.get("facts"), dict):
+        return {**hazard, "facts": {sides.fact(k): v for k, v in hazard["facts"].items()}}
+    return hazard
+
+
+def _hazard(name: str, here: Numbered | None, there: Numbered | None) -> Change:
+    kind = kind_of(here is not None, there is not None)
+    old, new = here[1] if here else None, there[1] if there else None
+    words = f"The hazard {name} {value_words(bool(here), bool(there), _facts(old), _facts(new))}."
+    return Change(
+        kind,
+        "hazard",
+        None,
+        None,
+        words,
+        name,
+        old,
+        new,
+        ("_hazards", str(here[0])) if here else (),
+        ("_hazards", str(there[0])) if there else (),
+    )
+
+
+def _facts(hazard: Json) -> Json:
+    return hazard.get("facts", hazard) if isinstance(hazard, dict) else hazard
+
+
+def _compare_imports(sides: Sides) -> None:
+    one, other = sides.before.fields.get("_imports"), sides.after.fields.get("_imports")
+    if alike(one or None, other or None):
+        return
+    old, new = ([said(v) for v in raw] if isinstance(raw, list) else [] for raw in (one, other))
+    for name in merged(list(dict.fromkeys(old)), list(dict.fromkeys(new))):
+        here, there = name in old, name in new
+        if here == there:
+            continue
+        words = f"The import of {name} is {'removed' if here else 'added'}."
+        path: Path = ("_imports", str((old if here else new).index(name)))
+        sides.changes.append(
+            Change(
+                kind_of(here, there),
+                "import",
+                None,
+                None,
+                words,
+                name,
+                name if here else None,
+                name if there else None,
+                path if here else (),
+                path if there else (),
+            )
+        )
+    if set(old) == set(new):
+        words = f"The imports are {said(other)} instead of {said(one)}."
+        sides.changes.append(
+            Change(
+                Kind.CHANGED,
+                "import",
+                None,
+                None,
+                words,
+                "_imports",
+                one,
+                other,
+                ("_imports",) if one is not None else (),
+                ("_imports",) if other is not None else (),
+            )
+        )

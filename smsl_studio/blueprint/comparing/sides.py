@@ -1,0 +1,55 @@
+"""Both sides of a comparison, and how names of the one are called on the other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from smsl_studio.blueprint.address import Address, fact_text, split_fact
+from smsl_studio.blueprint.comparing.difference import Change
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+
+
+@dataclass
+class Sides:
+    """The two blueprints, the renamings found between them, and the changes written so far."""
+
+    before: Blueprint
+    after: Blueprint
+    branches: Mapping[str, str]
+    changes: list[Change] = field(default_factory=list)
+
+    def fact(self, text: str) -> str:
+        """A fact of the earlier side as the later one calls it."""
+        found = split_fact(text)
+        if found is None or found[0] not in self.branches:
+            return text
+        return fact_text(self.branches[found[0]], found[1])
+
+    def branch(self, name: str) -> str:
+        """An SB of the earlier side as the later one calls it."""
+        return self.branches.get(name, name)
+
+
+@dataclass
+class BranchSides:
+    """One SB on both sides. ``states`` has the new name of every state that was renamed."""
+
+    sides: Sides
+    before: StateBranch
+    after: StateBranch
+    states: Mapping[str, str]
+    operations: dict[tuple[str, str], str] = field(default_factory=dict)
+    """For (state, operation) of the earlier side, the new name of an operation renamed there."""
+
+    def state(self, name: str) -> str:
+        return self.states.get(name, name)
+
+    def address_before(self, state: str = "", operation: str = "") -> Address:
+        return Address(self.before.name, state, operation)
+
+    def address_after(self, state: str = "", operation: str = "") -> Address:
+        return Address(self.after.name, state, operation)
+
+    def add(self, change: Change) -> None:
+        self.sides.changes.append(change)

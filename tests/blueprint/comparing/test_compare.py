@@ -1,0 +1,263 @@
+"""Every single edit is told as exactly its change; a rename is one change and no retargets."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+import smsl_studio as smsl
+from smsl_studio.blueprint import editing as edit
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparing import Change, Difference, compare
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.writing import values_of
+from smsl_studio.generate.rules import hanoi
+from smsl_studio.shipped import samples_dir
+from smsl_studio.smsl.json_form import parse_json
+
+A = Address
+Edit = Callable[[Blueprint], Blueprint]
+
+
+def sample(name: str) -> Blueprint:
+    return smsl.read(samples_dir() / name)
+
+
+def of(values: Any) -> Blueprint:
+    return read_blueprint(parse_json(json.dumps(values), "f.json"))
+
+
+def told(difference: Difference) -> list[tuple[str, str, str, str]]:
+    def at(address: Address | None) -> str:
+        return "" if address is None else str(address)
+
+    return [(c.kind.value, c.what, at(c.before), at(c.after)) for c in difference.changes]
+
+
+def two_levels() -> Blueprint:
+    return of(
+        {
+            "Base": {
+                "HEADER": {"INITIAL": "State00", "ACTIVATING": "State11", "SUB_SBS": {"Sub": 1}},
+                "State00": {"Plan": "State10", "Stay": "State00"},
+                "State10": {"Touch": "State11", "Drop": "State00"},
+                "State11": {"Drop": "State00"},
+                "_operations": {
+                    "Drop": {"cost": 2},
+                    "State00/Plan": {"requires": {"Sub/0": "0"}},
+                },
+                "_states": {"State10": {"title": "Planned"}},
+                "_layout": {"State00": [0, 0], "State10": [10, 0]},
+            },
+            "Sub": {
+                "HEADER": {"INITIAL": "State0", "ACTIVATING": "State1"},
+                "State0": {"Go": "State1"},
+                "State1": {"Back": "State0"},
+            },
+            "_hazards": [{"name": "both", "facts": {"Base/0": "1", "Sub/0": "1"}}],
+        }
+    )
+
+
+def test_the_misprints_of_the_appendix_are_two_renamed_operations() -> None:
+    found = compare(sample("hanoi.json"), sample("hanoi-corrected.json"))
+    assert told(found) == [
+        ("renamed", "operation", "SB1/State_cbb/Op_1c", "SB1/State_cbb/Op_1b"),
+        ("renamed", "operation", "SB1/State_cbc/Op_2b", "SB1/State_cbc/Op_2a"),
+    ]
+    place = found.place_before(found.changes[0])
+    assert place is not None
+    assert (place.line, place.column) == (73, 13)
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (lambda b: edit.add_branch(b, "New"), [("added", "branch", "", "New")]),
+        (
+            lambda b: edit.add_state(b, "Base", "State01"),
+            [("added", "state", "", "Base/State01")],
+        ),
+        (
+            lambda b: edit.add_operation(b, "Base", "State11", "Again", "State11"),
+            [("added", "operation", "", "Base/State11/Again")],
+        ),
+        (
+            lambda b: edit.delete(b, [A("Base", "State10", "Touch")]),
+            [("removed", "operation", "Base/State10/Touch", "")],
+        ),
+        (
+            lambda b: edit.delete(b, [A("Base", "State10")]),
+            [
+                ("removed", "operation", "Base/State00/Plan", ""),
+                ("removed", "state", "Base/State10", ""),
+            ],
+        ),
+        (
+            lambda b: edit.retarget(b, A("Base", "State11", "Drop"), "State10"),
+            [("retargeted", "operation", "Base/State11/Drop", "Base/State11/Drop")],
+        ),
+        (
+            lambda b: edit.rename(b, A("Base", "State00"), "State01"),
+            [("renamed", "state", "Base/State00", "Base/State01")],
+        ),
+        (
+            lambda b: edit.rename(b, A("Base", "State00", "Plan"), "Draw"),
+            [("renamed", "operation", "Base/State00/Plan", "Base/State00/Draw")],
+        ),
+        (
+            lambda b: edit.rename(b, A("Base", "State11", "Drop"), "Leave", True),
+            [
+                ("renamed", "operation", "Base/State10/Drop", "Base/State10/Leave"),
+                ("renamed", "operation", "Base/State11/Drop", "Base/State11/Leave"),
+            ],
+        ),
+        (
+            lambda b: edit.rename(b, A("Sub"), "Below"),
+            [("renamed", "branch", "Sub", "Below")],
+        ),
+        (
+            lambda b: edit.set_header(b, "Base", "INITIAL", "State10"),
+            [("changed", "header", "Base", "Base")],
+        ),
+        (lambda b: edit.set_header(b, "Base", "NUM_FACTS", 2), []),
+        (lambda b: edit.detach_sub(b, "Base", "Sub"), [("removed", "header", "Base", "Base")]),
+        (
+            lambda b: edit.set_note(b, "Base", "_facts", "0", {"name": "planned"}),
+            [("added", "fact", "Base", "Base")],
+        ),
+        (
+            lambda b: edit.set_note(b, "Base", "_states", "State10", {"title": "Ready"}),
+            [("changed", "note", "Base/State10", "Base/State10")],
+        ),
+        (
+            lambda b: edit.set_note(b, "Base", "_operations", "Drop", None),
+            [("removed", "note", "Base", "Base")],
+        ),
+        (lambda b: edit.set_hazards(b, []), [("removed", "hazard", "", "")]),
+        (lambda b: edit.reorder(b, A("Sub"), 0), [("changed", "order", "", "")]),
+        (lambda b: edit.reorder(b, A("Base", "State10"), 0), []),
+    ],
+)
+def test_one_edit_is_one_change(change: Edit, expected: list[tuple[str, str, str, str]]) -> None:
+    before = two_levels()
+    assert told(compare(before, change(before))) == expected
+
+
+def test_names_that_are_cut_in_another_way_are_a_change_of_the_header() -> None:
+    before = of({"S": {"State00": {}, "State11": {}}})
+    found = compare(before, edit.set_header(before, "S", "NUM_FACTS", 1))
+    assert [(c.what, c.field, c.old, c.new) for c in found.changes] == [
+        ("header", "NUM_FACTS", 2, 1)
+    ]
+
+
+def test_moved_boxes_are_layout_only() -> None:
+    before = two_levels()
+    after = edit.set_layout(before, "Base", {"State00": (5.0, 5.0), "State11": (9.0, 9.0)})
+    found = compare(before, after)
+    assert found.layout_only
+    assert not found.same
+    assert [str(address) for address in found.moved] == ["Base/State00", "Base/State11"]
+    assert found.words == "Layout only: 2 states were moved."
+    renamed = compare(before, edit.rename(before, A("Base", "State00"), "State01"))
+    assert renamed.moved == ()
+
+
+def test_a_default_that_shifts_is_a_change_and_one_that_is_written_out_is_none() -> None:
+    before = of({"S": {"StateA": {"go": "StateB"}, "StateB": {}}})
+    written = edit.set_header(before, "S", "INITIAL", "StateA")
+    assert compare(before, written).same
+    shifted = compare(before, edit.reorder(before, A("S", "StateB"), 0))
+    assert [(c.field, c.old, c.new) for c in shifted.changes] == [
+        ("INITIAL", "StateA", "StateB"),
+        ("ACTIVATING", "StateB", "StateA"),
+    ]
+    assert "the first state listed" in shifted.changes[0].words
+
+
+def test_what_differs_beside_the_known_keys_is_told_with_its_place() -> None:
+    before = of({"S": {"HEADER": {"COLOUR": "red", "_h": 1}, "A": {"_s": 1}}, "_f": True})
+    after = of({"S": {"HEADER": {"_h": 2}, "A": {"_s": 2}, "_b": 3}, "_f": 1})
+    found = compare(before, after)
+    assert [(c.kind.value, c.what, c.field) for c in found.changes] == [
+        ("changed", "field", "_f"),
+        ("removed", "header", "COLOUR"),
+        ("changed", "field", "_h"),
+        ("changed", "field", "_s"),
+        ("added", "field", "_b"),
+    ]
+    assert before == after
+
+
+def rename_all(blueprint: Blueprint, new_name: Callable[[str], str]) -> Blueprint:
+    values = values_of(blueprint)
+    for branch in values.values():
+        for state in [key for key in branch if key != "HEADER"]:
+            operations = {op: new_name(target) for op, target in branch.pop(state).items()}
+            branch[new_name(state)] = operations
+        header = branch.get("HEADER", {})
+        for key in ("INITIAL", "ACTIVATING"):
+            if key in header:
+                header[key] = new_name(header[key])
+    return of(values)
+
+
+@pytest.mark.parametrize(
+    "new_name",
+    [lambda name: name.replace("State", "Step"), lambda name: f"n{hash(name) % 10**6:06d}x"],
+    ids=["other prefix", "nothing in common"],
+)
+def test_an_sb_whose_states_all_have_other_names_is_renames_alone(
+    new_name: Callable[[str], str],
+) -> None:
+    before = hanoi(3)
+    names = {name: new_name(name) for name in before["SB1"].table}
+    found = compare(before, rename_all(before, names.__getitem__))
+    renamed = {c.old: c.new for c in found.changes if c.kind.value == "renamed"}
+    assert renamed == names
+    assert all(c.what in ("state", "header") for c in found.changes)
+
+
+def test_renamed_states_are_found_in_another_order_and_beside_other_changes() -> None:
+    before = two_levels()
+    after = edit.rename(before, A("Base", "State10"), "Prepared")
+    after = edit.delete(after, [A("Base", "Prepared", "Drop")])
+    after = edit.reorder(after, A("Base", "Prepared"), 2)
+    after = edit.add_state(after, "Base", "State01")
+    found = compare(before, after)
+    assert {(c.kind.value, c.what, c.old) for c in found.changes if c.what != "header"} == {
+        ("renamed", "state", "State10"),
+        ("removed", "operation", "State00"),
+        ("added", "state", None),
+    }
+    assert found.states["Base"] == {"State10": "Prepared"}
+
+
+def test_what_has_nothing_in_common_is_removed_and_added() -> None:
+    before = of({"S": {"A": {"x": "B", "y": "B"}, "B": {"z": "B"}}})
+    after = of({"S": {"B": {"z": "B", "w": "C"}, "C": {}}})
+    assert [c.kind.value for c in compare(before, after).changes if c.what == "state"] == [
+        "removed",
+        "added",
+    ]
+
+
+def test_a_difference_as_json_has_places_on_both_sides() -> None:
+    found = compare(sample("hanoi.json"), sample("hanoi-corrected.json")).as_json()
+    json.dumps(found)
+    assert (found["same"], found["layout_only"], len(found["changes"])) == (False, False, 2)
+    assert found["changes"][0]["place_after"]["line"] == 73
+    assert found["changes"][0]["old"] == "Op_1c"
+
+
+def test_removals_can_be_read_first() -> None:
+    before = two_levels()
+    after = edit.delete(edit.add_branch(before, "New"), [A("Base", "State11", "Drop")])
+    after = edit.retarget(after, A("Base", "State00", "Stay"), "State11")
+    first: tuple[Change, ...] = compare(before, after).removals_first
+    assert [c.kind.value for c in first] == ["removed", "retargeted", "added"]
