@@ -21,6 +21,7 @@ from smsl_studio.seal.digest import digest_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
+    from smsl_studio.blueprint.importing import Imports
     from smsl_studio.smsl.document import Document
 
 Json = Any
@@ -194,11 +195,16 @@ MEANING_FIELDS = ("_facts", "_states", "_operations")
 
 @dataclass(frozen=True, slots=True)
 class ImportFault:
-    """An import that failed: its path in the document, why, and the files that led to it."""
+    """An import that failed: where it is written, why, and the files that led to it."""
 
     path: tuple[str, ...]
     sentence: str
     chain: tuple[str, ...]
+    document: Document
+
+    @property
+    def place(self) -> Place:
+        return self.document.place(self.path)
 
 
 @dataclass(frozen=True, eq=False)
@@ -206,7 +212,7 @@ class Blueprint:
     """The whole hFSM of one procedure: an ordered set of State Branches, and its written form.
 
     The SBs of imported files come behind its own; ``imported`` says in which document each
-    stands, and they are edited there.
+    stands, and they are edited there. ``imports`` is how the files lead to each other.
     """
 
     branches: Mapping[str, StateBranch]
@@ -214,6 +220,7 @@ class Blueprint:
     fields: Mapping[str, Json] = field(default_factory=lambda: EMPTY)
     imported: Mapping[str, Document] = field(default_factory=lambda: EMPTY)
     import_faults: tuple[ImportFault, ...] = ()
+    imports: Imports | None = None
 
     def __getitem__(self, branch: str) -> StateBranch:
         try:
@@ -236,8 +243,13 @@ class Blueprint:
 
     @property
     def documents(self) -> tuple[Document, ...]:
-        """Every document in which its SBs are written, its own first, each once."""
-        return tuple(dict.fromkeys((self.document, *self.imported.values())))
+        """Every document that belongs to it, its own first, each once."""
+        files = self.imports.files if self.imports else ()
+        return (self.document, *(item.document for item in files))
+
+    def home(self, branch: str) -> Document:
+        """The document in which an SB stands; its own for what stands in none."""
+        return self.imported.get(branch, self.document)
 
     @cached_property
     def bases(self) -> Mapping[str, tuple[tuple[str, int], ...]]:
@@ -256,11 +268,16 @@ class Blueprint:
 
     @cached_property
     def hazards(self) -> tuple[Hazard, ...]:
-        if "_hazards" not in self.fields:
+        """What must never hold together, as any of its documents says."""
+        return tuple(hazard for one in self.documents for hazard in self.hazards_of(one))
+
+    def hazards_of(self, document: Document) -> tuple[Hazard, ...]:
+        """The hazards that one of its documents names."""
+        if "_hazards" not in document.values:
             return ()
         from smsl_studio.blueprint.annotations import read_hazards
 
-        return read_hazards(self.fields["_hazards"])[0]
+        return read_hazards(document.values["_hazards"])[0]
 
     @property
     def state_count(self) -> int:
@@ -312,17 +329,24 @@ class Blueprint:
 
     def place(self, address: Address, *below: str) -> Place:
         """Where an address (or a key below it, such as HEADER, INITIAL) stands in the text."""
-        document = self.imported.get(address.branch, self.document)
-        return document.place((*address.path, *below))
+        return self.home(address.branch).place((*address.path, *below))
 
     @cached_property
     def meaning(self) -> Json:
         """Everything a digest signs, as plain values; the order of SBs counts."""
         return {
             "branches": [[branch.name, branch.meaning] for branch in self],
-            "hazards": self.fields.get("_hazards") or None,
+            "hazards": self._hazards_written() or None,
             "imports": self.fields.get("_imports") or None,
         }
+
+    def _hazards_written(self) -> Json:
+        """What stands in ``_hazards``: of the file, or one behind the other of all its files."""
+        written = [one.values.get("_hazards") for one in self.documents]
+        if not any(written[1:]):
+            return written[0]
+        listed = (item if isinstance(item, list) else [item] for item in written if item)
+        return [hazard for items in listed for hazard in items]
 
     @cached_property
     def behaviour(self) -> str:

@@ -6,8 +6,8 @@ the wrong kind. Everything else opens and is reported by inspection.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from smsl_studio.blueprint.elements import EMPTY, Header
@@ -19,40 +19,42 @@ Json = Any
 HEADER = "HEADER"
 
 
-def read_blueprint(document: Document, former: Blueprint | None = None) -> Blueprint:
+def read_blueprint(
+    document: Document, former: Blueprint | None = None, opened: Iterable[Document] = ()
+) -> Blueprint:
     """The blueprint a document means; ReadError names the place of what cannot be one.
 
     An SB whose values are the very objects that ``former`` was read from is taken over from it,
     with everything that has been worked out about it, so that an edit costs what it touches.
-    Imported files are read relative to the document's own; see ``importing``.
+    Imported files are found relative to the document's own; those that ``former`` imports, or
+    that are among the ``opened``, count as they are in memory. See ``importing``.
     """
-    branches = _branches(document, former)
-    fields = {key: value for key, value in document.values.items() if key.startswith("_")}
+    own = partial(branches_of, former=former)
+    fields = fields_of(document)
     if "_imports" not in fields:
-        return Blueprint(branches, document, fields)
-    if former and former.fields.get("_imports") is fields["_imports"]:
-        return _as_imported_by(former, Blueprint(branches, document, fields))
-    from smsl_studio.blueprint.importing import Imports
+        return Blueprint(own(document), document, fields)
+    from smsl_studio.blueprint.importing import follow, gather, real_path
 
-    found = Imports(_branches)
-    found.follow(document, branches)
-    together = {**branches, **found.branches}
-    return Blueprint(together, document, fields, found.documents, tuple(found.faults))
-
-
-def _as_imported_by(former: Blueprint, edited: Blueprint) -> Blueprint:
-    """An edited blueprint with the SBs that it imported before the edit."""
-    imported = {k: v for k, v in former.imported.items() if k not in edited.branches}
-    branches = {**edited.branches, **{name: former.branches[name] for name in imported}}
-    return replace(edited, branches=branches, imported=imported, import_faults=former.import_faults)
+    imports = former.imports if former else None
+    if imports and former and former.fields.get("_imports") is fields["_imports"]:
+        return gather(document, imports, own)
+    known = imports.known if imports else {}
+    known.update((real_path(one.file), one) for one in opened)
+    return gather(document, follow(document, known), own)
 
 
-def _branches(document: Document, former: Blueprint | None = None) -> dict[str, StateBranch]:
+def fields_of(document: Document) -> dict[str, Json]:
+    """The ``_`` fields of a file."""
+    return {key: value for key, value in document.values.items() if key.startswith("_")}
+
+
+def branches_of(document: Document, former: Blueprint | None = None) -> dict[str, StateBranch]:
+    """The SBs that stand in a document; see ``read_blueprint``."""
     branches: dict[str, StateBranch] = {}
     for name, value in document.values.items():
         if name.startswith("_"):
             continue
-        if former and name in former.branches and former.document.values.get(name) is value:
+        if former and name in former.branches and former.home(name).values.get(name) is value:
             branches[name] = former.branches[name]
         else:
             branches[name] = _branch(document, name, value)

@@ -394,10 +394,13 @@ def test_imported_files_are_inspected_too_and_named(tmp_path: Path) -> None:
     (tmp_path / "top.json").write_text(
         '{"_imports": ["low.json"],\n\n\n "TOP": {"State_0": {"go": "State_x"}}}'
     )
-    found = inspect(read_blueprint(read_document(tmp_path / "top.json")), ("R01", "R02", "R29"))
+    blueprint = read_blueprint(read_document(tmp_path / "top.json"))
+    found = inspect(blueprint, ("R01", "R02", "R29"))
     assert [(f.rule, Path(f.place.file).name, f.place.line) for f in found] == [
         ("R02", "top.json", 4),
         ("R29", "low.json", 1),
         ("R01", "low.json", 2),
     ]
-    assert found[-1].fix is None
+    fix = found[-1].fix
+    assert fix is not None
+    assert inspect(fix.apply(blueprint), ("R01",)) == ()

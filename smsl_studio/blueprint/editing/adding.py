@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from smsl_studio.blueprint.editing.draft import Draft, branch_of, free_name
+from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named, free_name
 from smsl_studio.blueprint.editing.notes import point
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused, did_you_mean
 
 
-def add_branch(blueprint: Blueprint, name: str) -> Blueprint:
-    """A new SB without states, behind the others."""
+def add_branch(blueprint: Blueprint, name: str, file: str | None = None) -> Blueprint:
+    """A new SB without states, behind the others of its file: the blueprint's own, or ``file``."""
     free_name(name, blueprint.branches, "a State Branch")
     draft = Draft(blueprint)
-    draft.at()[name] = {HEADER: {}}
+    whole = draft.file(document_named(blueprint, file))
+    free_name(name, whole, "a State Branch")
+    whole[name] = {HEADER: {}}
     return draft.done()
 
 

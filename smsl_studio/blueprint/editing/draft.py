@@ -6,30 +6,38 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.reading import HEADER, read_blueprint
-from smsl_studio.errors import AddressError, EditRefused
+from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.blueprint.revising import revised
+from smsl_studio.errors import AddressError, EditRefused, did_you_mean
+from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.splicing import reconcile
 
 Json = Any
 
 
 class Draft:
-    """What one edit writes; ``done`` splices it into the text and reads the result.
+    """What one edit writes; ``done`` splices it into the texts and reads the result.
 
-    Objects the edit does not ask for stay the very same objects, so that splicing and reading
-    can pass over them.
+    Each SB is written in the document it stands in. Objects the edit does not ask for stay the
+    very same objects, so that splicing and reading can pass over them.
     """
 
     def __init__(self, before: Blueprint) -> None:
         self.before = before
-        self._values: dict[str, Json] = dict(before.document.values)
+        self._values: dict[Document, dict[str, Json]] = {}
         self._own: set[tuple[str, ...]] = set()
 
-    def at(self, *path: str) -> dict[str, Json]:
-        """The object at ``path``, free to be changed; KeyError where none stands."""
-        if path:
-            own_branch(self.before, path[0])
-        node = self._values
+    def file(self, document: Document | None = None) -> dict[str, Json]:
+        """All that stands in one of the documents (else its own), free to be changed."""
+        chosen = document or self.before.document
+        if chosen not in self._values:
+            self._values[chosen] = dict(chosen.values)
+        return self._values[chosen]
+
+    def at(self, branch: str, *below: str) -> dict[str, Json]:
+        """The object of an SB, or one below it, free to be changed; KeyError where none stands."""
+        node = self.file(self.before.home(branch))
+        path = (branch, *below)
         for depth, key in enumerate(path, start=1):
             child = node[key]
             if not isinstance(child, dict):
@@ -61,27 +69,27 @@ class Draft:
         if not isinstance(inner[key], dict):
             raise EditRefused(
                 f"{key} of {branch} is no map, so nothing can be added to it",
-                self.before.document.place((branch, key)),
+                self.before.home(branch).place((branch, key)),
                 f"Write {key} as {{ ... }} in the text, or rename it.",
             )
         return self.at(branch, key)
 
     def tables(self, branch: str, *keys: str) -> list[dict[str, Json]]:
         """Those of the tables that are there and are maps."""
-        inner = self.at(branch)
-        return [self.at(branch, key) for key in keys if isinstance(inner.get(key), dict)]
+        present = self.before.home(branch).values.get(branch, {})
+        return [self.at(branch, key) for key in keys if isinstance(present.get(key), dict)]
 
     def done(self) -> Blueprint:
         """The edited blueprint; the one before where nothing differs."""
-        before = self.before.document
-        after = reconcile(before, self._values)
-        if after is before:
-            return self.before
-        if before.doubled:
-            lost = len(before.duplicates()) - len(after.duplicates())
-            if lost > 0:
-                _refuse_loss(self.before, {path for path, _ in after.duplicates()})
-        return read_blueprint(after, self.before)
+        changed = {}
+        for before, values in self._values.items():
+            after = reconcile(before, values)
+            if after is before:
+                continue
+            if before.doubled and len(before.duplicates()) > len(after.duplicates()):
+                _refuse_loss(before, {path for path, _ in after.duplicates()})
+            changed[before] = after
+        return revised(self.before, changed) if changed else self.before
 
 
 def rename_key(table: dict[str, Json], old: str, new: str) -> None:
@@ -102,11 +110,15 @@ def branch_of(blueprint: Blueprint, branch: str) -> StateBranch:
     return blueprint[branch]
 
 
-def own_branch(blueprint: Blueprint, branch: str) -> None:
-    """EditRefused where the SB stands in an imported file."""
-    if branch in blueprint.imported:
-        file = blueprint.imported[branch].file
-        raise EditRefused(f"{branch} is imported from {file}", advice="Open that file to edit it.")
+def document_named(blueprint: Blueprint, file: str | None) -> Document:
+    """The document of that file, its own where none is named; EditRefused where there is none."""
+    for document in blueprint.documents:
+        if file is None or document.file == file:
+            return document
+    raise EditRefused(
+        f"{file} is no file of this blueprint",
+        advice=did_you_mean(str(file), (one.file for one in blueprint.documents)),
+    )
 
 
 def existing(blueprint: Blueprint, address: Address) -> Address:
@@ -150,8 +162,8 @@ def _visible(char: str) -> bool:
     return char == " " or char.isprintable()
 
 
-def _refuse_loss(before: Blueprint, left: set[tuple[str, ...]]) -> None:
-    for path, places in before.document.duplicates():
+def _refuse_loss(before: Document, left: set[tuple[str, ...]]) -> None:
+    for path, places in before.duplicates():
         if path not in left:
             raise EditRefused(
                 f"{'/'.join(path)} is written {len(places)} times, and this edit would drop "

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing.draft import Draft, existing, own_branch
+from smsl_studio.blueprint.editing.draft import Draft, existing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused, did_you_mean
@@ -28,15 +28,15 @@ def retarget(blueprint: Blueprint, address: Address, target: str) -> Blueprint:
 
 
 def reorder(blueprint: Blueprint, address: Address, index: int) -> Blueprint:
-    """Move an element to place ``index`` (from 0) among its like: SBs, states or operations.
+    """Move an element to place ``index`` (from 0) among its like: the SBs of its file, states or
+    operations.
 
     Order has meaning: the first state is the default INITIAL, the last the default ACTIVATING.
     """
     existing(blueprint, address)
-    own_branch(blueprint, address.branch)
     draft = Draft(blueprint)
     *above, name = address.path
-    inner = draft.at(*above)
+    inner = draft.at(*above) if above else draft.file(blueprint.home(name))
     movable = [key for key in inner if not _stays(key, len(above))]
     if not 0 <= index < len(movable):
         raise EditRefused(

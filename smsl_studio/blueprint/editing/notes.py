@@ -9,9 +9,9 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import read_hazards, read_notes
-from smsl_studio.blueprint.editing.draft import Draft, branch_of
+from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.revising import revised
 from smsl_studio.errors import EditRefused, did_you_mean
 from smsl_studio.smsl.splicing import keep_winner
 
@@ -107,17 +107,20 @@ def _changed(
     return {word: value for word, value in after.items() if value is not None or word not in words}
 
 
-def set_hazards(blueprint: Blueprint, hazards: Sequence[Json]) -> Blueprint:
-    """Write the file's ``_hazards``; an empty list removes them.
+def set_hazards(
+    blueprint: Blueprint, hazards: Sequence[Json], file: str | None = None
+) -> Blueprint:
+    """Write the ``_hazards`` of a file (its own, or ``file``); an empty list removes them.
 
     Those that stood there before are not checked again: what did not fit is reported (R29).
     """
     plain = _plain(list(hazards))
-    written = blueprint.fields.get("_hazards", [])
+    document = document_named(blueprint, file)
+    written = document.values.get("_hazards", [])
     if not isinstance(written, list):
         raise EditRefused(
             "_hazards is no list, so nothing can be added to it",
-            blueprint.document.place(("_hazards",)),
+            document.place(("_hazards",)),
             "Write _hazards as [ ... ] in the text.",
         )
     faults = read_hazards([item for item in plain if item not in written])[1]
@@ -125,21 +128,22 @@ def set_hazards(blueprint: Blueprint, hazards: Sequence[Json]) -> Blueprint:
         raise EditRefused(f"this is no hazard: {faults[0][1]}", advice="Write a name and facts.")
     draft = Draft(blueprint)
     if plain:
-        draft.at()["_hazards"] = plain
+        draft.file(document)["_hazards"] = plain
     else:
-        draft.at().pop("_hazards", None)
+        draft.file(document).pop("_hazards", None)
     return draft.done()
 
 
-def keep_last(blueprint: Blueprint, path: tuple[str, ...]) -> Blueprint:
+def keep_last(blueprint: Blueprint, path: tuple[str, ...], file: str | None = None) -> Blueprint:
     """Write a doubled key once (the quick fix of R01): the last, winning one takes the first's
-    place, so that the meaning stays. ``path`` is one of ``document.duplicates()``.
+    place, so that the meaning stays. ``path`` is one of ``document.duplicates()``, the document
+    its own or that of ``file``.
     """
+    document = document_named(blueprint, file)
     try:
-        document = keep_winner(blueprint.document, path)
+        return revised(blueprint, {document: keep_winner(document, path)})
     except KeyError:
         raise EditRefused(f"nothing stands at {'/'.join(path)}") from None
-    return read_blueprint(document)
 
 
 def _must_fit(table: str, words: Mapping[str, Json]) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable
 
 from smsl_studio.blueprint.address import Address, note_key, split_fact
 from smsl_studio.blueprint.editing.adding import recount
-from smsl_studio.blueprint.editing.draft import Draft, existing, own_branch
+from smsl_studio.blueprint.editing.draft import Draft, existing
 from smsl_studio.blueprint.editing.headers import drop_sub
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
@@ -71,8 +71,7 @@ def _delete_states(draft: Draft, branch: str, gone: Collection[str]) -> None:
 def _delete_branches(draft: Draft, gone: Collection[str]) -> None:
     blueprint = draft.before
     for name in gone:
-        own_branch(blueprint, name)
-        del draft.at()[name]
+        del draft.file(blueprint.home(name))[name]
     for branch in blueprint:
         if branch.name in gone:
             continue

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
-from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, own_branch, rename_key
-from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_key
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 Json = Any
 
@@ -21,7 +21,6 @@ def rename(
     ``rename_everywhere`` every edge of that name in the SB, and the name's annotations.
     """
     existing(blueprint, address)
-    own_branch(blueprint, address.branch)
     if new_name == address.path[-1]:
         return blueprint
     draft = Draft(blueprint)
@@ -37,21 +36,29 @@ def rename(
 
 
 def _rename_branch(draft: Draft, old: str, new: str) -> None:
-    for branch in draft.before:
+    before = draft.before
+    for branch in before:
         if any(sub == old for sub, _ in branch.header.sub_sbs):
             header = draft.header(branch.name)
             header["SUB_SBS"] = _renamed_key(header["SUB_SBS"], old, new)
-        if branch.name in draft.before.imported:
-            continue
-        for table in draft.tables(branch.name, "_operations"):
-            for key, note in table.items():
-                if isinstance(note, dict) and isinstance(note.get("requires"), dict):
-                    requires = _renamed_facts(note["requires"], old, new)
-                    table[key] = {**note, "requires": requires}
-    whole = draft.at()
-    if isinstance(whole.get("_hazards"), list):
-        whole["_hazards"] = [_renamed_hazard(item, old, new) for item in whole["_hazards"]]
-    rename_key(whole, old, new)
+        _rename_in_notes(draft, branch, old, new)
+    for document in before.documents:
+        hazards = document.values.get("_hazards")
+        if isinstance(hazards, list):
+            renamed = [_renamed_hazard(item, old, new) for item in hazards]
+            if renamed != hazards:
+                draft.file(document)["_hazards"] = renamed
+    rename_key(draft.file(before.home(old)), old, new)
+
+
+def _rename_in_notes(draft: Draft, branch: StateBranch, old: str, new: str) -> None:
+    """Let every ``requires`` of an SB's operations follow."""
+    table = branch.fields.get("_operations")
+    for key, note in table.items() if isinstance(table, dict) else ():
+        if isinstance(note, dict) and isinstance(note.get("requires"), dict):
+            requires = _renamed_facts(note["requires"], old, new)
+            if requires != note["requires"]:
+                draft.at(branch.name, "_operations")[key] = {**note, "requires": requires}
 
 
 def _renamed_key(value: Json, old: str, new: str) -> Json:

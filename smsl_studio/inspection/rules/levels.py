@@ -177,7 +177,7 @@ def r08_cycles(blueprint: Blueprint) -> Iterator[Finding]:
             "R08",
             ERROR,
             Address(fault.path[0]),
-            blueprint.document.place(fault.path),
+            fault.place,
             f"{fault.sentence} ({' > '.join(fault.chain)})",
             "import a file that can be read and does not lead back",
         )

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import near
+from smsl_studio.smsl.document import Document
 
 ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
@@ -22,8 +23,9 @@ def r01_doubled_key(blueprint: Blueprint) -> Iterator[Finding]:
     for document in blueprint.documents:
         for path, (first, *others) in document.duplicates():
             fix = None
-            if document is blueprint.document and _is_double(blueprint, path):
-                fix = Fix("Keep the last one", partial(keep_last, path=path))
+            if _is_double(document, path):
+                keep = partial(keep_last, path=path, file=document.file)
+                fix = Fix("Keep the last one", keep)
             where = f"line {first.line}, column {first.column}"
             for place in others:
                 yield Finding(
@@ -37,10 +39,10 @@ def r01_doubled_key(blueprint: Blueprint) -> Iterator[Finding]:
                 )
 
 
-def _is_double(blueprint: Blueprint, path: tuple[str, ...]) -> bool:
+def _is_double(document: Document, path: tuple[str, ...]) -> bool:
     """Whether the key is doubled in an object that counts, not in one that was overridden."""
     try:
-        members = blueprint.document.members(path[:-1])
+        members = document.members(path[:-1])
     except KeyError:
         return False
     return sum(member.key == path[-1] for member in members) > 1
@@ -126,38 +128,38 @@ def _look(name: str) -> str:
 
 def r29_annotations(blueprint: Blueprint) -> Iterator[Finding]:
     """Annotations that do not fit their kind, or speak of what is not there."""
-    if "_hazards" in blueprint.fields:
-        for path, reason in read_hazards(blueprint.fields["_hazards"])[1]:
-            yield _note(blueprint, path, f"a hazard is not understood: {reason}")
-        for hazard in blueprint.hazards:
-            for text in hazard.facts:
-                if not _is_fact(blueprint, text):
-                    yield _note(
-                        blueprint, ("_hazards",), f"{hazard.name} names {text}, which is no fact"
-                    )
+    for document in blueprint.documents:
+        yield from _odd_hazards(blueprint, document)
     for branch in blueprint:
         for path, reason in branch.notes.faults:
-            yield _note(
-                blueprint,
-                (branch.name, *path),
-                f"{path[-1]} in {path[0]} is not understood: {reason}",
-            )
+            words = f"{path[-1]} in {path[0]} is not understood: {reason}"
+            yield _note(blueprint.home(branch.name), (branch.name, *path), words)
         yield from _strangers(blueprint, branch)
+
+
+def _odd_hazards(blueprint: Blueprint, document: Document) -> Iterator[Finding]:
+    for path, reason in read_hazards(document.values.get("_hazards"))[1]:
+        yield _note(document, path, f"a hazard is not understood: {reason}")
+    for hazard in blueprint.hazards_of(document):
+        for text in hazard.facts:
+            if not _is_fact(blueprint, text):
+                words = f"{hazard.name} names {text}, which is no fact"
+                yield _note(document, ("_hazards",), words)
 
 
 def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
     """Entries whose key names nothing in the SB, and ``requires`` of unknown facts."""
-    notes = branch.notes
+    notes, home = branch.notes, blueprint.home(branch.name)
     for digit in notes.facts:
         if digit >= branch.num_facts:
             words = (
                 f"_facts speaks of digit {digit}, but {branch.name} has {branch.num_facts} facts"
             )
-            yield _note(blueprint, (branch.name, "_facts", str(digit)), words)
+            yield _note(home, (branch.name, "_facts", str(digit)), words)
     for state in notes.states:
         if state not in branch.table:
             words = f"_states speaks of {state}, which is no state of {branch.name}"
-            yield _note(blueprint, (branch.name, "_states", state), words)
+            yield _note(home, (branch.name, "_states", state), words)
     if not notes.operations:
         return
     known = {note_key(edge.name) for edge in branch.edges()}
@@ -165,11 +167,11 @@ def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
     for key, note in notes.operations.items():
         if key not in known:
             words = f"_operations speaks of {key}, which is no operation of {branch.name}"
-            yield _note(blueprint, (branch.name, "_operations", key), words)
+            yield _note(home, (branch.name, "_operations", key), words)
         for text in note.requires:
             if not _is_fact(blueprint, text):
                 words = f"{key} requires {text}, which is no fact"
-                yield _note(blueprint, (branch.name, "_operations", key, "requires", text), words)
+                yield _note(home, (branch.name, "_operations", key, "requires", text), words)
 
 
 def _is_fact(blueprint: Blueprint, text: str) -> bool:
@@ -179,12 +181,12 @@ def _is_fact(blueprint: Blueprint, text: str) -> bool:
     return fact[1] < blueprint[fact[0]].num_facts
 
 
-def _note(blueprint: Blueprint, path: tuple[str, ...], message: str) -> Finding:
+def _note(home: Document, path: tuple[str, ...], message: str) -> Finding:
     return Finding(
         "R29",
         WARNING,
         Address(path[0]),
-        blueprint.place(Address(path[0]), *path[1:]),
+        home.place(path),
         message,
         "it is kept in the file, and left out of the meaning",
     )
