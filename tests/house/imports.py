@@ -49,7 +49,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),
     "orjson": ("smsl/",),
-    "ruamel": ("smsl/yaml_form/",),
+    "yaml": ("smsl/yaml_form/",),
     "typing_extensions": ("",),
 }
 

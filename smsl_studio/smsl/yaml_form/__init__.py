@@ -1,0 +1,10 @@
+"""The YAML form, in maps or in upstream's lists of maps: read and written whole.
+
+The functions here are the doors of a form; see ``forms.Form``.
+"""
+
+from smsl_studio.smsl.yaml_form.reading import parse, recover
+from smsl_studio.smsl.yaml_form.rewriting import comment_count, keep_winner, reconcile, tidy
+from smsl_studio.smsl.yaml_form.writing import write
+
+__all__ = ["comment_count", "keep_winner", "parse", "reconcile", "recover", "tidy", "write"]

@@ -1,0 +1,53 @@
+"""The levels of a file, and what stands on each: maps of names, or lists of maps in their place.
+
+Upstream writes every map as a list of maps with one member each; on the levels that SMSL knows
+both read alike. Below a ``_`` key, and in a header, a list is a list.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from smsl_studio.smsl.yaml_form.nodes import Node
+from smsl_studio.smsl.yaml_form.scalars import is_null
+
+FILE, BRANCH, STATE, HEADER, NAME, FREE = range(6)
+_NAMED = ("INITIAL", "ACTIVATING")
+
+
+def below(level: int, key: str) -> int:
+    """The level of what stands under a key."""
+    if key.startswith("_") or level in (FREE, NAME):
+        return FREE
+    if level == FILE:
+        return BRANCH
+    if level == BRANCH:
+        return HEADER if key == "HEADER" else STATE
+    return NAME if level == STATE or key in _NAMED else FREE
+
+
+def is_map(node: Node, level: int) -> bool:
+    """Whether a node is read as a map on its level: a map, a list of maps, or nothing."""
+    real = node.real
+    if real.kind == "map":
+        return True
+    if level in (FREE, NAME) or real.tag:
+        return False
+    return real.kind == "list" or (real.plain and is_null(real.value))
+
+
+def members(node: Node, level: int) -> Iterator[tuple[Node, Node]]:
+    """The names and values of what is read as a map; see ``strangers`` for what is left out."""
+    real = node.real
+    if real.kind == "map":
+        yield from real.value
+    elif real.kind == "list":
+        for item in real.value:
+            if item.real.kind == "map":
+                yield from item.real.value
+
+
+def strangers(node: Node) -> list[Node]:
+    """The elements of a list of maps that are no maps."""
+    real = node.real
+    return [one for one in real.value if one.real.kind != "map"] if real.kind == "list" else []

@@ -1,0 +1,281 @@
+"""YAML text to a tree of nodes: what is written where, before anyone asks what it means.
+
+The events come from libyaml (through PyYAML), which constructs nothing. Anchors are resolved and
+aliases counted, so that a small text cannot stand for a huge one. Where the text is no YAML,
+reading goes on at the next name that stands at the beginning of a line.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import yaml
+
+from smsl_studio.errors import TextFix
+from smsl_studio.smsl.yaml_form.faults import Fault, shown, syntax_fault
+
+MAX_DEPTH = 64
+MAX_REPEATED = 250_000
+"""What all aliases together may stand for, in characters and nodes."""
+
+_RESUMES = 20
+_ODD = re.compile(
+    "[^\t\n\r\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
+)
+_NAME_AT_MARGIN = re.compile(r"^[^\s#\[\]{},%@`|>*&!?:'\"-][^\n\r]*?:(?=\s|$)", re.MULTILINE)
+_TAGS = {f"tag:yaml.org,2002:{name}": name for name in ("str", "int", "float", "bool", "null")} | {
+    "tag:yaml.org,2002:seq": "seq",
+    "tag:yaml.org,2002:map": "map",
+    "!": "str",
+}
+_PARSER: Any = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
+
+
+class Node:
+    """One value as written: ``start`` to ``end`` is its text.
+
+    ``kind`` is ``text`` (``value`` is it), ``list`` (its nodes), ``map`` (pairs of nodes) or
+    ``alias`` (the node it stands for). ``tag`` is a core tag that was written, and ``plain`` says
+    of a text without one that it stands in no quotes, so that it may be a number.
+    """
+
+    __slots__ = ("end", "flow", "height", "kind", "plain", "start", "tag", "value", "weight")
+
+    def __init__(self, kind: str, start: int, end: int, value: Any, tag: str = "") -> None:
+        self.kind, self.start, self.end, self.value, self.tag = kind, start, end, value, tag
+        self.plain = self.flow = False
+        self.height, self.weight = 0, 1
+
+    @property
+    def real(self) -> Node:
+        """The node itself, or the one an alias stands for."""
+        node = self
+        while node.kind == "alias":
+            node = node.value
+        return node
+
+
+class Tree:
+    """The nodes of one text, and what is wrong with it.
+
+    ``roots`` is one node for a text that is valid; after a fault further ones follow.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.faults: list[Fault] = []
+        self.roots: list[Node] = []
+        self._anchors: dict[str, Node] = {}
+        self._repeated = 0
+        self._read()
+
+    def leaves(self) -> Iterator[Node]:
+        """Every name, text and alias, in the order of the text."""
+        waiting = self.roots[::-1]
+        while waiting:
+            node = waiting.pop()
+            if node.kind == "map":
+                waiting.extend(part for pair in reversed(node.value) for part in reversed(pair))
+            elif node.kind == "list":
+                waiting.extend(reversed(node.value))
+            else:
+                yield node
+
+    def _read(self) -> None:
+        text = self.text
+        odd = list(_ODD.finditer(text, 1 if text.startswith("\ufeff") else 0))
+        if odd:
+            self.faults.extend(_odd_character(match) for match in odd[:_RESUMES])
+            text = _ODD.sub("\ufffd", text)
+        at = 1 if text.startswith("\ufeff") else 0
+        for _ in range(_RESUMES):
+            stopped = self._read_from(text, at)
+            if stopped is None:
+                return
+            following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped, at)))
+            if following is None:
+                return
+            at = following.start()
+
+    def _read_from(self, text: str, at: int) -> int | None:
+        """Read what begins at an offset; where it stopped, None where it came to the end."""
+        building = _Building(self, text, at)
+        parser = _PARSER(text[at:])
+        try:
+            while not building.done:
+                building.take(parser.get_event())
+        except yaml.YAMLError as error:
+            fault = syntax_fault(error, text, at)
+            self.faults.append(fault)
+            building.close_all(fault.start)
+            return fault.start
+        finally:
+            parser.dispose()
+        return building.stopped
+
+    def target(self, anchor: str, start: int, end: int, depth: int) -> Node:
+        """The node an alias stands for; an empty one, and a fault, where it may not."""
+        found = self._anchors.get(anchor)
+        sentence = advice = ""
+        if found is None:
+            sentence, advice = f"nothing is anchored as &{anchor}", "Write the value itself."
+        elif found.end < 0:
+            sentence, advice = f"*{anchor} stands inside what it stands for", "Write it out."
+        elif depth + found.height > MAX_DEPTH:
+            sentence, advice = _too_deep()
+        else:
+            told = self._repeated > MAX_REPEATED
+            self._repeated += found.weight
+            if self._repeated > MAX_REPEATED:
+                sentence = "the aliases of this file stand for too much"
+                advice = "Write the values out instead of repeating them."
+            if told:
+                return Node("text", start, end, "", "null")
+        if found is None or sentence:
+            self.faults.append(Fault(start, end - start, sentence, advice))
+            return Node("text", start, end, "", "null")
+        return found
+
+    def anchor(self, name: str | None, node: Node) -> None:
+        """Remember a node under its anchor."""
+        if name is not None:
+            self._anchors[name] = node
+
+
+class _Building:
+    """The nodes of one stream, from its events."""
+
+    def __init__(self, tree: Tree, text: str, shift: int) -> None:
+        self._tree, self._text, self._shift = tree, text, shift
+        self._open: list[Node] = []
+        self._names: list[Node | None] = []
+        self._documents = 0
+        self.done = False
+        self.stopped: int | None = None
+
+    def take(self, event: Any) -> None:
+        kind = type(event)
+        if kind is yaml.ScalarEvent:
+            self._scalar(event)
+        elif kind is yaml.MappingStartEvent:
+            self._begin(event, "map")
+        elif kind is yaml.SequenceStartEvent:
+            self._begin(event, "list")
+        elif kind is yaml.MappingEndEvent or kind is yaml.SequenceEndEvent:
+            self._finish(event.end_mark.index + self._shift)
+        elif kind is yaml.AliasEvent:
+            start, end = self._span(event)
+            found = self._tree.target(event.anchor, start, end, len(self._open))
+            node = Node("alias", start, end, found)
+            node.height, node.weight = found.height, found.weight
+            self._put(node)
+        elif kind is yaml.DocumentStartEvent:
+            self._document(event)
+        elif kind is yaml.StreamEndEvent:
+            self.done = True
+
+    def close_all(self, at: int) -> None:
+        """Close what is still open, because the text is no YAML from ``at`` on."""
+        while self._open:
+            self._finish(at)
+
+    def _span(self, event: Any) -> tuple[int, int]:
+        return event.start_mark.index + self._shift, event.end_mark.index + self._shift
+
+    def _document(self, event: Any) -> None:
+        self._documents += 1
+        if self._documents > 1:
+            start, end = self._span(event)
+            self._tree.faults.append(
+                Fault(start, end - start, "a second document begins here", "Keep one in a file.")
+            )
+            self.done = True
+
+    def _tag(self, event: Any, start: int) -> str:
+        if event.tag is None:
+            return ""
+        tag = _TAGS.get(event.tag)
+        if tag is None:
+            written = re.compile(r"(?:&\S+\s+)?(\S+)\s*").match(self._text, start)
+            begin, end = written.span(1) if written else (start, start + 1)
+            words = f"the tag {shown(self._text[begin:end])} is not read"
+            fix = TextFix("Remove the tag", begin, written.end() if written else end, "")
+            self._tree.faults.append(Fault(begin, end - begin, words, "Leave the tag out.", fix))
+        return tag or ""
+
+    def _scalar(self, event: Any) -> None:
+        start, end = self._span(event)
+        tag = self._tag(event, start)
+        if event.style in ("|", ">"):
+            end = start + len(self._text[start:end].rstrip())
+        node = Node("text", start, end, event.value, tag)
+        node.plain = not tag and event.implicit[0]
+        node.weight = 1 + len(event.value)
+        self._tree.anchor(event.anchor, node)
+        self._put(node)
+
+    def _begin(self, event: Any, kind: str) -> None:
+        start, end = self._span(event)
+        if len(self._open) >= MAX_DEPTH:
+            self._tree.faults.append(Fault(start, 1, *_too_deep()))
+            self.close_all(start)
+            self.done, self.stopped = True, start
+            return
+        node = Node(kind, start, -1, [], self._tag(event, start))
+        node.flow = bool(event.flow_style) and end > start
+        self._tree.anchor(event.anchor, node)
+        self._open.append(node)
+        self._names.append(None)
+
+    def _finish(self, end: int) -> None:
+        node, name = self._open.pop(), self._names.pop()
+        if name is not None:  # the text broke off between a name and its value
+            node.value.append((name, Node("text", name.end, name.end, "", "null")))
+        parts = node.value
+        if not node.flow:
+            last = parts[-1] if parts else None
+            end = (last[1] if isinstance(last, tuple) else last).end if last else node.start
+        node.end = end
+        inner = [part for pair in parts for part in pair] if node.kind == "map" else parts
+        node.height = 1 + max((part.height for part in inner), default=0)
+        node.weight = 1 + sum(part.weight for part in inner)
+        self._put(node)
+
+    def _put(self, node: Node) -> None:
+        if not self._open:
+            if self._documents < 2:
+                self._tree.roots.append(node)
+            return
+        above = self._open[-1]
+        if above.kind == "list":
+            above.value.append(node)
+        elif self._names[-1] is None:
+            self._names[-1] = node
+        else:
+            above.value.append((self._names[-1], node))
+            self._names[-1] = None
+
+
+def _too_deep() -> tuple[str, str]:
+    return (
+        f"nested deeper than {MAX_DEPTH} levels",
+        "SMSL needs three levels and a few for annotations.",
+    )
+
+
+def _odd_character(match: re.Match[str]) -> Fault:
+    at = match.start()
+    return Fault(
+        at,
+        1,
+        f"the character U+{ord(match[0]):04X} cannot stand in YAML",
+        f'Write it as "\\u{ord(match[0]):04X}" in double quotes, or leave it out.',
+        TextFix("Remove the character", at, at + 1, ""),
+    )
+
+
+def _next_line(text: str, at: int) -> int:
+    found = text.find("\n", at)
+    return len(text) if found < 0 else found + 1
