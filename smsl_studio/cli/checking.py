@@ -67,8 +67,14 @@ def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, A
         "file": blueprint.file,
         "states": blueprint.state_count,
         "operations": blueprint.operation_count,
-        "findings": [finding.as_json() for finding in findings],
+        "findings": [_finding(blueprint, finding) for finding in findings],
     }
+
+
+def _finding(blueprint: Blueprint, finding: Finding) -> dict[str, Any]:
+    """A finding, with its file where that is an imported one."""
+    file = finding.place.file
+    return finding.as_json() if file == blueprint.file else {**finding.as_json(), "file": file}
 
 
 def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> None:

@@ -25,7 +25,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import Outcome, Tick
 from smsl_studio.host.shared_poses import SharedPoses
-from smsl_studio.smsl.files import parse_bytes
+from smsl_studio.smsl.forms import form_named
 
 HEARTBEAT = 0.1
 PICTURE = 1.0 / 60.0
@@ -34,10 +34,13 @@ PICTURE = 1.0 / 60.0
 
 @dataclass(frozen=True, slots=True)
 class Recipe:
-    """All a child needs to build the same world: the blueprint as text, world, seed, plugins."""
+    """All a child needs to build the same world: the blueprint's documents, world, seed, plugins.
 
-    text: str
-    file: str
+    The documents are triples (file, form, text), the blueprint's own first: what is open in the
+    parent counts, whatever stands on disk.
+    """
+
+    documents: tuple[tuple[str, str, str], ...]
     world: str
     seed: int
     plugin_paths: tuple[str, ...]
@@ -80,7 +83,8 @@ class _Child:
     """The verbs of a child."""
 
     def __init__(self, recipe: Recipe, shared: _Shared) -> None:
-        blueprint = read_blueprint(parse_bytes(recipe.text.encode(), recipe.file))
+        documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
+        blueprint = read_blueprint(documents[0], opened=documents[1:])
         paths = [Path(path) for path in recipe.plugin_paths]
         self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths)
         self.serving = True

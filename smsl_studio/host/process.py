@@ -51,9 +51,9 @@ class ProcessHost:
         hang_limit: float = 10.0,
         silence_limit: float = 3.0,
     ) -> None:
-        document = blueprint.document
+        texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
         paths = tuple(str(path) for path in plugin_paths)
-        self._recipe = Recipe(document.text, document.file, world, seed, paths)
+        self._recipe = Recipe(texts, world, seed, paths)
         self._hang_limit = hang_limit
         self._silence_limit = silence_limit
         self._process: Any = None

@@ -90,3 +90,19 @@ def test_three_hundred_broken_files(shell: Shell, tmp_path: Path) -> None:
             assert all(line >= 1 and column >= 1 for line, column in places), raw
             assert answer.err == "", raw
     assert seen == {0, 1, 2}
+
+
+def test_a_finding_in_an_imported_file_says_so(shell: Shell, tmp_path: Path) -> None:
+    base, low = tmp_path / "base.json", tmp_path / "low.json"
+    base.write_text('{"_imports": ["low.json"],\n "A": {"State0": {"o": "StateX"}}}')
+    low.write_text('{"_imports": ["gone.json"],\n\n "B": {"State0": {"o": "StateX"}}}')
+    answer = shell("check", "--format", "json", "--rule", "R02", "--rule", "R08", str(base))
+    found = answer.json["files"][0]["findings"]
+    assert [(f["rule"], f.get("file"), f["line"]) for f in found] == [
+        ("R02", None, 2),
+        ("R08", str(low), 1),
+        ("R02", str(low), 3),
+    ]
+    assert "(base.json > low.json > gone.json)" in found[1]["message"]
+    said = shell("check", "--rule", "R02", str(base)).out
+    assert f"{low}:3:" in said

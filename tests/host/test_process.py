@@ -19,8 +19,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing import add_operation
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, WorldError
+from smsl_studio.front.reading import read
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Host, Outcome
@@ -75,6 +77,20 @@ def blueprints(draw: st.DrawFn) -> Blueprint:
     sub = {"HEADER": {}, "State_0": {"up": "State_1"}, "State_1": {"down": "State_0"}}
     header = {"SUB_SBS": {"SUB": 0}, "INITIAL": states[0], "ACTIVATING": states[-1]}
     return blueprint_of({"BASE": {"HEADER": header, **load, **base}, "SUB": sub})
+
+
+def test_the_child_runs_what_is_open_and_not_what_stands_on_disk(tmp_path: Path) -> None:
+    base = tmp_path / "base.json"
+    base.write_text('{"_imports": ["sub.json"], "A": {"State0": {"o": "State1"}, "State1": {}}}')
+    (tmp_path / "sub.json").write_text('{"B": {"State0": {"p": "State1"}, "State1": {}}}')
+    blueprint = add_operation(read(base), "B", "State1", "typed", "State0")
+    (tmp_path / "sub.json").write_text("{")
+    child = ProcessHost(blueprint, "table")
+    try:
+        opened = child.open({"A": "State0", "B": "State1"})
+        assert Address("B", "State1", "typed") in opened.bound
+    finally:
+        child.close()
 
 
 @settings(max_examples=8)
