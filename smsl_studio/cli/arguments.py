@@ -24,6 +24,7 @@ class Command:
 COMMANDS = {
     "open": Command("opening", "open the window, on files if any are named"),
     "check": Command("checking", "inspect blueprints: every finding with its place"),
+    "diff": Command("comparing", "compare two blueprints by what they mean; layout apart"),
     "route": Command("routing", "plan the cheapest route between two states"),
     "run": Command("running", "run a blueprint in a world, headless"),
     "sweep": Command("sweeping", "run every single edge in a world and check where it leads"),

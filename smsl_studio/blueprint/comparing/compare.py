@@ -70,12 +70,16 @@ def _compare_branch(
 
 
 def _whole(branch: StateBranch, kind: Kind) -> Change:
-    size = f"{len(branch.table)} states and {branch.edge_count} operations"
+    size = f"{_count(len(branch.table), 'state')} and {_count(branch.edge_count, 'operation')}"
     words = f"The State Branch {branch.name} is {kind.value}, with {size}."
     path = (branch.name,)
     if kind is Kind.REMOVED:
         return Change(kind, "branch", branch.address, None, words, path_before=path)
     return Change(kind, "branch", None, branch.address, words, path_after=path)
+
+
+def _count(number: int, word: str) -> str:
+    return f"{number} {word}{'' if number == 1 else 's'}"
 
 
 def _moved(pair: BranchSides) -> list[Address]:

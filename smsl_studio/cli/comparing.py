@@ -1,0 +1,63 @@
+"""``diff``: what changed in meaning between two files. Exit status 1 where they differ.
+
+Called by git as an external diff driver, it gets seven arguments (nine for a renamed file, one for
+an unmerged one) and must end with 0, whatever it finds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+
+from smsl_studio.blueprint.comparing import Change, Difference, Kind, compare
+from smsl_studio.cli.arguments import Parser, add_format
+from smsl_studio.cli.git_driver import by_git, show_for_git
+from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.reading import read_argument
+from smsl_studio.errors import UsageError
+
+
+def add_arguments(parser: Parser) -> None:
+    parser.add_argument(
+        "files", nargs="+", metavar="FILE", help="the earlier and the later blueprint; - is one"
+    )
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    files: list[str] = options.files
+    if by_git(files, os.environ):
+        show_for_git(files, out, print_difference)
+        return 0
+    if len(files) != 2:
+        raise UsageError(
+            f"two files are compared, and {len(files)} are named",
+            advice="smsl-studio diff BEFORE AFTER",
+        )
+    if files == ["-", "-"]:
+        raise UsageError("standard input cannot be both files", advice="Name one of them.")
+    difference = compare(read_argument(files[0]), read_argument(files[1]))
+    if options.format == "json":
+        out.json(difference.as_json())
+    else:
+        print_difference(difference, out)
+    return 1 if difference.changes else 0
+
+
+def print_difference(difference: Difference, out: Output) -> None:
+    """Every change on a line: its sign, its address, its sentence, its places; then the sum."""
+    for change in difference.changes:
+        sign = SIGNS.get(change.kind, "~")
+        paint = {"+": out.green, "-": out.red}.get(sign, out.yellow)
+        where = "" if change.address is None else f"{change.address}: "
+        out.line(paint(one_line(f"{sign} {where}{change.words}")) + _places(difference, change))
+    out.line(difference.words)
+
+
+SIGNS = {Kind.ADDED: "+", Kind.REMOVED: "-"}
+
+
+def _places(difference: Difference, change: Change) -> str:
+    places = difference.place_before(change), difference.place_after(change)
+    told = " -> ".join(str(place) for place in places if place is not None)
+    return one_line(f" ({told})") if told else ""

@@ -1,0 +1,79 @@
+"""``diff`` as git calls it: ``path old-file old-hex old-mode new-file new-hex new-mode``.
+
+A side that does not exist is /dev/null. A side that cannot be read is told with its fault, and the
+lines that differ are shown instead; nothing here may end git's own command.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from difflib import unified_diff
+from pathlib import Path
+
+from smsl_studio.blueprint.comparing import Difference, compare
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.output import Output, one_line
+from smsl_studio.errors import Place, ReadError
+from smsl_studio.front.reading import read_bytes
+
+_MOST_LINES = 3000
+"""Longer texts that cannot be read are told to differ and not compared line by line."""
+
+
+def by_git(arguments: Sequence[str], environment: Mapping[str, str]) -> bool:
+    """Whether these are the arguments of an external diff driver."""
+    if len(arguments) == 1:
+        return "GIT_DIFF_PATH_COUNTER" in environment
+    return len(arguments) in (7, 9)
+
+
+def show_for_git(
+    arguments: Sequence[str], out: Output, show: Callable[[Difference, Output], None]
+) -> None:
+    """One file of a git diff."""
+    path, renamed = arguments[0], arguments[7] if len(arguments) == 9 else arguments[0]
+    if len(arguments) == 1:
+        out.line(one_line(f"{path}: not merged yet"))
+        return
+    title = path if renamed == path else f"{path} -> {renamed}"
+    out.line(one_line(f"smsl {title}"))
+    raws = [_bytes_of(arguments[at]) for at in (1, 4)]
+    sides: list[Blueprint] = []
+    for word, raw, name in zip(("earlier", "later"), raws, (path, renamed), strict=True):
+        try:
+            sides.append(_read(raw, name))
+        except ReadError as error:
+            out.line(out.yellow(one_line(f"the {word} version cannot be read: {error}")))
+    if len(sides) == 2:
+        show(compare(*sides), out)
+    else:
+        _show_lines(raws, (path, renamed), out)
+
+
+def _bytes_of(file: str) -> bytes | OSError | None:
+    if file in ("/dev/null", os.devnull, "nul"):
+        return None
+    try:
+        return Path(file).read_bytes()
+    except OSError as error:
+        return error
+
+
+def _read(raw: bytes | OSError | None, name: str) -> Blueprint:
+    """What a side means; its imports are looked for beside ``name``, where the work tree is."""
+    if isinstance(raw, OSError):
+        raise ReadError(raw.strerror or str(raw), Place(name, 1, 1))
+    return read_bytes(raw, name) if raw is not None else read_bytes(b"{}", "nothing.json")
+
+
+def _show_lines(raws: Sequence[bytes | OSError | None], names: Sequence[str], out: Output) -> None:
+    """The lines that differ, as the only thing that can be said."""
+    texts = [raw.decode("utf-8", "replace") if isinstance(raw, bytes) else "" for raw in raws]
+    before, after = (text.splitlines() for text in texts)
+    if max(len(before), len(after)) > _MOST_LINES:
+        out.line("the texts differ")
+        return
+    paint = {"+": out.green, "-": out.red}
+    for line in unified_diff(before, after, *names, lineterm="", n=2):
+        out.line(paint.get(line[:1], out.plain)(one_line(line)))
