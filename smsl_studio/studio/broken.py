@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import PurePath
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.revising import with_document
 from smsl_studio.errors import EditRefused, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named
@@ -43,7 +43,7 @@ def read_text(former: Blueprint, file: str, text: str) -> Reading:
     try:
         document = document_of(former, file)
         fresh = form_named(document.form).parse(text, file)
-        return _with_document(former, document, fresh)
+        return with_document(former, fresh)
     except ReadError as error:
         return Broken(file, text, error)
 
@@ -75,9 +75,3 @@ def under_name(
         return moved, broken
     again = read_text(moved, file, broken.text)
     return moved, again if isinstance(again, Broken) else replace(broken, file=file)
-
-
-def _with_document(former: Blueprint, document: Document, fresh: Document) -> Blueprint:
-    if document is former.document:
-        return read_blueprint(fresh, former)
-    raise KeyError(document.file)
