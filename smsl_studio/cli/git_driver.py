@@ -75,5 +75,5 @@ def _show_lines(raws: Sequence[bytes | OSError | None], names: Sequence[str], ou
         out.line("the texts differ")
         return
     paint = {"+": out.green, "-": out.red}
-    for line in unified_diff(before, after, *names, lineterm="", n=2):
+    for line in unified_diff(before, after, names[0], names[1], lineterm="", n=2):
         out.line(paint.get(line[:1], out.plain)(one_line(line)))

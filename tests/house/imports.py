@@ -45,11 +45,12 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet_utils": (BULLET,),
     "networkx": ("graph/",),
     "scipy": ("graph/",),
-    "numpy": ("graph/", "world/", "studio/"),
+    "numpy": ("graph/", "world/", "picture/", "studio/"),
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),
     "orjson": ("smsl/",),
     "yaml": ("smsl/yaml_form/",),
+    "typst": ("picture/",),
     "typing_extensions": ("",),
 }
 

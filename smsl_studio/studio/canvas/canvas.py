@@ -25,6 +25,7 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.accessible import words_for
 from smsl_studio.studio.canvas.camera import STEP
 from smsl_studio.studio.canvas.framing import frame_of
@@ -32,7 +33,6 @@ from smsl_studio.studio.canvas.gesture_layer import Drawn
 from smsl_studio.studio.canvas.handles import pending_ends
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays import Overlays
-from smsl_studio.studio.canvas.picture import Picture
 from smsl_studio.studio.canvas.sheet import Position, Sheet
 from smsl_studio.studio.canvas.stage import Stage
 from smsl_studio.studio.canvas.tools import Hand

@@ -8,6 +8,7 @@ from weakref import WeakKeyDictionary
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
+from smsl_studio.picture.shape import EdgeShape, Floats
 from smsl_studio.studio.canvas.ink import (
     NO_BRUSH,
     NO_PEN,
@@ -20,7 +21,6 @@ from smsl_studio.studio.canvas.ink import (
     faded,
     pen,
 )
-from smsl_studio.studio.canvas.shape import EdgeShape, Floats
 
 HEAD, LABEL_HEIGHT = 8.0, 15.0
 # Labels are 16 high; one pixel less lets those of lines 16 apart stand under each other.

@@ -12,6 +12,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
+from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.picture import Ints
 from smsl_studio.studio.canvas import batch
 from smsl_studio.studio.canvas.edge_paint import (
     Drawn,
@@ -21,11 +23,9 @@ from smsl_studio.studio.canvas.edge_paint import (
     paint_sign,
 )
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
-from smsl_studio.studio.canvas.labels import Rect
 from smsl_studio.studio.canvas.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.studio.canvas.lit_labels import LitLabel, LitLabels, by_weight, lit_boxes
 from smsl_studio.studio.canvas.node_paint import paint_goal
-from smsl_studio.studio.canvas.picture import Ints
 from smsl_studio.studio.canvas.sheet import Numbers, Sheet
 
 Bools = NDArray[np.bool_]

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from smsl_studio.studio.canvas import labels
+from smsl_studio.picture import labels
+from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.canvas.edge_paint import (
     EdgeLook,
     EdgeText,
@@ -13,9 +15,7 @@ from smsl_studio.studio.canvas.edge_paint import (
     label_size,
     pill_width,
 )
-from smsl_studio.studio.canvas.labels import Rect
 from smsl_studio.studio.canvas.levels import COMPACT_SIZE, Level
-from smsl_studio.studio.canvas.shape import EdgeShape
 from smsl_studio.studio.canvas.sheet import Sheet
 
 MOST = 400

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.edge_paint import EdgeLook
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_paint import NodeLook
-from smsl_studio.studio.canvas.picture import Picture
 
 
 class Looks:

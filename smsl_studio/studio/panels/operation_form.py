@@ -16,7 +16,7 @@ from smsl_studio.studio.panels.note_edits import Spot, set_note_value
 from smsl_studio.studio.panels.state_form import labelled
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.sub_marks import sub_mark
+from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.words import counted
 
 NOT_SAID, VARIOUS = "Not said", "Various"

@@ -16,7 +16,7 @@ from smsl_studio.studio.panels.note_edits import Spot, set_note_value
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.rows import Row, RowsView
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.sub_marks import sub_mark
+from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.theme import Tokens
 
 LABEL, MOST_ROWS = 80, 12

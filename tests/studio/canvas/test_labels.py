@@ -10,10 +10,10 @@ import pytest
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph.layout import place_states
-from smsl_studio.studio.canvas.geometry import Geometry
-from smsl_studio.studio.canvas.picture import Picture
-from smsl_studio.studio.canvas.prefix import shared_prefix
-from smsl_studio.studio.canvas.routing import Style, meets
+from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.prefix import shared_prefix
+from smsl_studio.picture.routing import Style, meets
 from tests.stories.at_canvas import sample
 
 PICTURES = ["hfsm.json", "registration.json", "hanoi.json"]

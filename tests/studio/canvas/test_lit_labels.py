@@ -8,8 +8,8 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.labels import meet
 from smsl_studio.studio.canvas.canvas import Canvas
-from smsl_studio.studio.canvas.labels import meet
 from smsl_studio.studio.canvas.lit_labels import by_weight, lit_labels
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.theme import LIGHT

@@ -6,8 +6,8 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.ink import Type
-from smsl_studio.studio.canvas.picture import Picture
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 ROW = 18

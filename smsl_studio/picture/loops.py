@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.studio.canvas.shape import Box, EdgeShape
+from smsl_studio.picture.shape import Box, EdgeShape
 
 INNER, STEP = 8.0, 5.0
 CORNERS = ("bottom right", "top right", "bottom left", "top left", "right bottom", "right top")

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.studio.canvas.prefix import shared_prefix
-from smsl_studio.studio.sub_marks import sub_mark
+from smsl_studio.picture.prefix import shared_prefix
+from smsl_studio.picture.sub_marks import sub_mark
 
 Ints = NDArray[np.int32]
 SMALL_STATES, SMALL_EDGES = 250, 260

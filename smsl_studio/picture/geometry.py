@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from smsl_studio.studio.canvas import labels, loops
-from smsl_studio.studio.canvas.lanes import Passing, in_lanes
-from smsl_studio.studio.canvas.picture import Picture
-from smsl_studio.studio.canvas.routing import Between, Style, around, in_row, is_clear, joined
-from smsl_studio.studio.canvas.shape import Box, EdgeShape, Floats, Point
+from smsl_studio.picture import labels, loops
+from smsl_studio.picture.lanes import Passing, in_lanes
+from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.routing import Between, Style, around, in_row, is_clear, joined
+from smsl_studio.picture.shape import Box, EdgeShape, Floats, Point
 
 MOST_AROUND = 60
 """So many pairs of states get a way around nodes; in a denser picture it would show nothing."""

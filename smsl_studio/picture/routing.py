@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.studio.canvas.shape import Box, EdgeShape, Floats, Point, between
+from smsl_studio.picture.shape import Box, EdgeShape, Floats, Point, between
 
 OPPOSITE, PARALLEL = 16.0, 18.0
 START_GAP, TIP_GAP = 1.0, 2.0

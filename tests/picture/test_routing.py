@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from smsl_studio.studio.canvas.lanes import FIRST, STEP, Passing, in_lanes
-from smsl_studio.studio.canvas.loops import CORNERS, arc, corner_of, label_boxes
-from smsl_studio.studio.canvas.routing import (
+from smsl_studio.picture.lanes import FIRST, STEP, Passing, in_lanes
+from smsl_studio.picture.loops import CORNERS, arc, corner_of, label_boxes
+from smsl_studio.picture.routing import (
     TIP_GAP,
     Between,
     Style,
@@ -21,7 +21,7 @@ from smsl_studio.studio.canvas.routing import (
     joined,
     meets,
 )
-from smsl_studio.studio.canvas.shape import Box, EdgeShape, rounded
+from smsl_studio.picture.shape import Box, EdgeShape, rounded
 
 FULL = Style()
 COMPACT = Style(compact=True)

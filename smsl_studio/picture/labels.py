@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from smsl_studio.studio.canvas.shape import EdgeShape, Floats, Point
+from smsl_studio.picture.shape import EdgeShape, Floats, Point
 
 Rect = tuple[float, float, float, float]
 """left, top, right, bottom"""

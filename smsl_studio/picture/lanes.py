@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.studio.canvas.routing import TIP_GAP
-from smsl_studio.studio.canvas.shape import Box, EdgeShape, Point, rounded
+from smsl_studio.picture.routing import TIP_GAP
+from smsl_studio.picture.shape import Box, EdgeShape, Point, rounded
 
 FIRST, STEP, SLOT, RADIUS = 45.0, 20.0, 24.0, 8.0
 """From the row's border to the first lane; between lanes; between ends on one node; corners."""
