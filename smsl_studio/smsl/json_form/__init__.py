@@ -3,10 +3,20 @@
 The functions here are the doors of a form; see ``forms.Form``.
 """
 
-from smsl_studio.smsl.json_form.reading import MAX_DEPTH, parse, write
+from smsl_studio.smsl.json_form.limits import MAX_DEPTH
+from smsl_studio.smsl.json_form.reading import parse, recover, write
 from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
 
 parse_json, write_json = parse, write
 """The names under which those call them who want this form and no other."""
 
-__all__ = ["MAX_DEPTH", "keep_winner", "parse", "parse_json", "reconcile", "write", "write_json"]
+__all__ = [
+    "MAX_DEPTH",
+    "keep_winner",
+    "parse",
+    "parse_json",
+    "reconcile",
+    "recover",
+    "write",
+    "write_json",
+]

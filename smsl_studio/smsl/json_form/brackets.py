@@ -1,0 +1,260 @@
+"""What is open while a broken JSON text is read, and what a closing bracket tells.
+
+For a bracket it counts how many are still to come and looks at the indentation, so that one that
+is missing is told where the next key stands too far left, and one too many where it stands.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from dataclasses import dataclass
+from typing import Any
+
+from smsl_studio.errors import TextFix
+from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_FAULTS
+from smsl_studio.smsl.json_form.tokens import END, TEXT, WORD, Fault, Token, Tokens, short
+
+Json = Any
+NOTHING = object()
+"""What stands for a value that could not be read."""
+
+_FEW = 8
+"""Where more closing brackets are missing, the kind of a value says nothing about their places."""
+
+_CLOSER = {"{": "}", "[": "]"}
+_BALANCE = {"{": -1, "[": -1, "}": 1, "]": 1}
+
+
+class Enough(Exception):  # noqa: N818
+    """So many faults, or one after which nothing makes sense, that reading ends here."""
+
+
+@dataclass(slots=True)
+class Frame:
+    """An object or list that is open: where it began, what it holds, and what comes next."""
+
+    token: Token
+    holds: dict[str, Json] | list[Json]
+    indent: int
+    expects: str = "first"
+    key: Token | None = None
+    comma: Token | None = None
+    last_end: int = 0
+    name: str = ""
+
+    @property
+    def closer(self) -> str:
+        return _CLOSER[self.token.kind]
+
+
+class Brackets:
+    """One reading of one text, token by token; ``values`` and ``faults`` when it is done."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self.faults: list[Fault] = []
+        self.values: Json = NOTHING
+        self._balance = sum(_BALANCE.get(token.kind, 0) for token in Tokens(text, lambda _: None))
+        self._source = iter(Tokens(text, self._say))
+        self._ahead: deque[Token] = deque()
+        self._frames: list[Frame] = []
+        self._taken_to = 0
+
+    def _say(self, fault: Fault) -> None:
+        self.faults.append(fault)
+        if len(self.faults) >= MAX_FAULTS:
+            raise Enough
+
+    def _fault(
+        self,
+        token: Token,
+        sentence: str,
+        advice: str,
+        fix: tuple[str, int, int, str] | None = None,
+    ) -> None:
+        length = max(1, token.end - token.start)
+        self._say(Fault(token.start, length, sentence, advice, TextFix(*fix) if fix else None))
+
+    def _peek(self, index: int = 0) -> Token:
+        while len(self._ahead) <= index:
+            if self._ahead and self._ahead[-1].kind == END:
+                return self._ahead[-1]
+            self._ahead.append(next(self._source))
+        return self._ahead[index]
+
+    def _take(self) -> Token:
+        token = self._peek()
+        self._ahead.popleft()
+        self._taken_to = token.end
+        self._balance -= _BALANCE.get(token.kind, 0)
+        return token
+
+    @property
+    def _excess(self) -> int:
+        """How many closing brackets are still to come, beyond those that are open now."""
+        return self._balance - len(self._frames)
+
+    # --- opening, filling, closing -----------------------------------------------------------
+
+    def _push(self, token: Token, key: str = "") -> None:
+        if len(self._frames) >= MAX_DEPTH:
+            words = f"nested deeper than {MAX_DEPTH} levels"
+            self._fault(token, words, "SMSL needs three levels and a few for annotations.")
+            raise Enough
+        holds: Json = {} if token.kind == "{" else []
+        self._frames.append(Frame(token, holds, token.indent, last_end=token.end, name=key))
+
+    def _pop(self, end: int) -> None:
+        frame = self._frames.pop()
+        if self._frames:
+            self._put(self._frames[-1], frame.holds, end)
+        else:
+            self.values = frame.holds
+
+    def _put(self, frame: Frame, value: Json, end: int) -> None:
+        """A value of the frame is complete; without a key it is left out."""
+        if isinstance(frame.holds, list):
+            if value is not NOTHING:
+                frame.holds.append(value)
+        elif frame.key is not None and value is not NOTHING:
+            frame.holds[frame.key.value] = value
+        frame.key, frame.comma, frame.expects, frame.last_end = None, None, "next", end
+
+    def _fold(self) -> None:
+        """Close what is still open, so that what was read of it is kept."""
+        while self._frames:
+            self._pop(self._taken_to)
+        if not isinstance(self.values, dict):
+            self.values = {}
+
+    def _remove(self, token: Token) -> None:
+        """Say that a token does not belong where it stands; neighbours are one fault."""
+        found = short(self._text[token.start : token.end])
+        start, end, last = token.start, token.end, self.faults[-1] if self.faults else None
+        if (
+            last
+            and last.sentence.endswith("does not belong here")
+            and last.fix
+            and last.fix.end == start
+        ):
+            self.faults.pop()
+            start = last.at
+            found = short(self._text[start:end])
+        fix = (f"Remove {found}", start, end, "")
+        self._fault(token._replace(start=start), f"{found} does not belong here", "Remove it.", fix)
+
+    def _close(self, frame: Frame, token: Token) -> None:
+        """A closing bracket: the right one, one too many, or one that comes too early."""
+        if token.kind == frame.closer:
+            if self._is_extra(frame, token):
+                self._drop_closer(token)
+                return
+            if self._closes_further_out(frame, token):
+                self._missing_closer(frame, token)
+                return
+            self._pop(self._take().end)
+        elif self._excess > 0:
+            self._drop_closer(token)
+        elif self._excess < 0 and len(self._frames) > 1 and self._frames[-2].closer == token.kind:
+            self._missing_closer(frame, token)
+        else:
+            fix = (f"Write {frame.closer}", token.start, token.end, frame.closer)
+            opener = frame.token.kind
+            words = f"{token.kind} cannot close what {opener} has opened"
+            self._fault(token, words, f"Write {frame.closer}.", fix)
+            self._pop(self._take().end)
+
+    def _is_extra(self, frame: Frame, token: Token) -> bool:
+        """Whether this closing bracket is one too many."""
+        if self._excess <= 0:
+            return False
+        return token.kind != frame.closer or self._is_stray(frame, token)
+
+    def _is_stray(self, frame: Frame, token: Token) -> bool:
+        if token.first:
+            return token.indent != frame.indent
+        if frame.token.line != token.line:
+            return True
+        if len(self._frames) == 1:
+            return self._peek(1).kind in (",", TEXT, WORD)
+        return self._would_misplace()
+
+    def _would_misplace(self) -> bool:
+        """Whether what follows this bracket would stand a level too high, told by its kind."""
+        comma, name = self._peek(1), self._peek(2)
+        if comma.kind != "," or name.value.startswith("_") or not self._begins_member(2):
+            return False
+        if len(self._frames) == 3:
+            return self._peek(4).kind == TEXT
+        deeper = self._peek(4).kind == "{" and self._begins_member(5)
+        return len(self._frames) == 2 and deeper and self._peek(7).kind == TEXT
+
+    def _drop_closer(self, token: Token) -> None:
+        fix = (f"Remove {token.kind}", token.start, token.end, "")
+        self._fault(token, f"this {token.kind} closes nothing", "Remove it.", fix)
+        self._take()
+
+    def _missing_closer(self, frame: Frame, token: Token, behind: str = "") -> None:
+        """The frame should have ended before this token."""
+        at, closers, opener = frame.last_end, "", frame.token
+        while True:
+            line = frame.token.line
+            closers += "\n" + self._text[line : line + frame.indent] if token.first else ""
+            closers += frame.closer
+            self._pop(at)
+            frame = self._frames[-1]
+            further = self._closes_further_out if token.kind in "}]" else self._ends_before
+            if not further(frame, token):
+                break
+        line = self._text.count("\n", 0, opener.start) + 1
+        words = f"the {opener.kind} of line {line} is not closed before this"
+        marks = closers.replace("\n", "").replace(" ", "").replace("\t", "")
+        fix = (f"Insert {marks}", at, at, closers + behind)
+        self._fault(token, words, f"Write {marks} before it.", fix)
+
+    def _closes_further_out(self, frame: Frame, token: Token) -> bool:
+        """Whether a bracket stands so far left that it closes something around the frame."""
+        if self._excess >= 0 or len(self._frames) < 2:
+            return False
+        return token.first and token.indent < frame.indent
+
+    def _ends_before(self, frame: Frame, token: Token) -> bool:
+        """Whether a key stands so far left, or has such a value, that its object has ended."""
+        if self._excess >= 0 or len(self._frames) < 2:
+            return False
+        if token.first and frame.token.line != token.line and token.indent <= frame.indent:
+            return True
+        if (
+            self._excess < -_FEW
+            or len(self._frames) != 3
+            or token.value.startswith("_")
+            or token.value == "SUB_SBS"
+        ):
+            return False
+        in_state = not any(one.name.startswith("_") for one in self._frames)
+        opens = self._peek(1).kind == ":" and self._peek(2).kind == "{"
+        return in_state and opens and (self._peek(3).kind == "}" or self._begins_member(3))
+
+    def _begins_member(self, index: int) -> bool:
+        """Whether a name and a colon stand there."""
+        return self._peek(index).kind in (TEXT, WORD) and self._peek(index + 1).kind == ":"
+
+    def _unfinished(self, frame: Frame, token: Token) -> None:
+        """The text ends while brackets are open."""
+        closers = "".join(one.closer for one in reversed(self._frames))
+        what = f"{len(closers)} brackets are" if len(closers) > 1 else "a bracket is"
+        end = len(self._text.rstrip())
+        start, tail = end, self._text[end:]
+        if frame.expects in ("key", "item") and frame.comma:
+            start = frame.comma.start
+        fix: tuple[str, int, int, str] | None
+        fix = (f"Write {closers} at the end", start, end, closers)
+        if frame.expects in ("colon", "value") and frame.key:
+            name = short(frame.key.value)
+            sentence = f"the file ends before the value of {name!r}"
+            advice, fix = f"Write what is missing, then {closers}.", None
+        else:
+            sentence = f"the file ends, and {what} not closed"
+            advice = f"Write {closers} at the end."
+        at = max(0, end - 1) if tail or end else 0
+        self._fault(token._replace(start=at, end=max(end, at)), sentence, advice, fix)

@@ -1,0 +1,27 @@
+"""Half a surrogate pair: no file could hold what it would be written back as."""
+
+from __future__ import annotations
+
+import re
+
+HALF = re.compile("[\ud800-\udfff]")
+"""A half that stands in a text as it is; only a text that came from no file can hold one."""
+
+ESCAPED_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+_ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|.)", re.DOTALL)
+
+
+def half_pair(text: str, start: int, end: int) -> int | None:
+    """The offset of the first escaped surrogate between start and end that stands alone."""
+    high: int | None = None
+    for escape in _ESCAPE.finditer(text, start, end):
+        code = int(escape[1], 16) if escape[1] else 0
+        if high is not None:
+            if not (0xDC00 <= code < 0xE000 and escape.start() == high + 6):
+                return high
+            high = None
+        elif 0xD800 <= code < 0xDC00:
+            high = escape.start()
+        elif 0xDC00 <= code < 0xE000:
+            return escape.start()
+    return high

@@ -1,0 +1,18 @@
+"""How much one JSON file may ask for, so that none exhausts memory or stack."""
+
+from __future__ import annotations
+
+from math import isfinite
+
+MAX_CHARACTERS = 256 * 1024 * 1024
+MAX_DEPTH = 64
+MAX_DIGITS = 4000
+MAX_FAULTS = 100
+"""So many faults of one text are told; nobody repairs more in one go."""
+
+
+def too_large(number: str) -> bool:
+    """Whether a number has more digits, or a larger exponent, than there is room for."""
+    if number.lstrip("-").isdecimal():
+        return len(number) > MAX_DIGITS
+    return len(number) > MAX_DIGITS or not isfinite(float(number))

@@ -1,0 +1,367 @@
+"""Reading a broken JSON text: several faults in one pass, and whatever is whole between them.
+
+The reader never stops at a fault: it takes what was most probably meant, says so, and goes on.
+Nothing recurses, and no piece of the text is looked at more than a few times.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+from smsl_studio.smsl.json_form.brackets import NOTHING, Brackets, Enough, Frame
+from smsl_studio.smsl.json_form.limits import too_large
+from smsl_studio.smsl.json_form.merging import merged
+from smsl_studio.smsl.json_form.tokens import END, NUMBER, ODD, TEXT, WORD, Token, quoted, short
+
+Json = Any
+_LITERALS: dict[str, Json] = {"true": True, "false": False, "null": None}
+_PYTHON = {"True": "true", "False": "false", "None": "null", "TRUE": "true", "FALSE": "false"}
+_NO_VALUES = ("NaN", "Infinity", "-Infinity", "nan", "inf", "-inf", "undefined")
+_VALUES = ("{", "[", TEXT, NUMBER, WORD)
+
+
+class Recovery(Brackets):
+    """The steps of the reading: what may stand here, and what was meant by what does."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        with suppress(Enough):
+            self._read()
+        self._fold()
+        self.faults = merged(self.faults)
+
+    # --- the file ----------------------------------------------------------------------------
+
+    def _read(self) -> None:
+        self._open_root()
+        while self._frames:
+            frame, token = self._frames[-1], self._peek()
+            if token.kind == END:
+                self._unfinished(frame, token)
+                return
+            handle = _STEPS[frame.token.kind, frame.expects]
+            handle(self, frame, token)
+        self._after_the_end()
+
+    def _open_root(self) -> None:
+        begin = self._peek()
+        while (token := self._peek()).kind != "{":
+            named = token.kind in (TEXT, WORD) and self._peek(1).kind == ":"
+            if named:
+                fix = ("Insert the opening brace", token.start, token.start, "{")
+                self._fault(token, "the opening brace of the file is missing", "Write {.", fix)
+                self._push(token._replace(kind="{", end=token.start))
+                return
+            if token.kind in ("[", END):
+                self.faults.clear()
+                words = "An SMSL file is one JSON object whose members are State Branches."
+                self._fault(begin, "the file holds no State Branches", words)
+                raise Enough
+            self._remove(self._take())
+        self._push(self._take())
+
+    def _after_the_end(self) -> None:
+        token = self._peek()
+        if token.kind == END:
+            return
+        last = token
+        while self._peek().kind in ("}", "]", ","):
+            last = self._take()
+        if self._peek().kind == END:
+            what = "closing bracket" if last is token else "closing brackets"
+            fix = (f"Remove the {what}", token.start, last.end, "")
+            self._fault(token, "this closes nothing", "Remove it.", fix)
+            return
+        self._fault(
+            token,
+            "text follows after the end of the file's object",
+            "A file is one object: put its State Branches into the first, or remove this.",
+        )
+
+    # --- in an object ------------------------------------------------------------------------
+
+    def _key(self, frame: Frame, token: Token) -> None:
+        kind = token.kind
+        if kind in (TEXT, WORD, NUMBER):
+            if self._is_glued(token) or (kind != TEXT and self._begins_member(1)):
+                self._remove(self._take())
+            elif self._ends_before(frame, token):
+                pending = frame.comma
+                self._missing_closer(frame, token, "" if pending else ",")
+                self._frames[-1].expects, self._frames[-1].comma = "key", pending
+            else:
+                self._begin_member(frame, self._take())
+        elif kind in ("}", "]") and self._is_extra(frame, token):
+            self._drop_closer(token)
+        elif kind == "}" and frame.comma:
+            self._fault_at_comma(frame.comma)
+            frame.comma = None
+            self._close(frame, token)
+        elif kind in ("}", "]"):
+            self._close(frame, token)
+        elif kind == ",":
+            self._extra_comma(token)
+        elif kind in ("{", "["):
+            self._unnamed(frame, token)
+        elif kind == ":" and not self._begins_member(1):
+            self._fault(token, "a name is missing before the colon", 'Write "Name": ... here.')
+            self._take()
+            frame.expects = "value"
+        else:
+            self._remove(self._take())
+
+    def _begin_member(self, frame: Frame, token: Token) -> None:
+        if token.kind != TEXT:
+            name = self._text[token.start : token.end]
+            fix = ("Write it in quotes", token.start, token.end, quoted(name))
+            words = f"the name {short(name)} stands without quotes"
+            self._fault(token, words, f"Write {quoted(short(name))}.", fix)
+        frame.key, frame.comma, frame.expects = token, None, "colon"
+
+    def _unnamed(self, frame: Frame, token: Token) -> None:
+        """A bracket opens where a name should stand."""
+        if self._excess < 0:
+            self._remove(self._take())
+            return
+        self._fault(token, f"a name is missing before {token.kind}", 'Write "Name": before it.')
+        self._push(self._take(), "_")
+
+    def _colon(self, frame: Frame, token: Token) -> None:
+        kind = token.kind
+        assert frame.key is not None, "a colon is expected behind a name"
+        if kind == ":":
+            self._take()
+            frame.expects = "value"
+        elif kind == ODD and token.value in ("=", "->", "=>", ":=", ";"):
+            self._colon_instead(frame, token)
+        elif kind == ODD or self._is_stray_behind(frame.key, token):
+            self._remove(self._take())
+        elif self._is_bracket_for_colon(token):
+            self._colon_instead(frame, token)
+        elif kind in _VALUES and not self._begins_member(0):
+            end = frame.key.end
+            words = f"the colon behind {short(frame.key.value)!r} is missing"
+            self._fault(token, words, "Write a colon.", ("Insert the colon", end, end, ":"))
+            frame.expects = "value"
+        elif kind == "," and self._peek(1).kind in _VALUES and not self._begins_member(1):
+            self._colon_instead(frame, token)
+        else:
+            self._no_value(frame, token)
+
+    def _colon_instead(self, frame: Frame, token: Token) -> None:
+        fix = ("Write a colon", token.start, token.end, ":")
+        found = token.value or token.kind
+        words = f"a colon stands between name and value, not {found}"
+        self._fault(token, words, "Write a colon.", fix)
+        self._take()
+        frame.expects = "value"
+
+    def _is_stray_behind(self, key: Token, token: Token) -> bool:
+        """Whether a token stands between a name and its colon, and belongs to neither."""
+        if token.kind in (WORD, NUMBER) and token.start == key.end:
+            return True
+        if self._peek(1).kind != ":":
+            return False
+        return token.kind in (WORD, NUMBER) or (token.kind in ("}", "]") and self._excess > 0)
+
+    def _is_bracket_for_colon(self, token: Token) -> bool:
+        """Whether a bracket stands where the colon was, told by how many there are."""
+        value_follows = self._peek(1).kind in _VALUES and not self._begins_member(1)
+        wrong = self._excess < 0 if token.kind in ("{", "[") else self._excess > 0
+        return token.kind in ("{", "[", "}", "]") and wrong and value_follows
+
+    def _no_value(self, frame: Frame, token: Token) -> None:
+        """A name whose value is missing: it is left out."""
+        advice = 'Write "Name": value, or remove it.'
+        key = frame.key
+        name = repr(short(key.value)) if key else "this"
+        self._fault(token, f"{name} has no value", advice)
+        frame.expects = "next"
+        self._put(frame, NOTHING, key.end if key else token.start)
+
+    def _value(self, frame: Frame, token: Token) -> None:
+        kind, after = token.kind, self._peek(1)
+        value_follows = after.kind in _VALUES and not self._begins_member(1)
+        if kind in (TEXT, WORD) and after.kind == ":" and self._excess > 0:
+            self._unopened(frame, self._taken_to, self._taken_to)
+        elif kind in ("{", "["):
+            if self._excess < 0 and after.kind == TEXT and value_follows:
+                self._remove(self._take())
+            else:
+                self._push(self._take(), frame.key.value if frame.key else "_")
+        elif kind in (TEXT, WORD, NUMBER):
+            if self._is_glued(token) or (kind != TEXT and value_follows):
+                self._remove(self._take())
+            else:
+                self._put(frame, self._scalar(self._take()), token.end)
+        elif kind in ("}", "]", ",") and self._excess > 0:
+            self._bracket_for_value(frame, token)
+        elif kind in (":", ODD) or (kind == "," and value_follows):
+            self._remove(self._take())
+        else:
+            self._no_value(frame, token)
+
+    def _bracket_for_value(self, frame: Frame, token: Token) -> None:
+        """A mark stands where an object should open, and there are too many closing brackets."""
+        value_follows = self._peek(1).kind in _VALUES and not self._begins_member(1)
+        if value_follows:
+            self._remove(self._take())
+        elif self._begins_member(1):
+            self._take()
+            self._unopened(frame, token.start, token.end)
+        elif token.kind == "}":
+            self._unopened(frame, token.start, token.start)
+        else:
+            self._no_value(frame, token)
+
+    def _unopened(self, frame: Frame, start: int, end: int) -> None:
+        """The object of this member lacks its opening brace."""
+        key = frame.key
+        token = self._peek()
+        fix = ("Write {", start, end, "{")
+        name = repr(short(key.value)) if key else "this"
+        at = token._replace(start=start, end=end) if end > start else token
+        self._fault(at, f"the opening brace of {name} is missing", "Write {.", fix)
+        opener = key or token
+        self._push(opener._replace(kind="{", end=end), key.value if key else "_")
+
+    def _next(self, frame: Frame, token: Token) -> None:
+        kind = token.kind
+        if kind == ",":
+            frame.comma, frame.expects = self._take(), "key"
+        elif kind in ("}", "]"):
+            self._close(frame, token)
+        elif self._stands_for_closer(frame, token):
+            self._closer_instead(frame, token)
+        elif token.value == ";" or (kind == ":" and self._begins_member(1)):
+            self._comma_instead(frame, token)
+        elif self._begins_member(0) and not self._is_glued(token):
+            if self._ends_before(frame, token):
+                self._missing_closer(frame, token, ",")
+            else:
+                self._missing_comma(frame, token)
+            self._frames[-1].expects = "key"
+        elif kind in ("{", "[") and self._excess >= 0:
+            words = f"a comma and a name are missing before {kind}"
+            self._fault(token, words, 'Write , "Name": before it.')
+            frame.key = None
+            self._push(self._take(), "_")
+        elif kind == ":" and self._peek(1).kind in _VALUES:
+            self._fault(token, "a second colon follows the value", "Write a comma and a name.")
+            self._take()
+            frame.expects = "value"
+        else:
+            self._remove(self._take())
+
+    def _stands_for_closer(self, frame: Frame, token: Token) -> bool:
+        """Whether something odd stands on a line of its own, where the closing bracket was."""
+        if self._excess >= 0 or len(self._frames) < 2 or self._begins_member(0):
+            return False
+        return token.first and token.indent == frame.indent and token.kind != ","
+
+    def _closer_instead(self, frame: Frame, token: Token) -> None:
+        found, closer = token.value or token.kind, frame.closer
+        fix = (f"Write {closer}", token.start, token.end, closer)
+        words = f"{closer} should stand here, not {short(found)}"
+        self._fault(token, words, f"Write {closer}.", fix)
+        self._pop(self._take().end)
+
+    # --- in a list ---------------------------------------------------------------------------
+
+    def _item(self, frame: Frame, token: Token) -> None:
+        kind = token.kind
+        if kind in ("{", "["):
+            self._push(self._take(), "_")
+        elif kind in (TEXT, WORD, NUMBER):
+            self._put(frame, self._scalar(self._take()), token.end)
+        elif kind == "]" and frame.comma:
+            self._fault_at_comma(frame.comma)
+            frame.comma = None
+            self._close(frame, token)
+        elif kind in ("}", "]"):
+            self._close(frame, token)
+        elif kind == ",":
+            self._extra_comma(token)
+        else:
+            self._remove(self._take())
+
+    def _next_item(self, frame: Frame, token: Token) -> None:
+        kind = token.kind
+        if kind == ",":
+            frame.comma, frame.expects = self._take(), "item"
+        elif kind in ("}", "]"):
+            self._close(frame, token)
+        elif (kind == ":" or token.value == ";") and self._peek(1).kind in _VALUES:
+            self._comma_instead(frame, token)
+            frame.expects = "item"
+        elif kind in _VALUES and not self._is_glued(token):
+            self._missing_comma(frame, token)
+            frame.expects = "item"
+        else:
+            self._remove(self._take())
+
+    # --- what both have in common ------------------------------------------------------------
+
+    def _is_glued(self, token: Token) -> bool:
+        """Whether a bare word touches a text behind it: a stray character, no name."""
+        after = self._peek(1)
+        return token.kind in (WORD, NUMBER) and after.kind == TEXT and after.start == token.end
+
+    def _comma_instead(self, frame: Frame, token: Token) -> None:
+        fix = ("Write a comma", token.start, token.end, ",")
+        words = f"a comma stands between members, not {token.value or token.kind}"
+        self._fault(token, words, "Write a comma.", fix)
+        self._take()
+        frame.expects, frame.comma = "key", token
+
+    def _missing_comma(self, frame: Frame, token: Token) -> None:
+        end = frame.last_end
+        fix = ("Insert the comma", end, end, ",")
+        self._fault(token, "a comma is missing before this", "Write a comma.", fix)
+
+    def _extra_comma(self, token: Token) -> None:
+        last = self._take()
+        while self._peek().kind == "," and not self._text[last.end : self._peek().start].strip():
+            last = self._take()
+        fix = ("Remove the comma", token.start, last.end, "")
+        words = "a comma with nothing before it"
+        self._fault(token._replace(end=last.end), words, "Remove it.", fix)
+
+    def _fault_at_comma(self, comma: Token) -> None:
+        fix = ("Remove the comma", comma.start, comma.end, "")
+        self._fault(comma, "a comma with nothing behind it", "Remove it.", fix)
+
+    def _scalar(self, token: Token) -> Json:
+        """The value of a text, number or word; what is none is told."""
+        found = token.value
+        if token.kind == TEXT:
+            return found
+        if token.kind == NUMBER:
+            if too_large(found):
+                self._fault(token, "the number is too large", "Write a shorter number.")
+                return NOTHING
+            return int(found) if found.lstrip("-").isdecimal() else float(found)
+        if found in _LITERALS:
+            return _LITERALS[found]
+        if found in _NO_VALUES:
+            self._fault(token, f"{found} is no number in JSON", "Write a plain number.")
+            return NOTHING
+        instead = _PYTHON.get(found, quoted(found))
+        fix = (f"Write {short(instead)}", token.start, token.end, instead)
+        words = f"{short(found)} is no value in JSON"
+        self._fault(token, words, f"Write {short(instead)}.", fix)
+        return _LITERALS.get(instead, found)
+
+
+_STEPS: dict[tuple[str, str], Callable[[Recovery, Frame, Token], None]] = {
+    ("{", "first"): Recovery._key,
+    ("{", "key"): Recovery._key,
+    ("{", "colon"): Recovery._colon,
+    ("{", "value"): Recovery._value,
+    ("{", "next"): Recovery._next,
+    ("[", "first"): Recovery._item,
+    ("[", "item"): Recovery._item,
+    ("[", "next"): Recovery._next_item,
+}
