@@ -1,0 +1,10 @@
+"""The native form, ``.smsl``: State Branches in braces, header lines, states, edges. Lossless.
+
+The functions here are the doors of a form; see ``forms.Form``.
+"""
+
+from smsl_studio.smsl.native_form.parsing import parse
+from smsl_studio.smsl.native_form.recovery import recover
+from smsl_studio.smsl.native_form.writing import write
+
+__all__ = ["parse", "recover", "write"]

@@ -1,0 +1,116 @@
+"""JSON values on one line: what ``_`` lines hold, and header values of no other spelling."""
+
+from __future__ import annotations
+
+import json
+import re
+from math import isfinite
+from typing import Any, NoReturn
+
+from smsl_studio.smsl.json_form import MAX_DEPTH
+
+Json = Any
+MOST_DIGITS = 4000
+
+_BRACKET = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"|[\[\]{}]', re.DOTALL)
+_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
+
+
+class BadJson(ValueError):  # noqa: N818
+    """Why a value cannot be read, and where it begins to go wrong."""
+
+    def __init__(self, at: int, length: int, sentence: str, advice: str) -> None:
+        super().__init__(sentence)
+        self.at, self.length, self.sentence, self.advice = at, length, sentence, advice
+
+
+class _BadNumber(Exception):  # noqa: N818
+    def __init__(self, sentence: str) -> None:
+        super().__init__(sentence)
+        self.sentence = sentence
+
+
+def read_json(raw: str, depth: int) -> tuple[Json, int, bool]:
+    """The JSON value a text begins with, where it ends, and whether a key is doubled in it.
+
+    The value stands ``depth`` levels deep in its document, which counts for how deep it may be.
+    """
+    doubled = False
+
+    def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        nonlocal doubled
+        found = dict(pairs)
+        doubled = doubled or len(found) != len(pairs)
+        return found
+
+    _check_depth(raw, MAX_DEPTH - depth)
+    decoder = json.JSONDecoder(
+        object_pairs_hook=keep,
+        parse_constant=_no_number,
+        parse_float=_float,
+        parse_int=_int,
+    )
+    try:
+        value, end = decoder.raw_decode(raw)
+    except json.JSONDecodeError as error:
+        words = f"{error.msg[:1].lower()}{error.msg[1:]}".removesuffix(" at")
+        sentence = f"no valid JSON: {words}" if raw else "a value in JSON is missing"
+        advice = 'A value in JSON stands on one line, such as {"S0": [1, 2]}, 2.5, "text" or true.'
+        raise BadJson(error.pos, 1, sentence, advice) from None
+    except _BadNumber as error:
+        sentence = f"no valid JSON: {error.sentence}"
+        raise BadJson(0, len(raw), sentence, "Write a plain, shorter number.") from None
+    if _SURROGATE.search(raw, 0, end):
+        _check_characters(raw, value)
+    return value, end, doubled
+
+
+def one_line(value: Json) -> str:
+    """A value in JSON, on one line."""
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def _no_number(name: str) -> NoReturn:
+    raise _BadNumber(f"{name} is no number in JSON")
+
+
+def _float(text: str) -> float:
+    value = float(text)
+    if not isfinite(value):
+        raise _BadNumber("the number is too large")
+    return value
+
+
+def _int(text: str) -> int:
+    if len(text) > MOST_DIGITS:
+        raise _BadNumber("the number is too large")
+    return int(text)
+
+
+def _check_depth(raw: str, most: int) -> None:
+    if raw.count("[") + raw.count("{") <= most:
+        return
+    depth = 0
+    for match in _BRACKET.finditer(raw):
+        if match[0] in "[{":
+            depth += 1
+            if depth > most:
+                sentence = f"nested deeper than {MAX_DEPTH} levels"
+                advice = "SMSL needs three levels and a few for annotations."
+                raise BadJson(match.start(), 1, sentence, advice)
+        elif match[0] in "]}":
+            depth -= 1
+
+
+def _check_characters(raw: str, value: Json) -> None:
+    try:
+        one_line(value).encode("utf-8")
+    except UnicodeEncodeError:
+        match = _SURROGATE.search(raw)
+        at = match.start() if match else 0
+        raise BadJson(
+            at,
+            6,
+            "half a surrogate pair is no character",
+            "Write the character itself, or both halves of the pair.",
+        ) from None

@@ -1,0 +1,241 @@
+"""The ``#`` lines: ``# KEY: value``, ``# _KEY: json``, ``# HEADER._KEY: json``."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from typing import Any, Literal, NamedTuple
+
+from smsl_studio.errors import TextFix
+from smsl_studio.smsl.document import Member
+from smsl_studio.smsl.native_form.json_values import BadJson, read_json
+from smsl_studio.smsl.native_form.tokens import BARE, NAME, QUOTED, bare, decoded, quoted
+
+Json = Any
+Level = Literal["name", "header", "field"]
+
+NAME_KEYS = ("INITIAL", "ACTIVATING")
+"""Header keys whose value is the name of a state, whatever it looks like."""
+
+INTEGER = r"-?(?:0|[1-9][0-9]*+)"
+ENTRY = rf"({NAME})\s*+:\s*+({INTEGER})(?=[\s,)])"
+MOST_DIGITS = 4000
+
+_SPACE = r"[^\S\r\n]*+"
+_PREFIX = "HEADER."
+_LINE = re.compile(rf"#{_SPACE}((?:HEADER\.)?{QUOTED}|{BARE}){_SPACE}:{_SPACE}([^\r\n]*+)")
+_SCALAR = re.compile(
+    r"(?:true|false|null|-?(?:0|[1-9][0-9]*+)(?:\.[0-9]++)?(?:[eE][+-]?[0-9]++)?)(?=[\s,]|$)"
+)
+_MAP = re.compile(rf"\((?:[\s,]*+{ENTRY.replace('(' + NAME, '(?:' + NAME)})*+[\s,]*+\)")
+_ENTRY = re.compile(ENTRY)
+_TRAIL = re.compile(r"[\s,]*+(?://.*)?", re.DOTALL)
+_COMMENT = re.compile(r"(?:^|(?<=\s))//")
+
+
+class Line(NamedTuple):
+    """A ``#`` line, as offsets into the text; ``end`` is that of the line."""
+
+    level: Level
+    key: str
+    start: int
+    key_start: int
+    key_end: int
+    value_start: int
+    end: int
+
+
+class Value(NamedTuple):
+    """What a line says, the offset behind it, and whether a key is doubled in it."""
+
+    value: Json
+    end: int
+    doubled: bool = False
+
+
+class BadValue(Exception):  # noqa: N818
+    """A value that cannot be read; ``guess`` is what it may have meant, None where nobody knows."""
+
+    def __init__(
+        self,
+        at: int,
+        end: int,
+        sentence: str,
+        advice: str,
+        fix: TextFix | None = None,
+        guess: str | None = None,
+    ) -> None:
+        super().__init__(sentence)
+        self.at, self.end, self.sentence, self.advice = at, end, sentence, advice
+        self.fix, self.guess = fix, guess
+
+
+def line_at(text: str, at: int) -> Line | None:
+    """The line whose ``#`` stands at ``at``; None where it is no such line."""
+    match = _LINE.match(text, at)
+    if match is None:
+        return None
+    raw = match[1]
+    inside = raw.startswith(_PREFIX) and len(raw) > len(_PREFIX)
+    try:
+        key = decoded(raw.removeprefix(_PREFIX) if inside else raw)
+    except ValueError:
+        return None
+    level: Level = "header" if inside or not key.startswith("_") else "field"
+    if key == "NAME" and not inside:
+        level = "name"
+    return Line(level, key, at, match.start(1), match.end(1), match.start(2), match.end())
+
+
+def read_value(text: str, line: Line, depth: int) -> Value:
+    """The value of a line that stands ``depth`` levels deep; BadValue where it has none."""
+    raw = text[line.value_start : line.end]
+    if line.key.startswith("_") and line.level != "name":
+        return _json(raw, line, depth)
+    if line.level == "name" or line.key in NAME_KEYS:
+        if raw[:1] in ("{", "[") and line.level != "name":
+            return _json(raw, line, depth)
+        return _name(raw, line)
+    if raw[:1] in ("{", "["):
+        return _json(raw, line, depth)
+    if raw[:1] == '"':
+        return _quoted(raw, line)
+    if raw[:1] == "(" and (found := _map(raw, line)):
+        return found
+    return _scalar(raw, line) or _text(raw, line)
+
+
+def entries(text: str, start: int) -> Iterator[Member]:
+    """The members of the map in round brackets that opens at ``start``, known to be valid."""
+    match = _MAP.match(text, start)
+    for entry in _ENTRY.finditer(text, start, match.end() if match else start):
+        (key_start, key_end), (value_start, value_end) = entry.span(1), entry.span(2)
+        yield Member(decoded(entry[1]), key_start, key_end, value_start, value_end)
+
+
+def _json(raw: str, line: Line, depth: int) -> Value:
+    start = line.value_start
+    try:
+        value, end, doubled = read_json(raw, depth)
+    except BadJson as error:
+        at = min(start + error.at, line.end)
+        raise BadValue(at, at + error.length, error.sentence, error.advice) from None
+    _check_trail(raw, end, line)
+    return Value(value, start + end, doubled)
+
+
+def _name(raw: str, line: Line) -> Value:
+    if raw.startswith('"'):
+        return _quoted(raw, line)
+    match = bare.match(raw)
+    if match and _TRAIL.fullmatch(raw, match.end()):
+        return Value(match[0], line.value_start + match.end())
+    words = _without_comment(raw)
+    at, end = line.value_start, line.value_start + len(words)
+    if not words:
+        raise BadValue(
+            line.key_start,
+            line.key_end,
+            f"{line.key} has no value",
+            f"Write a name behind the colon: # {line.key}: State0.",
+        )
+    behind = raw[match.end() :].lstrip() if match else ""
+    if match and behind[:1] in ("}", "{", "#"):
+        cut = line.end - len(behind)
+        fix = TextFix("Break the line", cut, cut, "\n")
+        raise BadValue(
+            cut, cut + 1, "a header line ends with its line", "Break the line here.", fix, match[0]
+        )
+    fix = TextFix("Write it in quotes", at, end, json.dumps(words, ensure_ascii=False))
+    sentence = f"{words!r} is no name without quotes"
+    advice = 'A name with spaces or any of {}[]:,#/"()> is written in quotes.'
+    raise BadValue(at, end, sentence, advice, fix, words)
+
+
+def _quoted(raw: str, line: Line) -> Value:
+    match = quoted.match(raw)
+    start = line.value_start
+    if match is None:
+        end = start + len(_without_comment(raw))
+        fix = TextFix("Close the quotes", end, end, '"')
+        sentence, advice = "the quotes are not closed", 'Put " behind the text.'
+        raise BadValue(start, end, sentence, advice, fix, raw[1 : end - start])
+    try:
+        value = decoded(match[0])
+    except ValueError:
+        sentence = "what stands in the quotes is no text in JSON"
+        advice = r"Write a backslash as \\, a tab as \t, and no half surrogate pairs."
+        raise BadValue(start, start + match.end(), sentence, advice) from None
+    _check_trail(raw, match.end(), line)
+    return Value(value, start + match.end())
+
+
+def _map(raw: str, line: Line) -> Value | None:
+    match = _MAP.match(raw)
+    if match is None or not _TRAIL.fullmatch(raw, match.end()):
+        if line.key != "SUB_SBS":
+            return None
+        at = line.value_start
+        raise BadValue(
+            at,
+            at + len(_without_comment(raw)),
+            "SUB_SBS is no map from sub-SBs to digits",
+            "Write it as (SB2: 1, SB3: 0), digits from 0 at the left.",
+        )
+    found: dict[str, int] = {}
+    count = 0
+    for entry in _ENTRY.finditer(match[0]):
+        count += 1
+        if len(entry[2]) > MOST_DIGITS:
+            raise _too_large(line.value_start + entry.start(2), len(entry[2]))
+        try:
+            found[decoded(entry[1])] = int(entry[2])
+        except ValueError:
+            at = line.value_start + entry.start(1)
+            sentence = "what stands in the quotes is no text in JSON"
+            raise BadValue(at, at + len(entry[1]), sentence, "Check the backslashes.") from None
+    return Value(found, line.value_start + match.end(), len(found) != count)
+
+
+def _scalar(raw: str, line: Line) -> Value | None:
+    match = _SCALAR.match(raw)
+    if match is None or not _TRAIL.fullmatch(raw, match.end()):
+        return None
+    try:
+        value = read_json(match[0], 0)[0]
+    except BadJson:
+        raise _too_large(line.value_start, match.end()) from None
+    return Value(value, line.value_start + match.end())
+
+
+def _text(raw: str, line: Line) -> Value:
+    words = _without_comment(raw)
+    return Value(words, line.value_start + len(words))
+
+
+def _without_comment(raw: str) -> str:
+    """The text of a line: up to a comment that begins it or stands behind white space."""
+    comment = _COMMENT.search(raw)
+    return (raw[: comment.start()] if comment else raw).rstrip()
+
+
+def _check_trail(raw: str, at: int, line: Line) -> None:
+    if _TRAIL.fullmatch(raw, at):
+        return
+    behind = raw[at:].lstrip()
+    start = line.end - len(behind)
+    fix = None
+    if behind[:1] in ("}", "{", "#", "]"):
+        fix = TextFix("Break the line", start, start, "\n")
+    raise BadValue(
+        start,
+        line.end,
+        f"more stands behind the value of {line.key}",
+        "A header line holds one value, and ends with its line.",
+        fix,
+    )
+
+
+def _too_large(at: int, length: int) -> BadValue:
+    return BadValue(at, at + length, "the number is too large", "Write a shorter number.")

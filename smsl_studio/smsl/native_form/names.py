@@ -1,0 +1,96 @@
+"""Names where something is wrong with them: quotes that do not close, names that need quotes."""
+
+from __future__ import annotations
+
+import json
+import re
+
+from smsl_studio.errors import TextFix
+from smsl_studio.smsl.native_form.faults import Faults
+from smsl_studio.smsl.native_form.tokens import bare, decoded, quoted
+
+BEFORE_BRACKET = re.compile(r"[^\S\r\n]*+:")
+BEFORE_ARROW = re.compile(r"[^\S\r\n]*+(?:->|=>)")
+BEFORE_COMMA = re.compile(r"[^\S\r\n]*+(?:[,\]\r\n]|//|$)")
+"""What stands behind the name of a state, of an operation, and behind a target."""
+
+_LINE = re.compile(r"[^\r\n]*+")
+_RUN = re.compile(r'[^\r\n{}\[\],#"]*+')
+_ADVICE = 'A name with spaces or any of {}[]:,#/"()> is written in quotes.'
+
+
+def read(text: str, at: int, faults: Faults, behind: re.Pattern[str]) -> tuple[str, int] | None:
+    """The name at ``at`` and the offset behind it; None where there is no name.
+
+    A name whose quotes do not close, or that should have some, is told and read as it was meant:
+    up to what should stand ``behind`` it.
+    """
+    if text[at : at + 1] == '"':
+        return _quoted(text, at, faults, behind)
+    match = bare.match(text, at)
+    if match is None:
+        return None
+    end = match.end()
+    if behind.match(text, end) or text[end : end + 1] in ("", "[", "]", "{", "}", ",", ":"):
+        return match[0], end
+    run = _RUN.match(text, at)
+    stop = _cut(run[0], behind) if run else None
+    if stop is None or at + stop <= end:
+        return match[0], end
+    whole = text[at : at + stop].rstrip()
+    if "//" in whole:
+        return match[0], end
+    _tell(faults, at, whole)
+    return whole, at + len(whole)
+
+
+def torn_target(text: str, before: tuple[int, int], at: int, faults: Faults) -> int | None:
+    """A target with a space or a sign in it, written without quotes; the offset behind it.
+
+    ``before`` is the span of what was read as the target, ``at`` where the rest of it begins.
+    """
+    start, end = before
+    if text[end:at].strip(" \t") or text[start] == '"' or text[at] in "#[]{}":
+        return None
+    run = _RUN.match(text, start)
+    if run is None or "->" in run[0] or "//" in run[0] or ":" in run[0]:
+        return None
+    whole = run[0].rstrip()
+    _tell(faults, start, whole)
+    return start + len(whole)
+
+
+def _tell(faults: Faults, at: int, whole: str) -> None:
+    end = at + len(whole)
+    fix = TextFix("Write it in quotes", at, end, json.dumps(whole, ensure_ascii=False))
+    faults.add(at, end, f"{whole!r} is no name without quotes", _ADVICE, fix)
+
+
+def _cut(run: str, behind: re.Pattern[str]) -> int | None:
+    """Where in a run of characters the name ends that stands before ``behind``."""
+    match = behind.search(run)
+    if match is None and behind is BEFORE_COMMA:
+        return len(run)
+    return match.start() if match else None
+
+
+def _quoted(text: str, at: int, faults: Faults, behind: re.Pattern[str]) -> tuple[str, int] | None:
+    match = quoted.match(text, at)
+    if match:
+        try:
+            return decoded(match[0]), match.end()
+        except ValueError:
+            sentence = "what stands in the quotes is no text in JSON"
+            advice = r"Write a backslash as \\, a tab as \t, and no half surrogate pairs."
+            faults.add(at, match.end(), sentence, advice)
+            return match[0][1:-1].encode("utf-8", "replace").decode(), match.end()
+    line = _LINE.match(text, at + 1)
+    run = line[0] if line else ""
+    stop = behind.search(run)
+    inside = re.split(r"[{}\[\],:]|->|//", run, maxsplit=1)[0]
+    length = stop.start() if stop and stop.start() <= len(inside) else len(inside)
+    name = run[:length].rstrip()
+    end = at + 1 + len(name)
+    fix = TextFix("Close the quotes", end, end, '"')
+    faults.add(at, end, "the quotes are not closed", 'Put " behind the name.', fix)
+    return name, end

@@ -1,0 +1,185 @@
+"""Reading the native form: text to Document, with all that is wrong with a text at once.
+
+Well-formed states, which is nearly everything, are read by one regular expression each. What
+does not fit goes the slow way (``states``, ``strays``), where every fault is told and parsing
+goes on behind it. Where things stand is found later (``spans``).
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from smsl_studio.errors import ReadError, TextFix
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.json_form.reading import MAX_CHARACTERS
+from smsl_studio.smsl.native_form import strays
+from smsl_studio.smsl.native_form.faults import Enough, Faults
+from smsl_studio.smsl.native_form.lines import BadValue, Line, line_at, read_value
+from smsl_studio.smsl.native_form.spans import NativeSpans
+from smsl_studio.smsl.native_form.states import StateReader
+from smsl_studio.smsl.native_form.tokens import skip_separator
+
+Json = Any
+
+
+def parse(text: str, file: str) -> Document:
+    """Read a native text; ReadError, with all its faults, where it is none.
+
+    A key written twice opens: the last one wins, in the place of the first.
+    """
+    parser = Parser(text, file)
+    error = parser.faults.error()
+    if error:
+        raise _is_json(text, file) or error
+    return Document(text, file, "smsl", parser.values, NativeSpans, parser.doubled)
+
+
+class Parser:
+    """What could be read of one text, and what is wrong with it."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self.text = text
+        self.values: dict[str, Json] = {}
+        self.doubled = False
+        blank = Document(text, file, "smsl", {}, NativeSpans)
+        self.faults = Faults(blank.place_at)
+        self._states = StateReader(text, self.faults)
+        try:
+            if self._is_sound():
+                self._file()
+        except Enough:
+            pass
+        self.doubled = self.doubled or self._states.doubled
+
+    def _is_sound(self) -> bool:
+        text = self.text
+        if len(text) > MAX_CHARACTERS:
+            sentence = f"the file is larger than {MAX_CHARACTERS >> 20} million characters"
+            self.faults.add(0, 1, sentence, "Split it into several files.")
+            return False
+        try:
+            text.encode("utf-8")
+        except UnicodeEncodeError as error:
+            sentence = "half a surrogate pair is no character"
+            advice = "Write the character itself, or both halves of the pair."
+            self.faults.add(error.start, error.end, sentence, advice)
+            return False
+        return True
+
+    def _file(self) -> None:
+        text = self.text
+        at = skip_separator(text, 1 if text.startswith("\ufeff") else 0)
+        while at < len(text):
+            mark = text[at]
+            if mark == "{":
+                at = self._branch(at, at + 1)
+            elif mark == "#":
+                at = self._line_outside(at)
+            elif strays.begins_state(text, at):
+                at = self._branch_without_brace(at)
+            else:
+                at = strays.outside(text, at, self.faults)
+            at = skip_separator(text, at)
+
+    def _line_outside(self, at: int) -> int:
+        """A ``#`` line between branches."""
+        line = line_at(self.text, at)
+        if line is None:
+            return strays.broken_line(self.text, at, self.faults)
+        if line.level == "field":
+            self._keep_line(self.values, line, 1)
+            return line.end
+        return self._branch_without_brace(at)
+
+    def _branch_without_brace(self, at: int) -> int:
+        fix = TextFix("Put { before it", at, at, "{\n")
+        sentence = "this stands in no State Branch: { is missing before it"
+        self.faults.add(at, at + 1, sentence, "A State Branch is { # NAME: SB1 ... }.", fix)
+        return self._branch(at, at, braced=False)
+
+    def _branch(self, start: int, at: int, braced: bool = True) -> int:
+        """The State Branch whose brace stands at ``start``; the offset behind it."""
+        text = self.text
+        name: str | None = None
+        header: dict[str, Json] = {}
+        members: dict[str, Json] = {}
+        while True:
+            at = skip_separator(text, at)
+            state = self._states.whole(at)
+            if state is not None:
+                key, value, at = state
+                self._keep(members, key, value)
+                continue
+            mark = text[at : at + 1]
+            if mark == "}":
+                at += 1
+                break
+            if mark == "#":
+                line = line_at(text, at)
+                if line is None:
+                    at = strays.broken_line(text, at, self.faults)
+                elif line.level == "field":
+                    self._keep_line(members, line, 2)
+                    at = line.end
+                elif line.level == "header":
+                    self._keep_line(header, line, 3)
+                    at = line.end
+                elif name is None:
+                    name = self._name(line)
+                    at = line.end
+                else:
+                    strays.second_name(text, at, line, self.faults)
+                    break
+            elif mark in ("", "{"):
+                strays.not_closed(text, start, at, name, self.faults)
+                break
+            else:
+                odd = self._states.odd(at)
+                if odd.key is not None:
+                    self._keep(members, odd.key, odd.value)
+                at = odd.end
+        if name is None:
+            name = strays.no_name(text, start, self.values, self.faults if braced else None)
+        self._keep(self.values, name, {"HEADER": header, **members} if header else members)
+        return at
+
+    def _name(self, line: Line) -> str:
+        found: dict[str, Json] = {}
+        self._keep_line(found, line, 1)
+        name: str = found.get(line.key) or strays.free_name(self.values)
+        return name
+
+    def _keep_line(self, table: dict[str, Json], line: Line, depth: int) -> None:
+        """Keep what a line says; where that cannot be read, what it may have meant."""
+        try:
+            value, _, doubled = read_value(self.text, line, depth)
+        except BadValue as error:
+            self.faults.add(error.at, error.end, error.sentence, error.advice, error.fix)
+            if error.guess is not None:
+                self._keep(table, line.key, error.guess)
+            return
+        self.doubled = self.doubled or doubled
+        self._keep(table, line.key, value)
+
+    def _keep(self, table: dict[str, Json], key: str, value: Json) -> None:
+        if key in table:
+            self.doubled = True
+        table[key] = value
+
+
+def _is_json(text: str, file: str) -> ReadError | None:
+    """The one thing that is wrong with a JSON text under the name of a native one."""
+    inner = text.removeprefix("\ufeff").lstrip()
+    if not inner.startswith("{") or not inner[1:].lstrip().startswith('"'):
+        return None
+    try:
+        json.loads(inner)
+    except (ValueError, RecursionError):
+        return None
+    place = Document(text, file, "smsl", {}, NativeSpans).place_at(len(text) - len(inner))
+    return ReadError(
+        "this text is in the JSON form, and its name says that it is in the native one",
+        place,
+        "Give the file the suffix .json.",
+    )

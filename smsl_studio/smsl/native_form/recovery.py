@@ -1,0 +1,12 @@
+"""What can be saved of a faulty text."""
+
+from __future__ import annotations
+
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.native_form.parsing import Parser, parse
+from smsl_studio.smsl.native_form.writing import write
+
+
+def recover(text: str, file: str) -> Document:
+    """A document of its own with everything that could be read of a faulty text."""
+    return parse(write(Parser(text, file).values), file)

@@ -1,0 +1,243 @@
+"""Where things stand in a native text that is known to be valid.
+
+Elements are found container by container, and only when somebody asks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Literal, NamedTuple
+
+from smsl_studio.smsl.document import Member, Path
+from smsl_studio.smsl.json_form.spans import scan_container
+from smsl_studio.smsl.native_form import tokens
+from smsl_studio.smsl.native_form.lines import Line, entries, line_at, read_value
+from smsl_studio.smsl.native_form.tokens import content_start, decoded, skip_separator
+
+Kind = Literal["branch", "state", "edge", "field", "header", "name", "entry"]
+
+
+class Element(NamedTuple):
+    """One thing that is written: from where to where it goes, its key and its value.
+
+    The value of a branch is all of it, that of a state is its brackets. ``elements`` are the
+    lines and states of a branch.
+    """
+
+    kind: Kind
+    key: str
+    start: int
+    end: int
+    key_start: int
+    key_end: int
+    value_start: int
+    value_end: int
+    elements: tuple[Element, ...] = ()
+
+    @property
+    def member(self) -> Member:
+        """The element as key and value."""
+        return Member(self.key, self.key_start, self.key_end, self.value_start, self.value_end)
+
+
+class NativeSpans:
+    """The spans of one valid native text."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._inside: dict[int, tuple[Element, ...]] = {}
+
+    @property
+    def root(self) -> int:
+        """The offset at which the content begins."""
+        return content_start(self._text)
+
+    @cached_property
+    def elements(self) -> tuple[Element, ...]:
+        """The branches and lines of the file."""
+        return tuple(_file_elements(self._text))
+
+    def members(self, path: Path) -> tuple[Member, ...]:
+        """See ``Spans``. The key of a branch is its NAME; HEADER is its header lines together."""
+        if not path:
+            return tuple(element.member for element in self.elements)
+        first = _last(self.elements, path[0])
+        if first.kind != "branch":
+            return self._values(first.value_start, path[1:])
+        inside = first.elements
+        if len(path) == 1:
+            return (*header_member(inside), *(e.member for e in in_values(inside)))
+        if path[1] == "HEADER":
+            lines = tuple(element for element in inside if element.kind == "header")
+            if not lines:
+                raise KeyError(path)
+            if len(path) == 2:
+                return tuple(line.member for line in lines)
+            return self._values(_last(lines, path[2]).value_start, path[3:])
+        second = _last(in_values(inside), path[1])
+        if second.kind != "state":
+            return self._values(second.value_start, path[2:])
+        if len(path) == 2:
+            return tuple(element.member for element in self.inside(second))
+        third = _last(self.inside(second), path[2])
+        if third.kind != "field":
+            raise KeyError(path)
+        return self._values(third.value_start, path[3:])
+
+    def inside(self, state: Element) -> tuple[Element, ...]:
+        """The edges and lines of a state."""
+        if state.start not in self._inside:
+            found, _ = _state_elements(self._text, state.value_start + 1)
+            self._inside[state.start] = tuple(found)
+        return self._inside[state.start]
+
+    def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
+        """See ``Spans``."""
+        yield from _doubled((), tuple(element.member for element in self.elements))
+        for element in self.elements:
+            path = (element.key,)
+            if element.kind != "branch":
+                yield from self._doubled_values(path, element.value_start)
+                continue
+            lines = tuple(e for e in element.elements if e.kind == "header")
+            yield from _doubled((*path, "HEADER"), tuple(line.member for line in lines))
+            for line in lines:
+                yield from self._doubled_values((*path, "HEADER", line.key), line.value_start)
+            inside = in_values(element.elements)
+            yield from _doubled(path, tuple(one.member for one in inside))
+            for one in inside:
+                below = (*path, one.key)
+                if one.kind == "field":
+                    yield from self._doubled_values(below, one.value_start)
+                else:
+                    yield from self._doubled_state(below, one)
+
+    def _doubled_state(self, path: Path, state: Element) -> Iterator[tuple[Path, tuple[int, ...]]]:
+        inside = self.inside(state)
+        yield from _doubled(path, tuple(element.member for element in inside))
+        for element in inside:
+            if element.kind == "field":
+                yield from self._doubled_values((*path, element.key), element.value_start)
+
+    def _doubled_values(self, path: Path, start: int) -> Iterator[tuple[Path, tuple[int, ...]]]:
+        if self._text[start : start + 1] not in ("{", "[", "("):
+            return
+        members = self._values(start, ())
+        yield from _doubled(path, members)
+        for member in members:
+            yield from self._doubled_values((*path, member.key), member.value_start)
+
+    def _values(self, start: int, path: Path) -> tuple[Member, ...]:
+        """The members of the map or list that opens at ``start``, or of one inside it."""
+        if self._text[start : start + 1] == "(":
+            found = tuple(entries(self._text, start))
+        else:
+            found = tuple(scan_container(self._text, start))
+        if not path:
+            return found
+        for member in reversed(found):
+            if member.key == path[0]:
+                return self._values(member.value_start, path[1:])
+        raise KeyError(path)
+
+
+def in_values(elements: tuple[Element, ...]) -> tuple[Element, ...]:
+    """Those elements of a branch that are no part of its header."""
+    return tuple(element for element in elements if element.kind in ("state", "field"))
+
+
+def header_member(elements: tuple[Element, ...]) -> tuple[Member, ...]:
+    """The HEADER of a branch as one member: its first header lines together; none without any."""
+    first: Element | None = None
+    end = 0
+    for element in elements:
+        if element.kind == "header":
+            first = first or element
+            end = element.value_end
+        elif first and element.kind == "state":
+            break
+    return (Member("HEADER", first.start, first.start, first.start, end),) if first else ()
+
+
+def _last(elements: tuple[Element, ...], key: str) -> Element:
+    for element in reversed(elements):
+        if element.key == key:
+            return element
+    raise KeyError(key)
+
+
+def _doubled(path: Path, members: tuple[Member, ...]) -> Iterator[tuple[Path, tuple[int, ...]]]:
+    places: dict[str, list[int]] = {}
+    for member in members:
+        places.setdefault(member.key, []).append(member.key_start)
+    for key, found in places.items():
+        if len(found) > 1:
+            yield (*path, key), tuple(found)
+
+
+def _file_elements(text: str) -> Iterator[Element]:
+    at = skip_separator(text, 1 if text.startswith("\ufeff") else 0)
+    while at < len(text):
+        element = _branch(text, at) if text[at] == "{" else _line(text, at, 1)
+        yield element
+        at = skip_separator(text, element.end)
+
+
+def _branch(text: str, start: int) -> Element:
+    found: list[Element] = []
+    name: Element | None = None
+    at = skip_separator(text, start + 1)
+    while text[at] != "}":
+        element = _line(text, at, 2) if text[at] == "#" else _state(text, at)
+        if element.kind == "name":
+            name = element
+        found.append(element)
+        at = skip_separator(text, element.end)
+    assert name is not None, "the text was parsed before it is scanned"
+    key = decoded(text[name.value_start : name.value_end])
+    return Element(
+        "branch", key, start, at + 1, name.value_start, name.value_end, start, at + 1, tuple(found)
+    )
+
+
+def _state(text: str, at: int) -> Element:
+    match = tokens.state.match(text, at)
+    if match:
+        opened, end = match.start(2) - 1, match.end()
+    else:
+        match = tokens.opening.match(text, at)
+        assert match is not None, "the text was parsed before it is scanned"
+        opened = match.end() - 1
+        end = _state_elements(text, match.end())[1]
+    return Element("state", decoded(match[1]), at, end, at, match.end(1), opened, end)
+
+
+def _state_elements(text: str, at: int) -> tuple[list[Element], int]:
+    """The edges and lines from behind a bracket on, and the offset behind the closing one."""
+    found: list[Element] = []
+    at = skip_separator(text, at)
+    while text[at] != "]":
+        found.append(_line(text, at, 3) if text[at] == "#" else _edge(text, at))
+        at = skip_separator(text, found[-1].end)
+    return found, at + 1
+
+
+def _edge(text: str, at: int) -> Element:
+    match = tokens.edge.match(text, at)
+    assert match is not None, "the text was parsed before it is scanned"
+    (key_start, key_end), (start, end) = match.span(1), match.span(2)
+    return Element("edge", decoded(match[1]), at, end, key_start, key_end, start, end)
+
+
+def _line(text: str, at: int, depth: int) -> Element:
+    line = line_at(text, at)
+    assert line is not None, "the text was parsed before it is scanned"
+    return line_element(text, line, depth)
+
+
+def line_element(text: str, line: Line, depth: int) -> Element:
+    """A ``#`` line as an element."""
+    end = read_value(text, line, depth).end
+    start = line.value_start
+    return Element(line.level, line.key, line.start, end, line.key_start, line.key_end, start, end)

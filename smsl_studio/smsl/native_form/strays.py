@@ -1,0 +1,140 @@
+"""What stands where nothing of its kind can: told with a repair, and passed over."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Container
+
+from smsl_studio.errors import TextFix
+from smsl_studio.smsl.native_form import tokens
+from smsl_studio.smsl.native_form.faults import Faults
+from smsl_studio.smsl.native_form.lines import Line
+
+_STATE = re.compile(rf"{tokens.NAME}{tokens.GAP}:")
+_RUN = re.compile(r"[^\r\n{}\[\]#]*+")
+_CLOSERS = {"}": "{", "]": "["}
+_ADVICE = {
+    "state": "A State Branch holds # lines and states, such as State0: [Operation -> State1].",
+    "outside": "A file holds State Branches, { # NAME: SB1 ... }, and # _KEY: lines.",
+}
+_HEADER_KEY = re.compile(r"#\s*(?:NAME|INITIAL|ACTIVATING|NUM_FACTS|NUM_STATES|SUB_SBS|_\w+)\b")
+
+
+def begins_state(text: str, at: int) -> bool:
+    """Whether a name and a colon stand at ``at``."""
+    return _STATE.match(text, at) is not None
+
+
+def outside(text: str, at: int, faults: Faults) -> int:
+    """Something between State Branches that can stand there nowhere; the offset behind it."""
+    return _stray(text, at, faults, _ADVICE["outside"])
+
+
+def inside(text: str, at: int, faults: Faults) -> int:
+    """The same inside a State Branch or state."""
+    return _stray(text, at, faults, _ADVICE["state"])
+
+
+def no_state(text: str, at: int, behind: int, name: str, faults: Faults) -> int:
+    """A name in a State Branch that no colon or bracket follows; the offset to go on at."""
+    arrow = tokens.edge.match(text, at)
+    if arrow:
+        sentence = f"the operation {name!r} stands in no state"
+        faults.add(at, arrow.end(), sentence, "Operations stand in the [ ] of their state.")
+        return arrow.end()
+    sentence = f"{name!r} is no state: a colon and [ ] are missing"
+    fix = TextFix("Write : [ ]", behind, behind, ": [ ]")
+    faults.add(at, behind, sentence, _ADVICE["state"], fix)
+    return behind
+
+
+def broken_line(text: str, at: int, faults: Faults) -> int:
+    """A ``#`` that begins no line of the form; the offset behind it."""
+    line = tokens.rest_of_line.match(text, at)
+    end = line.end() if line else at + 1
+    key = tokens.name.match(text, end - len(text[at + 1 : end].lstrip()))
+    if key and _HEADER_KEY.match(text, at):
+        fix = TextFix("Put : behind it", key.end(), key.end(), ":")
+        sentence = f": is missing behind {key[0]}"
+        faults.add(at, key.end(), sentence, "A header line is # KEY: value.", fix)
+    else:
+        fix = TextFix("Make it a comment", at, at + 1, "//")
+        sentence = "this is no header line"
+        advice = "A header line is # KEY: value; a comment begins with //."
+        faults.add(at, len(text[:end].rstrip()), sentence, advice, fix)
+    return end
+
+
+def second_name(text: str, at: int, line: Line, faults: Faults) -> None:
+    """A second NAME in one State Branch: the next one begins here."""
+    fix = TextFix("Begin a State Branch", at, at, "}\n{\n")
+    sentence = "this State Branch has a NAME already"
+    advice = "Close it with }, and open the next one with {, or take one NAME away."
+    faults.add(at, line.key_end, sentence, advice, fix)
+
+
+def not_closed(text: str, start: int, at: int, name: str | None, faults: Faults) -> None:
+    """A State Branch that ends where the next one begins, or the file does."""
+    end = _behind_last(text, start, at)
+    where = f"the State Branch {name!r}" if name else "the State Branch"
+    fix = TextFix("Close it with }", end, end, "\n}")
+    sentence = f"{where} is not closed: }} is missing"
+    faults.add(end, end + 1, sentence, "Put } behind its last state.", fix)
+
+
+def state_not_closed(text: str, opened: int, last: int, at: int, name: str, faults: Faults) -> None:
+    """A state that ends where something begins that stands in no state."""
+    end = max(last, opened + 1)
+    fix = TextFix("Close it with ]", end, end, "]")
+    sentence = f"the state {name!r} is not closed: ] is missing"
+    faults.add(end, end + 1, sentence, "Put ] behind its last operation.", fix)
+
+
+def no_name(text: str, start: int, known: Container[str], faults: Faults | None) -> str:
+    """A name for a State Branch without one."""
+    name = free_name(known)
+    if faults is not None:
+        behind = tokens.rest_of_line.match(text, start + 1)
+        more = "\n" if behind and behind[0].strip() else ""
+        fix = TextFix("Give it a NAME", start + 1, start + 1, f"\n    # NAME: {name}{more}")
+        sentence = "this State Branch has no NAME"
+        faults.add(start, start + 1, sentence, f"Write # NAME: {name} behind the {{.", fix)
+    return name
+
+
+def free_name(known: Container[str]) -> str:
+    """The first of SB1, SB2 ... that is not known."""
+    number = 1
+    while f"SB{number}" in known:
+        number += 1
+    return f"SB{number}"
+
+
+def _stray(text: str, at: int, faults: Faults, advice: str) -> int:
+    mark = text[at]
+    if mark in _CLOSERS:
+        fix = TextFix("Take it away", at, at + 1, "")
+        sentence = f"nothing is open that this {mark} could close"
+        advice = f"Take it away, or put {_CLOSERS[mark]} where it opens."
+        faults.add(at, at + 1, sentence, advice, fix)
+        return at + 1
+    run = _RUN.match(text, at)
+    words = run[0].rstrip() if run else ""
+    end = at + max(1, len(words))
+    shown = words if len(words) < 30 else f"{words[:29]}…"
+    faults.add(at, end, f"this cannot stand here: {shown or mark}", advice)
+    return end
+
+
+def _behind_last(text: str, start: int, at: int) -> int:
+    """The offset behind the last token before ``at``, its comma and the comment on its line."""
+    end = start + 1
+    for match in _TOKEN.finditer(text, start + 1, at):
+        if not match[0].startswith("//"):
+            end = match.end()
+    line = _REST.match(text, end, at)
+    return line.end() if line else end
+
+
+_TOKEN = re.compile(rf'//[^\r\n]*+|#[^\r\n]*+|{tokens.NAME}|->|[{{}}\[\]:()>"/]')
+_REST = re.compile(r"[^\S\r\n]*+,?(?:[^\S\r\n]*+//[^\r\n]*+)?")
