@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
+from smsl_studio.blueprint.meaning import hazards_meaning, notes_meaning, subs_meaning
 from smsl_studio.errors import AddressError, Place, did_you_mean
-from smsl_studio.seal.digest import digest_of
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
@@ -102,8 +102,10 @@ class StateBranch:
         the ACTIVATING state (spec: sub digits, clause 1).
         """
         note = self.notes.facts.get(digit)
-        if note is not None and note.on is not None:
-            return note.on
+        return self.default_on_value(digit) if note is None or note.on is None else note.on
+
+    def default_on_value(self, digit: int) -> str:
+        """The value of ``digit`` that counts as on where ``_facts`` says nothing of it."""
         values = self.alphabet[digit] if 0 <= digit < len(self.alphabet) else ()
         if set(values) <= {"0", "1"}:
             return "1"
@@ -177,9 +179,9 @@ class StateBranch:
             "initial": self.initial,
             "activating": self.activating,
             "facts": [shape.num_facts, shape.width, shape.opaque],
-            "sub_sbs": sorted(self.header.sub_sbs),
+            "sub_sbs": subs_meaning(self.header.sub_sbs),
             "states": {name: dict(operations) for name, operations in self.table.items()},
-            "notes": {k: self.fields[k] for k in MEANING_FIELDS if self.fields.get(k)},
+            "notes": notes_meaning(self),
         }
 
     def __eq__(self, other: object) -> bool:
@@ -188,9 +190,6 @@ class StateBranch:
         return self.name == other.name and self.meaning == other.meaning
 
     __hash__ = None  # type: ignore[assignment]
-
-
-MEANING_FIELDS = ("_facts", "_states", "_operations")
 
 
 @dataclass(frozen=True, slots=True)
@@ -336,7 +335,7 @@ class Blueprint:
         """Everything a digest signs, as plain values; the order of SBs counts."""
         return {
             "branches": [[branch.name, branch.meaning] for branch in self],
-            "hazards": self._hazards_written() or None,
+            "hazards": hazards_meaning(self._hazards_written()),
             "imports": self.fields.get("_imports") or None,
         }
 
@@ -350,9 +349,10 @@ class Blueprint:
 
     @cached_property
     def behaviour(self) -> str:
-        """SHA-256 of what runs: SBs, states, operations, headers with defaults made explicit."""
-        parts = ("initial", "activating", "facts", "sub_sbs", "states")
-        return digest_of([[one.name, {key: one.meaning[key] for key in parts}] for one in self])
+        """SHA-256 of what runs: SBs (imported ones too), states, operations, headers."""
+        from smsl_studio.blueprint.digests import behaviour_of
+
+        return behaviour_of(self)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Blueprint):

@@ -10,7 +10,8 @@ from smsl_studio.blueprint.comparing.difference import Change, Path
 from smsl_studio.blueprint.comparing.file_level import changed_fields, kind_of, value_words
 from smsl_studio.blueprint.comparing.sides import BranchSides
 from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged
-from smsl_studio.blueprint.model import MEANING_FIELDS, StateBranch
+from smsl_studio.blueprint.meaning import MEANING_FIELDS
+from smsl_studio.blueprint.model import StateBranch
 
 Json = Any
 

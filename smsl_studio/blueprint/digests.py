@@ -1,0 +1,67 @@
+"""The digests of a blueprint: what is told apart, and what an approval signs.
+
+Outside of all three are ``_layout``, comments, the name and the form of the file, NUM_STATES,
+unknown header keys and other ``_`` fields. The order of SBs counts; that of states and operations
+only through the defaults.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from smsl_studio.blueprint.meaning import hazards_meaning, word_for_word
+from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
+from smsl_studio.seal.digest import digest_of
+
+Json = Any
+_RUNS = ("initial", "activating", "facts", "sub_sbs", "states")
+
+
+@dataclass(frozen=True, slots=True)
+class Digests:
+    """SHA-256 in hex, over canonical bytes, defaults made explicit.
+
+    ``behaviour`` covers the file's own SBs, states, operations and headers, ``meaning`` its
+    annotations. ``closure`` covers both, and the same of everything the file imports.
+    """
+
+    behaviour: str
+    meaning: str
+    closure: str
+
+    def as_json(self) -> dict[str, str]:
+        return asdict(self)
+
+
+def digests(blueprint: Blueprint) -> Digests:
+    """All three; without a world the closure holds no library code."""
+    own = [one for one in blueprint if one.name not in blueprint.imported]
+    behaviour = behaviour_of(own)
+    meaning = digest_of([_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))])
+    brought = [one for one in blueprint if one.name in blueprint.imported]
+    closure = {
+        "behaviour": behaviour,
+        "meaning": meaning,
+        "imported": [behaviour_of(brought), _notes(brought), blueprint.meaning["hazards"]],
+        "missing": sorted(map(_as_written, blueprint.import_faults)),
+    }
+    return Digests(behaviour, meaning, digest_of(closure))
+
+
+def behaviour_of(branches: Iterable[StateBranch]) -> str:
+    """SHA-256 of what runs in some SBs: states, operations, headers."""
+    return digest_of([[one.name, {key: one.meaning[key] for key in _RUNS}] for one in branches])
+
+
+def _notes(branches: Iterable[StateBranch]) -> Json:
+    return [[one.name, one.meaning["notes"]] for one in branches if one.meaning["notes"]]
+
+
+def _as_written(fault: ImportFault) -> str:
+    """The import that failed, as the file names it."""
+    value: Json = fault.document.values
+    for key in fault.path:
+        value = value[int(key)] if isinstance(value, list) else value[key]
+    return word_for_word(value)

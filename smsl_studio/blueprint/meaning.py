@@ -1,0 +1,116 @@
+"""What the annotations of a blueprint mean, as plain values: equal where they say the same.
+
+Defaults are made explicit by leaving them out: a cost of 1, and no cost, is one meaning. An entry
+that does not fit its table means what is written, word for word; so do arguments of a binding.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import MISSING, asdict, fields, replace
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.annotations import FactNote, Notes, OperationNote
+    from smsl_studio.blueprint.model import StateBranch
+
+Json = Any
+MEANING_FIELDS = ("_facts", "_states", "_operations")
+
+_COST = 1.0
+"""The cost of an operation that declares none."""
+
+_EXACT = 2**53
+
+
+def notes_meaning(branch: StateBranch) -> dict[str, Json]:
+    """What is said of an SB's facts, states and operations; nothing where only defaults are."""
+    if not any(branch.fields.get(key) for key in MEANING_FIELDS):
+        return {}
+    notes = branch.notes
+    said: dict[str, Json] = {
+        "_facts": {str(d): _fact(branch, d, note) for d, note in notes.facts.items()},
+        "_states": {name: _said(note) for name, note in notes.states.items()},
+        "_operations": {key: _operation(notes, key) for key in notes.operations},
+    }
+    said = {table: {key: one for key, one in said[table].items() if one} for table in said}
+    for path, _ in notes.faults:
+        if path[0] in MEANING_FIELDS:
+            misfit = branch.fields[path[0]] if len(path) == 1 else branch.fields[path[0]][path[1]]
+            said.setdefault("as written", {})["/".join(path)] = word_for_word(misfit)
+    return {table: entries for table, entries in said.items() if entries}
+
+
+def hazards_meaning(raw: Json) -> list[Json]:
+    """What ``_hazards`` says, in an order of its own, because the written one means nothing."""
+    if not isinstance(raw, list):
+        return [word_for_word(raw)] if raw else []
+    from smsl_studio.blueprint.annotations import read_hazards
+
+    said = []
+    for item in raw:
+        notes, _ = read_hazards([item])
+        said.append(asdict(notes[0]) if notes else word_for_word(item))
+    return sorted(said, key=word_for_word)
+
+
+def subs_meaning(pairs: Sequence[tuple[str, int]]) -> list[Json]:
+    """The sub-SBs with their digits; one that no double holds exactly counts as it is written."""
+    return [[sub, d if abs(d) < _EXACT else str(d)] for sub, d in sorted(pairs)]
+
+
+def word_for_word(value: Json) -> str:
+    """A value as one text: equal for what is written alike, whatever the order of its keys."""
+    return json.dumps(value, ensure_ascii=False, sort_keys=True, default=dict)
+
+
+def _fact(branch: StateBranch, digit: int, note: FactNote) -> dict[str, Json]:
+    said = _said(note)
+    if note.on is not None and note.on == branch.default_on_value(digit):
+        del said["on"]
+    return said
+
+
+def _operation(notes: Notes, key: str) -> dict[str, Json]:
+    """The note of a name or of one edge; an edge's is told apart from that of its name."""
+    own = _with_cost(notes.operations[key])
+    state, _, name = key.rpartition("/")
+    common = notes.operations.get(name) if state else None
+    if common is None:
+        said = _said(own)
+        if said.get("cost") == _COST:
+            del said["cost"]
+        return said
+    shared = _with_cost(common)
+    words = sorted(notes.written[key])
+    return {
+        word: _plain(getattr(own, word))
+        for word in words
+        if getattr(own, word) != getattr(shared, word)
+    }
+
+
+def _with_cost(note: OperationNote) -> OperationNote:
+    return replace(note, cost=_COST) if note.cost is None else note
+
+
+def _said(note: Any) -> dict[str, Json]:
+    """The fields of a note that differ from their default."""
+    said = {}
+    for one in fields(note):
+        value = getattr(note, one.name)
+        factory = one.default_factory
+        default = one.default if factory is MISSING else factory()
+        if value != default:
+            said[one.name] = _plain(value)
+    return said
+
+
+def _plain(value: Any) -> Json:
+    if isinstance(value, tuple):
+        return list(value)
+    if hasattr(value, "arguments"):
+        arguments = {key: word_for_word(one) for key, one in value.arguments.items()}
+        return {"function": value.function, "arguments": arguments}
+    return value
