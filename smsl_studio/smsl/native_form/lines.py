@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Member
-from smsl_studio.smsl.native_form.json_values import BadJson, read_json
+from smsl_studio.smsl.native_form.json_values import BadJson, one_line, read_json
 from smsl_studio.smsl.native_form.tokens import BARE, NAME, QUOTED, bare, decoded, quoted
 
 Json = Any
@@ -55,7 +55,11 @@ class Value(NamedTuple):
 
 
 class BadValue(Exception):  # noqa: N818
-    """A value that cannot be read; ``guess`` is what it may have meant, None where nobody knows."""
+    """A value that cannot be read.
+
+    ``guess`` is what it may have meant, None where nobody knows. ``resume`` is where parsing goes
+    on, 0 for the next line.
+    """
 
     def __init__(
         self,
@@ -64,11 +68,12 @@ class BadValue(Exception):  # noqa: N818
         sentence: str,
         advice: str,
         fix: TextFix | None = None,
-        guess: str | None = None,
+        guess: Json = None,
+        resume: int = 0,
     ) -> None:
         super().__init__(sentence)
         self.at, self.end, self.sentence, self.advice = at, end, sentence, advice
-        self.fix, self.guess = fix, guess
+        self.fix, self.guess, self.resume = fix, guess, resume
 
 
 def line_at(text: str, at: int) -> Line | None:
@@ -92,7 +97,7 @@ def read_value(text: str, line: Line, depth: int) -> Value:
     """The value of a line that stands ``depth`` levels deep; BadValue where it has none."""
     raw = text[line.value_start : line.end]
     if line.key.startswith("_") and line.level != "name":
-        return _json(raw, line, depth)
+        return _field(text, raw, line, depth)
     if line.level == "name" or line.key in NAME_KEYS:
         if raw[:1] in ("{", "[") and line.level != "name":
             return _json(raw, line, depth)
@@ -112,6 +117,24 @@ def entries(text: str, start: int) -> Iterator[Member]:
     for entry in _ENTRY.finditer(text, start, match.end() if match else start):
         (key_start, key_end), (value_start, value_end) = entry.span(1), entry.span(2)
         yield Member(decoded(entry[1]), key_start, key_end, value_start, value_end)
+
+
+def _field(text: str, raw: str, line: Line, depth: int) -> Value:
+    """A value in JSON; one that goes over several lines is told with its repair."""
+    try:
+        return _json(raw, line, depth)
+    except BadValue as error:
+        if error.at < line.value_start + len(raw.rstrip()):
+            raise
+        try:
+            value, length, _ = read_json(text[line.value_start :], depth)
+        except BadJson:
+            raise error from None
+        end = line.value_start + length
+        fix = TextFix("Write it on one line", line.value_start, end, one_line(value))
+        sentence = f"the value of {line.key} goes over several lines"
+        advice = "A header line ends with its line: write the value on one."
+        raise BadValue(line.value_start, end, sentence, advice, fix, value, end) from None
 
 
 def _json(raw: str, line: Line, depth: int) -> Value:

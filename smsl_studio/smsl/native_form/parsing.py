@@ -12,7 +12,7 @@ from typing import Any
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.json_form.reading import MAX_CHARACTERS
+from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS
 from smsl_studio.smsl.native_form import strays
 from smsl_studio.smsl.native_form.faults import Enough, Faults
 from smsl_studio.smsl.native_form.lines import BadValue, Line, line_at, read_value
@@ -88,8 +88,7 @@ class Parser:
         if line is None:
             return strays.broken_line(self.text, at, self.faults)
         if line.level == "field":
-            self._keep_line(self.values, line, 1)
-            return line.end
+            return self._keep_line(self.values, line, 1)
         return self._branch_without_brace(at)
 
     def _branch_without_brace(self, at: int) -> int:
@@ -118,13 +117,12 @@ class Parser:
             if mark == "#":
                 line = line_at(text, at)
                 if line is None:
+                    name = name or strays.meant_name(text, at)
                     at = strays.broken_line(text, at, self.faults)
                 elif line.level == "field":
-                    self._keep_line(members, line, 2)
-                    at = line.end
+                    at = self._keep_line(members, line, 2)
                 elif line.level == "header":
-                    self._keep_line(header, line, 3)
-                    at = line.end
+                    at = self._keep_line(header, line, 3)
                 elif name is None:
                     name = self._name(line)
                     at = line.end
@@ -150,17 +148,18 @@ class Parser:
         name: str = found.get(line.key) or strays.free_name(self.values)
         return name
 
-    def _keep_line(self, table: dict[str, Json], line: Line, depth: int) -> None:
-        """Keep what a line says; where that cannot be read, what it may have meant."""
+    def _keep_line(self, table: dict[str, Json], line: Line, depth: int) -> int:
+        """Keep what a line says, or may have meant where that cannot be read; what it goes to."""
         try:
             value, _, doubled = read_value(self.text, line, depth)
         except BadValue as error:
             self.faults.add(error.at, error.end, error.sentence, error.advice, error.fix)
             if error.guess is not None:
                 self._keep(table, line.key, error.guess)
-            return
+            return error.resume or line.end
         self.doubled = self.doubled or doubled
         self._keep(table, line.key, value)
+        return line.end
 
     def _keep(self, table: dict[str, Json], key: str, value: Json) -> None:
         if key in table:

@@ -163,7 +163,9 @@ class StateReader:
             value, _, doubled = read_value(self._text, line, 3)
         except BadValue as error:
             self._faults.add(error.at, error.end, error.sentence, error.advice, error.fix)
-            return line.end
+            if error.guess is not None:
+                self._keep(table, line.key, error.guess)
+            return error.resume or line.end
         self.doubled = self.doubled or doubled
         self._keep(table, line.key, value)
         return line.end

@@ -12,11 +12,14 @@ from smsl_studio.smsl.native_form.lines import Line
 
 _STATE = re.compile(rf"{tokens.NAME}{tokens.GAP}:")
 _RUN = re.compile(r"[^\r\n{}\[\]#]*+")
+_REST_OF_LINE = re.compile(r"[^\r\n}]*+")
+_SIGNS = re.compile(r"(?:[>()/:]|->)++")
 _CLOSERS = {"}": "{", "]": "["}
 _ADVICE = {
     "state": "A State Branch holds # lines and states, such as State0: [Operation -> State1].",
     "outside": "A file holds State Branches, { # NAME: SB1 ... }, and # _KEY: lines.",
 }
+_NAME_LINE = re.compile(r"#\s*NAME\b([^\r\n]*+)")
 _HEADER_KEY = re.compile(r"#\s*(?:NAME|INITIAL|ACTIVATING|NUM_FACTS|NUM_STATES|SUB_SBS|_\w+)\b")
 
 
@@ -42,6 +45,9 @@ def no_state(text: str, at: int, behind: int, name: str, faults: Faults) -> int:
         sentence = f"the operation {name!r} stands in no state"
         faults.add(at, arrow.end(), sentence, "Operations stand in the [ ] of their state.")
         return arrow.end()
+    rest = _REST_OF_LINE.match(text, behind)
+    if rest and rest[0].strip(" \t,") and not rest[0].strip(" \t,").startswith("//"):
+        return inside(text, at, faults)
     sentence = f"{name!r} is no state: a colon and [ ] are missing"
     fix = TextFix("Write : [ ]", behind, behind, ": [ ]")
     faults.add(at, behind, sentence, _ADVICE["state"], fix)
@@ -63,6 +69,12 @@ def broken_line(text: str, at: int, faults: Faults) -> int:
         advice = "A header line is # KEY: value; a comment begins with //."
         faults.add(at, len(text[:end].rstrip()), sentence, advice, fix)
     return end
+
+
+def meant_name(text: str, at: int) -> str | None:
+    """The name that a broken NAME line meant to give; None where it is another line."""
+    match = _NAME_LINE.match(text, at)
+    return match[1].strip(' \t":=') or None if match else None
 
 
 def second_name(text: str, at: int, line: Line, faults: Faults) -> None:
@@ -118,7 +130,10 @@ def _stray(text: str, at: int, faults: Faults, advice: str) -> int:
         advice = f"Take it away, or put {_CLOSERS[mark]} where it opens."
         faults.add(at, at + 1, sentence, advice, fix)
         return at + 1
-    run = _RUN.match(text, at)
+    run = _SIGNS.match(text, at)
+    behind = run and tokens.skip_separator(text, run.end())
+    if not behind or not (begins_state(text, behind) or tokens.edge.match(text, behind)):
+        run = _RUN.match(text, at)
     words = run[0].rstrip() if run else ""
     end = at + max(1, len(words))
     shown = words if len(words) < 30 else f"{words[:29]}…"
