@@ -12,11 +12,12 @@ where it is removed, renamed or moved all its occurrences are.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from smsl_studio.smsl.arranging import Placed, aligned, arranged, permuted, survivors
 from smsl_studio.smsl.document import Document, Member
 from smsl_studio.smsl.json_form.reading import parse
 from smsl_studio.smsl.json_form.spans import JsonSpans, skip_space
@@ -48,18 +49,29 @@ def keep_winner(document: Document, path: tuple[str, ...]) -> Document:
     The last, winning member takes the place of the first, because order has meaning: the
     document reads to the same values in the same order. KeyError where no such key stands.
     """
-    members = document.members(path[:-1])
+    return parse(winner_kept(document.text, path), document.file)
+
+
+def winner_kept(text: str, path: tuple[str, ...]) -> str:
+    """A JSON text with the doubled key at ``path`` written once; see ``keep_winner``."""
+    members = JsonSpans(text).members(path[:-1])
     same_key = [index for index, member in enumerate(members) if member.key == path[-1]]
     if not same_key:
         raise KeyError(path)
-    text, winner = document.text, members[same_key[-1]]
+    first, winner = members[same_key[0]], members[same_key[-1]]
+    winning = text[winner.key_start : winner.value_end]
     for index in reversed(same_key[1:]):
         start, end = members[index - 1].value_end, members[index].value_end
         text = text[:start] + text[end:]
-    first = members[same_key[0]]
-    winning = document.text[winner.key_start : winner.value_end]
-    text = text[: first.key_start] + winning + text[first.value_end :]
-    return parse(text, document.file)
+    return text[: first.key_start] + winning + text[first.value_end :]
+
+
+def spliced_value(text: str, old: Json, new: Json) -> str:
+    """The text of one JSON value on one line, changed only where it differs from the old one."""
+    colon = ":" if '":' in text and '": ' not in text else ": "
+    style = Style(unit="", colon=colon, comma="," if colon == ":" else ", ", inline_from=0)
+    splicer = _Splicer(Document(text, "", "json", {}, JsonSpans), style)
+    return splicer.whole(old, new)
 
 
 @dataclass(slots=True)
@@ -76,14 +88,20 @@ class _Slot:
 class _Splicer:
     """Writes the objects of one document anew, reusing every piece of text that still holds."""
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, style: Style | None = None) -> None:
         self._document = document
         self._text = document.text
+        self._given = style
         self.spans = JsonSpans(document.text)
 
     @cached_property
     def _style(self) -> Style:
-        return style_of(self._document)
+        return self._given or style_of(self._document)
+
+    def whole(self, old: Json, new: Json) -> str:
+        """The value that is all of the text, as text; no member of it is called HEADER."""
+        slot = _Slot("", Member("", 0, 0, 0, len(self._text)))
+        return self._value(slot, old, new, "", 2)[1]
 
     def container(
         self, start: int, old: dict[str, Json], new: dict[str, Json], depth: int, free: bool = False
@@ -94,13 +112,14 @@ class _Splicer:
         """
         members = self.spans.scan(start)
         end = self.spans.end_of(start) - 1
-        kept = _kept(old, new, depth)
+        header = "HEADER" if depth == 1 else ""
+        kept = survivors(old, new, header)
         slots = self._old_slots(members, kept)
         lead, trail, gap = self._frame(start, end, members, depth)
         if [slot.key for slot in slots] != list(new):
             if not free:
-                _permute(slots, new, depth)
-            slots = _with_new(slots, kept, new, depth, gap)
+                slots = _permuted(slots, permuted([slot.key for slot in slots], new, header))
+            slots = _filled(slots, arranged([slot.key for slot in slots], new, header), gap)
         below = lead.rpartition(self._document.newline)[2]
         indent = below if self._document.newline in lead else self._indent(start)
         pieces, merged = [self._text[start]], {}
@@ -148,7 +167,7 @@ class _Splicer:
     def _list(self, start: int, old: list[Json], new: list[Json], depth: int) -> str:
         """A list is written as an object whose keys are the places of its old elements."""
         before = {str(index): value for index, value in enumerate(old)}
-        after = dict(zip(_aligned(old, new), new, strict=True))
+        after = dict(zip(aligned(old, new), new, strict=True))
         return self.container(start, before, after, depth)[0]
 
     def _old_slots(self, members: tuple[Member, ...], kept: Mapping[str, str]) -> list[_Slot]:
@@ -188,120 +207,21 @@ class _Splicer:
         return self._text[start : skip_space(self._text, start)]
 
 
-def _is_fixed(key: str, depth: int) -> bool:
-    return key.startswith("_") or (key == "HEADER" and depth == 1)
-
-
-def _kept(old: Iterable[str], new: Mapping[str, Json], depth: int) -> dict[str, str]:
-    """Which old key lives on under which new key; removed ones are absent."""
-    before = list(old)
-    known = set(before)
-    kept = {key: key for key in before if key in new}
-    gone = _by_anchor(before, kept, depth)
-    come = _by_anchor(new, known, depth)
-    for anchor, removed in gone.items():
-        kept.update(zip(removed, come.get(anchor, ()), strict=False))
-    return kept
-
-
-def _by_anchor(
-    keys: Iterable[str], anchors: Iterable[str], depth: int
-) -> dict[tuple[str | None, bool], list[str]]:
-    """The keys that are no anchors, by the anchor of their own kind before them."""
-    found: dict[tuple[str | None, bool], list[str]] = {}
-    latest: dict[bool, str | None] = {True: None, False: None}
-    known = set(anchors)
-    for key in keys:
-        fixed = _is_fixed(key, depth)
-        if key in known:
-            latest[fixed] = key
-        else:
-            found.setdefault((latest[fixed], fixed), []).append(key)
-    return found
-
-
-def _permute(slots: list[_Slot], new: Mapping[str, Json], depth: int) -> None:
-    """Bring the movable slots into the order of the new values; the gaps stay where they are."""
-    places = [index for index, slot in enumerate(slots) if not _is_fixed(slot.key, depth)]
-    present = dict.fromkeys(slots[index].key for index in places)
-    if all(a == b for a, b in zip(present, (k for k in new if k in present), strict=True)):
-        return
-    order = {key: index for index, key in enumerate(new)}
-    moved = sorted((slots[index] for index in places), key=lambda slot: order[slot.key])
-    contents = [(slot.key, slot.member, slot.wins) for slot in moved]
-    for index, (key, member, wins) in zip(places, contents, strict=True):
-        slots[index] = _Slot(key, member, slots[index].gap, wins)
-
-
-def _with_new(
-    slots: list[_Slot], kept: Mapping[str, str], new: Mapping[str, Json], depth: int, gap: str
-) -> list[_Slot]:
-    """The slots with the new keys put in, each behind the key it follows in the new values."""
-    present = set(kept.values())
-    after: dict[str, list[str]] = {}
-    first_movable: list[str] = []
-    first: list[str] = []
-    movable: str | None = None
-    previous: str | None = None
-    for key in new:
-        fixed = _is_fixed(key, depth)
-        if key not in present:
-            if fixed and key != "HEADER":
-                (first if previous is None else after.setdefault(previous, [])).append(key)
-            elif fixed:
-                first_movable.insert(0, key)
-            else:
-                (first_movable if movable is None else after.setdefault(movable, [])).append(key)
-        previous = key
-        movable = movable if fixed else key
-    result: list[_Slot] = []
-    seen: set[str] = set()
-    begin = _begin_of_movable(slots, depth)
-    _put(result, first, after, gap)
-    for index, slot in enumerate(slots):
-        if index == begin:
-            _put(result, first_movable, after, slot.gap or gap)
-        result.append(slot)
-        if slot.key not in seen:
-            seen.add(slot.key)
-            _put(result, after.get(slot.key, []), after, slot.gap or gap)
-    if begin == len(slots):
-        _put(result, first_movable, after, gap)
-    return result
-
-
-def _begin_of_movable(slots: list[_Slot], depth: int) -> int:
-    """The index of the first movable slot; behind HEADER or at the end where there is none."""
-    for index, slot in enumerate(slots):
-        if not _is_fixed(slot.key, depth):
-            return index
-    for index, slot in enumerate(slots):
-        if slot.key == "HEADER":
-            return index + 1
-    return len(slots)
-
-
-def _put(result: list[_Slot], keys: list[str], after: Mapping[str, list[str]], gap: str) -> None:
-    """Add new slots, and behind each those that follow it."""
-    waiting = keys[::-1]
-    while waiting:
-        key = waiting.pop()
-        result.append(_Slot(key, None, gap))
-        waiting.extend(reversed(after.get(key, [])))
-
-
-def _aligned(old: list[Json], new: list[Json]) -> list[str]:
-    """For each new element the place of the old one it continues, or a key of its own."""
-    shorter = min(len(old), len(new))
-    head = 0
-    while head < shorter and same(old[head], new[head]):
-        head += 1
-    tail = 0
-    while tail < shorter - head and same(old[-1 - tail], new[-1 - tail]):
-        tail += 1
-    middle = range(head, len(new) - tail)
+def _permuted(slots: list[_Slot], contents: list[int]) -> list[_Slot]:
+    """The slots with the contents of others; the gaps stay where they are."""
     return [
-        *map(str, range(head)),
-        *(str(index) if index < len(old) - tail else f"new {index}" for index in middle),
-        *map(str, range(len(old) - tail, len(old))),
+        _Slot(slots[content].key, slots[content].member, slot.gap, slots[content].wins)
+        for slot, content in zip(slots, contents, strict=True)
+    ]
+
+
+def _filled(slots: list[_Slot], row: list[Placed], gap: str) -> list[_Slot]:
+    """The slots in their row, with new ones that take the gap of the one they are near."""
+    return [
+        slots[placed.slot]
+        if placed.slot is not None
+        else _Slot(
+            placed.key, None, (slots[placed.near].gap if placed.near is not None else None) or gap
+        )
+        for placed in row
     ]
