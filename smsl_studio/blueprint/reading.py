@@ -8,21 +8,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
+from itertools import chain
 from typing import Any
 
 from smsl_studio.blueprint.elements import EMPTY, Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document, Path
 
 Json = Any
 HEADER = "HEADER"
+Wrong = tuple[Path, str, Json]
+"""Where something of the wrong kind stands, what should stand there, and what does."""
 
 
 def read_blueprint(
     document: Document, former: Blueprint | None = None, opened: Iterable[Document] = ()
 ) -> Blueprint:
-    """The blueprint a document means; ReadError names the place of what cannot be one.
+    """The blueprint a document means; ReadError names every place of what cannot be one.
 
     An SB whose values are the very objects that ``former`` was read from is taken over from it,
     with everything that has been worked out about it, so that an edit costs what it touches.
@@ -48,63 +50,99 @@ def fields_of(document: Document) -> dict[str, Json]:
     return {key: value for key, value in document.values.items() if key.startswith("_")}
 
 
+def salvage(document: Document) -> Blueprint:
+    """What can be read of a document: whatever is of a wrong kind is left out."""
+    from smsl_studio.blueprint.importing import follow, gather
+
+    def own(one: Document) -> dict[str, StateBranch]:
+        return _read(one, None)[0]
+
+    fields = fields_of(document)
+    if "_imports" not in fields:
+        return Blueprint(own(document), document, fields)
+    return gather(document, follow(document, {}), own)
+
+
 def branches_of(document: Document, former: Blueprint | None = None) -> dict[str, StateBranch]:
     """The SBs that stand in a document; see ``read_blueprint``."""
+    branches, wrong = _read(document, former)
+    if wrong:
+        from smsl_studio.blueprint.wrong_kinds import refused
+
+        raise refused(document, wrong)
+    return branches
+
+
+def _read(
+    document: Document, former: Blueprint | None
+) -> tuple[dict[str, StateBranch], list[Wrong]]:
+    """The SBs of a document, and what in it cannot be part of one."""
     branches: dict[str, StateBranch] = {}
+    wrong: list[Wrong] = []
     for name, value in document.values.items():
         if name.startswith("_"):
             continue
         if former and name in former.branches and former.home(name).values.get(name) is value:
             branches[name] = former.branches[name]
+        elif name and type(value) is dict:
+            branches[name] = _branch(name, value, wrong)
         else:
-            branches[name] = _branch(document, name, value)
-    return branches
+            wrong.append(((name,), "a State Branch", value))
+    return branches, wrong
 
 
-def _branch(document: Document, name: str, value: Json) -> StateBranch:
-    _must_be_map(document, (name,), value, "a State Branch")
-    if not name:
-        raise ReadError("a State Branch has no name", document.place((name,)), "Give it a name.")
-    table: dict[str, Mapping[str, str]] = {}
-    fields: dict[str, Json] = {}
-    state_fields: dict[str, Mapping[str, Json]] = {}
+def _branch(name: str, value: dict[str, Json], wrong: list[Wrong]) -> StateBranch:
+    table: dict[str, Mapping[str, str]] = dict(value)
+    fields = {key: table.pop(key) for key in value if key[:1] == "_"}
+    written = table.pop(HEADER, None)
     header = Header(present=False)
-    for key, inner in value.items():
-        if key.startswith("_"):
-            fields[key] = inner
-        elif key == HEADER:
-            _must_be_map(document, (name, HEADER), inner, "a HEADER")
-            header = _header(inner)
+    if type(written) is dict:
+        header = _header(written)
+    elif HEADER in value:
+        wrong.append(((name, HEADER), "a HEADER", written))
+    if _is_plain(table):
+        return StateBranch(name, table, header, fields)
+    state_fields: dict[str, dict[str, Json]] = {}
+    states = {}
+    for state, operations in table.items():
+        if state and type(operations) is dict:
+            states[state] = _operations((name, state), operations, state_fields, wrong)
         else:
-            _must_be_map(document, (name, key), inner, "a state")
-            table[key] = _operations(document, (name, key), inner, state_fields)
-    return StateBranch(name, table, header, fields, state_fields)
+            wrong.append(((name, state), "a state", operations))
+    return StateBranch(name, states, header, fields, state_fields)
+
+
+def _is_plain(table: Mapping[str, Json]) -> bool:
+    """Whether these are states with operations that lead to names, and nothing else.
+
+    Asked of whole tables, in the interpreter's own loops, because nearly all are.
+    """
+    states = table.values()
+    if not set(map(type, states)) <= {dict} or "" in table:
+        return False
+    names = set(chain.from_iterable(states))
+    if "" in names or any(name[0] == "_" for name in names):
+        return False
+    targets = chain.from_iterable([operations.values() for operations in states])
+    return set(map(type, targets)) <= {str}
 
 
 def _operations(
-    document: Document,
     path: Path,
     value: Mapping[str, Json],
-    state_fields: dict[str, Mapping[str, Json]],
+    state_fields: dict[str, dict[str, Json]],
+    wrong: list[Wrong],
 ) -> Mapping[str, str]:
-    if not path[-1]:
-        raise ReadError("a state has no name", document.place(path), "Give it a name.")
-    plain = True
+    """The operations of one state; its ``_`` fields and what is no target go elsewhere."""
+    found: dict[str, str] = {}
     for key, target in value.items():
         if key[:1] == "_":
-            plain = False
-        elif type(target) is not str or not key:
-            raise ReadError(
-                f"the target of {key!r} is {kind_of(target)}, not the name of a state"
-                if key
-                else "an operation has no name",
-                document.place((*path, key)),
-                'Write the operation as "Operation": "TargetState".',
-            )
-    if plain:
-        return value
-    state_fields[path[-1]] = {k: v for k, v in value.items() if k[:1] == "_"}
-    return {k: v for k, v in value.items() if k[:1] != "_"}
+            state_fields.setdefault(path[-1], {})[key] = target
+        elif type(target) is str and key:
+            found[key] = target
+        else:
+            wrong.append(((*path, key), "a target", target))
+    return value if len(found) == len(value) else found
 
 
 def _header(value: Mapping[str, Json]) -> Header:
@@ -157,22 +195,3 @@ def sub_entries(written: Json) -> Iterator[tuple[Path, str, Json]]:
         for sub, digit in written.items():
             if sub[:1] != "_":
                 yield (sub,), sub, digit
-
-
-def _must_be_map(document: Document, path: Path, value: Json, what: str) -> None:
-    if not isinstance(value, dict):
-        raise ReadError(
-            f"{path[-1]!r} is {kind_of(value)}, not {what}",
-            document.place(path),
-            f"Write {what} as {{ ... }}, or start the name with _ to have it skipped.",
-        )
-
-
-def kind_of(value: Json) -> str:
-    """What a value is, in words: ``a text``, ``a list``, ``null`` ..."""
-    if value is None:
-        return "null"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    kinds = {str: "a text", int: "a number", float: "a number", list: "a list", dict: "a map"}
-    return kinds.get(type(value), "something else")

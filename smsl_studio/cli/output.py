@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any, TextIO
 from unicodedata import category
 
-from smsl_studio.errors import SaveError, StudioError
+from smsl_studio.errors import ReadError, SaveError, StudioError
 
 _RED, _GREEN, _YELLOW, _PLAIN = "\x1b[31m", "\x1b[32m", "\x1b[33m", "\x1b[0m"
 
@@ -77,10 +77,14 @@ def note(text: str) -> None:
 
 
 def report(error: StudioError, name: str) -> None:
-    """An expected error: what is wrong with its place, then the advice, one line each."""
-    note(one_line(str(error) if error.place else f"{name}: {error}"))
-    if error.advice:
-        note(one_line(error.advice))
+    """An expected error: what is wrong with its place, then the advice, one line each.
+
+    Of a text that cannot be read, every fault.
+    """
+    for one in error.faults if isinstance(error, ReadError) else (error,):
+        note(one_line(str(one) if one.place else f"{name}: {one}"))
+        if one.advice:
+            note(one_line(one.advice))
 
 
 @contextlib.contextmanager

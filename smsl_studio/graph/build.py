@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate, chain, repeat
+from typing import cast
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.errors import AddressError, did_you_mean
 
 _KEY = "_graph"
@@ -93,15 +97,27 @@ def graph_of(branch: StateBranch) -> BranchGraph:
 
 
 def _build(branch: StateBranch) -> BranchGraph:
-    names = tuple(branch.table)
-    index = {name: number for number, name in enumerate(names)}
-    starts, sources, targets, operations = [0], [], [], []
-    for number, edges in enumerate(branch.table.values()):
-        for operation, target in edges.items():
-            found = index.get(target)
-            if found is not None:
-                sources.append(number)
-                targets.append(found)
-                operations.append(operation)
-        starts.append(len(targets))
-    return BranchGraph(branch.name, names, index, starts, sources, targets, operations)
+    table = branch.table
+    numbers = numbers_of(branch)
+    operations = list(chain.from_iterable(table.values()))
+    found = numbers.targets
+    counts = list(map(len, table.values()))
+    sources = chain.from_iterable(map(repeat, range(len(counts)), counts))
+    if not numbers.dangles:
+        starts = list(accumulate(counts, initial=0))
+        targets = cast("list[int]", found)
+        return BranchGraph(
+            branch.name, tuple(table), numbers.of, starts, list(sources), targets, operations
+        )
+    edges = [edge for edge in zip(sources, found, operations, strict=True) if edge[1] is not None]
+    per_state = Counter(source for source, _, _ in edges)
+    starts = list(accumulate((per_state[state] for state in range(len(counts))), initial=0))
+    return BranchGraph(
+        branch.name,
+        tuple(table),
+        numbers.of,
+        starts,
+        [source for source, _, _ in edges],
+        [target for _, target, _ in edges if target is not None],
+        [operation for _, _, operation in edges],
+    )

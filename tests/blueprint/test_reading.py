@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.reading import read_blueprint, salvage
 from smsl_studio.blueprint.writing import values_of
 from smsl_studio.errors import AddressError, Place, ReadError
 from smsl_studio.smsl.files import read_document
@@ -105,6 +105,42 @@ def test_what_cannot_be_a_blueprint_is_refused_at_its_key(
     error = refusal(text)
     assert error.place == Place("f.json", 1, column)
     assert words in error.sentence
+
+
+def test_all_wrong_kinds_are_told_at_once_in_the_order_of_the_text() -> None:
+    text = """{"version": 1,
+ "A": {"header": {"NUM_FACTS": 3}, "S": {"o": 7, "p": [], "_q": 1}, "T": []},
+ "B": {"HEADER": "x", "U": {"o": "U"}}}"""
+    faults = refusal(text).faults
+    found = [(f.place.line, f.place.column, f.length) for f in faults if f.place]
+    assert found == [(1, 2, 9), (2, 19, 11), (2, 42, 3), (2, 50, 3), (2, 69, 3), (3, 8, 8)]
+    assert "Did you mean HEADER?" in faults[1].advice
+    fixes = [fault.fix for fault in faults]
+    assert [fix.text if fix else None for fix in fixes] == [
+        '"_version"',
+        None,
+        '"7"',
+        None,
+        '"_T"',
+        None,
+    ]
+    assert all(text[fix.start : fix.end] in ('"version"', "7", '"T"') for fix in fixes if fix)
+
+
+def test_what_can_be_read_beside_wrong_kinds_is_a_blueprint() -> None:
+    text = """{"version": 1, "_note": "n", "": {}, "C": 1,
+ "A": {"S": {"o": 7, "p": "T", "": "S", "_q": 1}, "T": [], "": {}, "W": {}},
+ "B": {"HEADER": "x", "U": {"o": "U"}}}"""
+    blueprint = salvage(parse_json(text, "f.json"))
+    assert {branch.name: branch.table for branch in blueprint} == {
+        "A": {"S": {"p": "T"}, "W": {}},
+        "B": {"U": {"o": "U"}},
+    }
+    assert blueprint["A"].state_fields == {"S": {"_q": 1}}
+    assert not blueprint["B"].header.present
+    assert blueprint.fields == {"_note": "n"}
+    whole = SAMPLES / "hfsm.json"
+    assert salvage(read_document(whole)) == read_blueprint(read_document(whole))
 
 
 @pytest.mark.parametrize(

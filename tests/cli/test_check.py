@@ -58,6 +58,26 @@ def test_several_files_are_reported_and_the_worst_decides(shell: Shell, tmp_path
     ]
 
 
+def test_every_fault_of_a_file_is_told(shell: Shell, tmp_path: Path) -> None:
+    broken, wrong = tmp_path / "broken.json", tmp_path / "wrong.json"
+    broken.write_text('{"A": {"S": {"o": "T" "p": "S"},\n "T": {},},\n}')
+    wrong.write_text('{"A": {"S": {"o": 1}},\n "version": 2}')
+    answer = shell("check", str(broken), str(wrong))
+    assert (answer.status, answer.out) == (2, "")
+    assert answer.err.splitlines() == [
+        f"{broken}:1:23: a comma is missing before this",
+        "Write a comma.",
+        f"{broken}:2:9: a comma with nothing behind it",
+        "Remove it.",
+        f"{broken}:2:11: a comma with nothing behind it",
+        "Remove it.",
+        f"{wrong}:1:14: the target of 'o' is a number, not the name of a state",
+        'Write the operation as "Operation": "TargetState".',
+        f"{wrong}:2:2: 'version' is a number, not a State Branch",
+        "Write a State Branch as { ... }, or start the name with _ to have it skipped.",
+    ]
+
+
 def test_standard_input_is_a_file(shell: Shell, monkeypatch: pytest.MonkeyPatch) -> None:
     with Path(sample("hanoi")).open(encoding="utf-8") as stream:
         monkeypatch.setattr("sys.stdin", stream)
@@ -82,9 +102,11 @@ def test_three_hundred_broken_files(shell: Shell, tmp_path: Path) -> None:
         answer = shell("check", str(file), "--format", "json")
         seen.add(answer.status)
         if answer.status == 2:
-            where, advice = answer.err.splitlines()
-            assert re.match(rf"{re.escape(str(file))}:[0-9]+:[0-9]+: \S", where), raw
-            assert advice, raw
+            said = answer.err.splitlines()
+            assert len(said) % 2 == 0, raw
+            for where, advice in zip(said[::2], said[1::2], strict=True):
+                assert re.match(rf"{re.escape(str(file))}:[0-9]+:[0-9]+: \S", where), raw
+                assert advice, raw
         else:
             places = [(f["line"], f["column"]) for f in answer.json["files"][0]["findings"]]
             assert all(line >= 1 and column >= 1 for line, column in places), raw

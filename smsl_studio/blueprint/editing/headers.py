@@ -7,7 +7,8 @@ from typing import Any
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
 from smsl_studio.blueprint.facts import shape_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.reading import kind_of, sub_entries
+from smsl_studio.blueprint.reading import sub_entries
+from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.errors import EditRefused, did_you_mean
 
 Json = Any

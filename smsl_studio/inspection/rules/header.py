@@ -9,7 +9,8 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import set_header
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.reading import HEADER, KNOWN, kind_of
+from smsl_studio.blueprint.reading import HEADER, KNOWN
+from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import counted, listed, near, some
 

@@ -9,7 +9,8 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import attach_sub, detach_sub
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.reading import HEADER, kind_of, sub_entries
+from smsl_studio.blueprint.reading import HEADER, sub_entries
+from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
 from smsl_studio.inspection.finding import Finding, Fix, Severity

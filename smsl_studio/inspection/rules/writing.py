@@ -10,6 +10,7 @@ from smsl_studio.blueprint.address import Address, note_key, split_fact
 from smsl_studio.blueprint.annotations import read_hazards
 from smsl_studio.blueprint.editing import keep_last, retarget
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.inspection.finding import Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import near
@@ -58,6 +59,8 @@ def _address(path: tuple[str, ...]) -> Address:
 def r02_unknown_target(blueprint: Blueprint) -> Iterator[Finding]:
     """A target that is no state of the SB."""
     for branch in blueprint:
+        if not numbers_of(branch).dangles:
+            continue
         likes: dict[str, str] = {}
         for edge in branch.edges():
             if edge.target in branch.table:

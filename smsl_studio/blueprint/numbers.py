@@ -1,0 +1,39 @@
+"""The states of an SB by number, and where its operations lead: what many questions begin with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain, count
+
+from smsl_studio.blueprint.model import StateBranch
+
+_KEY = "_numbers"
+
+
+@dataclass(frozen=True, eq=False)
+class Numbers:
+    """``of`` numbers the states in written order; ``targets`` has, for every operation in written
+    order, the number of the state it leads to, or None where the SB has no such state.
+    """
+
+    of: dict[str, int]
+    targets: list[int | None]
+
+    @cached_property
+    def dangles(self) -> bool:
+        """Whether some operation leads to no state of the SB (rule R02)."""
+        return None in self.targets
+
+
+def numbers_of(branch: StateBranch) -> Numbers:
+    """The numbers of a branch, worked out at the first call and kept with it, as its graph is."""
+    kept = branch.__dict__.get(_KEY)
+    if isinstance(kept, Numbers):
+        return kept
+    table = branch.table
+    of = dict(zip(table, count(), strict=False))
+    targets = chain.from_iterable([operations.values() for operations in table.values()])
+    numbers = Numbers(of, list(map(of.get, targets)))
+    branch.__dict__[_KEY] = numbers
+    return numbers

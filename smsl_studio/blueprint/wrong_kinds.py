@@ -1,0 +1,89 @@
+"""What cannot be part of a blueprint: an SB, HEADER, state or target of the wrong kind.
+
+All of one document are told in one error, each with its place, an advice and, where it is plain
+what was meant, a repair of the text.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from smsl_studio.errors import ReadError, TextFix
+from smsl_studio.smsl.document import Document, Member, Path
+
+Json = Any
+MOST = 100
+"""So many wrong kinds of one document are told."""
+
+A_BRANCH, A_HEADER, A_STATE, A_TARGET = "a State Branch", "a HEADER", "a state", "a target"
+
+
+def refused(document: Document, wrong: Sequence[tuple[Path, str, Json]]) -> ReadError:
+    """One error that tells them all: where each stands, what should stand there, what does."""
+    errors = [_error(document, *one) for one in wrong[:MOST]]
+    first, *more = sorted(errors, key=lambda error: error.place or document.place(()))
+    return ReadError(
+        first.sentence, first.place, first.advice, length=first.length, fix=first.fix, more=more
+    )
+
+
+def _error(document: Document, path: Path, what: str, value: Json) -> ReadError:
+    sentence, advice = _words(path, what, value)
+    try:
+        member = document.member(path)
+    except KeyError:
+        return ReadError(sentence, document.place(path), advice)
+    fix = None
+    if path[-1]:
+        if what == A_TARGET and document.form == "json":
+            fix = _in_quotes(document.text[member.value_start : member.value_end], value, member)
+        elif what == A_STATE and path[-1].strip().casefold() == "header":
+            fix = _renamed(document, member.key_start, member.key_end, path[-1], "HEADER")
+            advice = "Did you mean HEADER?"
+        elif what in (A_BRANCH, A_STATE):
+            fix = _renamed(document, member.key_start, member.key_end, path[-1], f"_{path[-1]}")
+    length = max(1, member.key_end - member.key_start)
+    return ReadError(sentence, document.place_at(member.key_start), advice, length=length, fix=fix)
+
+
+def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
+    """What is wrong, and what to do."""
+    name = path[-1]
+    if not name:
+        operation = 'Write the operation as "Operation": "TargetState".'
+        advice = operation if what == A_TARGET else "Give it a name."
+        return f"{'an operation' if what == A_TARGET else what} has no name", advice
+    if what == A_TARGET:
+        sentence = f"the target of {name!r} is {kind_of(value)}, not the name of a state"
+        if len(path) > 1 and path[-2].strip().casefold() == "header":
+            return sentence, "Did you mean HEADER? An SB's header is written in capitals."
+        return sentence, 'Write the operation as "Operation": "TargetState".'
+    sentence = f"{name!r} is {kind_of(value)}, not {what}"
+    return sentence, f"Write {what} as {{ ... }}, or start the name with _ to have it skipped."
+
+
+def _in_quotes(written: str, value: Json, member: Member) -> TextFix | None:
+    """A number, true or false that was meant as the name of a state."""
+    if not isinstance(value, bool | int | float):
+        return None
+    return TextFix(f'Write "{written}"', member.value_start, member.value_end, f'"{written}"')
+
+
+def _renamed(document: Document, start: int, end: int, old: str, new: str) -> TextFix | None:
+    """The name as another, in the quotes it has."""
+    written = document.text[start:end]
+    quote = written[:1] if written[:1] in ("'", '"') else ""
+    if written != f"{quote}{old}{quote}":
+        return None
+    return TextFix(f"Write {new}", start, end, f"{quote}{new}{quote}")
+
+
+def kind_of(value: Json) -> str:
+    """What a value is, in words: ``a text``, ``a list``, ``null`` ..."""
+    if value is None:
+        return "null"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    kinds = {str: "a text", int: "a number", float: "a number", list: "a list", dict: "a map"}
+    return kinds.get(type(value), "something else")
