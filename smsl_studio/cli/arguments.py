@@ -24,7 +24,10 @@ class Command:
 COMMANDS = {
     "open": Command("opening", "open the window, on files if any are named"),
     "check": Command("checking", "inspect blueprints: every finding with its place"),
+    "convert": Command("converting", "write a blueprint in another form: .json, .smsl, .yaml"),
     "diff": Command("comparing", "compare two blueprints by what they mean; layout apart"),
+    "render": Command("rendering", "draw a picture of a blueprint: SVG, PNG or PDF"),
+    "digest": Command("digesting", "SHA-256 of what blueprints do, say and need"),
     "route": Command("routing", "plan the cheapest route between two states"),
     "run": Command("running", "run a blueprint in a world, headless"),
     "sweep": Command("sweeping", "run every single edge in a world and check where it leads"),

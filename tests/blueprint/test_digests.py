@@ -106,7 +106,7 @@ def test_what_an_edge_says_counts_against_what_its_name_says() -> None:
 
 def test_the_order_of_states_counts_through_the_defaults_alone() -> None:
     states: Json = {"State0": {}, "State1": {}, "State2": {}}
-    turned = {"State0": {}, "State2": {}, "State1": {}}
+    turned: Json = {"State0": {}, "State2": {}, "State1": {}}
     header = {"HEADER": {"INITIAL": "State0", "ACTIVATING": "State2"}}
     assert of({"A": {**header, **states}}) == of({"A": {**header, **turned}})
     assert of({"A": states}).behaviour != of({"A": turned}).behaviour

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from smsl_studio.errors import EditRefused, ReadError
+from smsl_studio.smsl.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.likeness import same
-from smsl_studio.smsl.yaml_form.comments import NO_COMMENTS, Comments, comments_of
+from smsl_studio.smsl.yaml_form.comments import comments_of
 from smsl_studio.smsl.yaml_form.faults import shown
 from smsl_studio.smsl.yaml_form.reading import parse
 from smsl_studio.smsl.yaml_form.spans import YamlSpans
@@ -24,10 +25,10 @@ def reconcile(document: Document, values: Mapping[str, Json]) -> Document:
     """
     if same(document.values, values):
         return document
-    comments = comments_of(_spans(document)) if "#" in document.text else NO_COMMENTS
-    if comments.count:
-        comments = comments.moved(_Renamed(document.values, values).path)
-    return _written(document, values, comments)
+    kept = comments_in(document) if "#" in document.text else NO_COMMENTS
+    if len(kept):
+        kept = kept.moved(_Renamed(document.values, values).path)
+    return _written(document, values, kept)
 
 
 def keep_winner(document: Document, path: Path) -> Document:
@@ -60,15 +61,15 @@ def keep_winner(document: Document, path: Path) -> Document:
 
 def tidy(document: Document) -> Document:
     """The document in the canonical layout: comments, ``_`` fields and order kept."""
-    return _written(document, document.values, comments_of(_spans(document)))
+    return _written(document, document.values, comments_in(document))
 
 
-def comment_count(document: Document) -> int:
-    """How many comments stand in the text."""
-    return comments_of(_spans(document)).count
+def comments_in(document: Document) -> Comments:
+    """The comments of a text, by what they belong to."""
+    return comments_of(_spans(document))
 
 
-def _written(document: Document, values: Mapping[str, Json], comments: Comments) -> Document:
+def _written(document: Document, values: Mapping[str, Json], kept: Comments) -> Document:
     if document.doubled:
         path, places = document.duplicates()[0]
         raise EditRefused(
@@ -77,7 +78,7 @@ def _written(document: Document, values: Mapping[str, Json], comments: Comments)
             places[-1],
             "Keep one of them first (the quick fix of R01 keeps the last).",
         )
-    text = write(values, comments)
+    text = write(values, kept)
     if document.newline != "\n":
         text = text.replace("\n", document.newline)
     if document.text.startswith("\ufeff"):

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from smsl_studio.smsl.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.document import Path
-from smsl_studio.smsl.yaml_form.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.yaml_form.levels import BRANCH, FILE, FREE, HEADER, NAME, STATE, below
 from smsl_studio.smsl.yaml_form.scalars import LONGEST_NAME, written
 
@@ -32,39 +32,45 @@ class _Writing:
     def __init__(self, comments: Comments) -> None:
         self._comments = comments
 
+    def _above(self, path: Path, indent: str) -> Iterator[str]:
+        return (f"{indent}#{words}" for words in self._comments.over.get(path, ()))
+
+    def _below(self, path: Path, indent: str) -> Iterator[str]:
+        return (f"{indent}#{words}" for words in self._comments.under.get(path, ()))
+
     def file(self, values: Mapping[str, Json]) -> Iterator[str]:
         if values:
             yield from self._map(values, (), FILE, "")
         else:
             yield "{}"
-            yield from self._comments.below((), "")
+            yield from self._below((), "")
 
     def _map(
         self, values: Mapping[str, Json], path: Path, level: int, indent: str
     ) -> Iterator[str]:
         for key, value in values.items():
             here = (*path, key)
-            yield from self._comments.above(here, indent)
+            yield from self._above(here, indent)
             name = written(key)
             lead = f"{indent}{name}:" if len(name) <= LONGEST_NAME else f"{indent}:"
             if len(name) > LONGEST_NAME:
                 yield f"{indent}? {name}"
             yield from self._value(value, here, below(level, key), lead, indent)
-        yield from self._comments.below(path, indent)
+        yield from self._below(path, indent)
 
     def _list(self, values: list[Json], path: Path, indent: str) -> Iterator[str]:
         for index, value in enumerate(values):
             here = (*path, str(index))
-            yield from self._comments.above(here, indent)
+            yield from self._above(here, indent)
             lines = list(self._value(value, here, FREE, f"{indent}-", indent))
             if len(lines) > 1 and lines[0] == f"{indent}-" and lines[1].lstrip()[:1] != "#":
                 lines[:2] = [f"{indent}- {lines[1].lstrip()}"]
             yield from lines
-        yield from self._comments.below(path, indent)
+        yield from self._below(path, indent)
 
     def _value(self, value: Json, path: Path, level: int, lead: str, indent: str) -> Iterator[str]:
         """The lines of a value; ``lead`` is what stands before it on its first line."""
-        behind = self._comments.behind(path)
+        behind = "".join(f"  #{words}" for words in self._comments.beside.get(path, ()))
         if isinstance(value, dict) and value:
             yield f"{lead}{behind}"
             yield from self._map(value, path, level, indent + _UNIT)
@@ -79,7 +85,7 @@ class _Writing:
         else:
             shown = "{}" if isinstance(value, dict) else _scalar(value, level)
         yield f"{lead} {shown}{behind}" if shown else f"{lead}{behind}"
-        yield from self._comments.below(path, indent + _UNIT)
+        yield from self._below(path, indent + _UNIT)
 
     def _is_flat(self, values: list[Json], path: Path) -> bool:
         """Whether a list stands on one line: of single values, none of them with a comment."""

@@ -1,0 +1,133 @@
+"""Comments: which element each belongs to, so that a text that is written anew keeps them.
+
+A comment on a line of its own belongs to the member below it, or to the end of the map or list that
+closes first; one behind something belongs to that line. Elements are told by their paths, so that
+comments can go from one written form to another.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+from smsl_studio.smsl.document import Path
+
+_Where = dict[Path, list[str]]
+
+
+@dataclass(frozen=True)
+class Comments:
+    """The words of comments, without the marks, by the path of what they belong to.
+
+    ``over`` stand above a member, ``beside`` behind it, ``under`` at the end of a map or list.
+    """
+
+    over: _Where = field(default_factory=dict)
+    beside: _Where = field(default_factory=dict)
+    under: _Where = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        every = (self.over, self.beside, self.under)
+        return sum(len(found) for where in every for found in where.values())
+
+    def of_elements(self, path: Path, count: int) -> bool:
+        """Whether something is said of an element of the list at ``path``."""
+        if not self.over and not self.beside:
+            return False
+        below = ((*path, str(index)) for index in range(count))
+        return any(one in self.over or one in self.beside for one in below)
+
+    def moved(self, moved: Callable[[Path], Path | None]) -> Comments:
+        """The same comments at other paths; those of a path that is gone go with it."""
+
+        def all_of(where: _Where) -> _Where:
+            pairs = ((moved(path), found) for path, found in where.items())
+            return {path: found for path, found in pairs if path is not None}
+
+        return Comments(all_of(self.over), all_of(self.beside), all_of(self.under))
+
+
+NO_COMMENTS = Comments()
+
+
+class Leaf(NamedTuple):
+    """A name or single value: where it stands, whose it is, and what a comment above speaks of."""
+
+    start: int
+    end: int
+    path: Path
+    head: Path
+
+
+class Holder(NamedTuple):
+    """A map or list: where it stands and whose it is; ``column`` is that of a block's members."""
+
+    start: int
+    end: int
+    path: Path
+    column: int | None = None
+
+
+def comments_between(
+    text: str, leaves: Iterable[Leaf], holders: Iterable[Holder], mark: re.Pattern[str]
+) -> Comments:
+    """The comments between the names and values of a text, where alone one can stand.
+
+    ``mark`` matches a whole comment; its group 1 is what it says. Inner holders come before outer
+    ones.
+    """
+    return _Placing(text, sorted(leaves), holders).found(mark)
+
+
+class _Placing:
+    """Looks for the element that each comment belongs to."""
+
+    def __init__(self, text: str, leaves: list[Leaf], holders: Iterable[Holder]) -> None:
+        self._text, self._leaves = text, leaves
+        self._starts = [leaf.start for leaf in leaves]
+        self._closing: dict[int, list[Holder]] = {}
+        """For each leaf the maps and lists whose last leaf it is."""
+        for holder in holders:
+            last = bisect_left(self._starts, holder.end) - 1
+            while last + 1 < len(leaves) and leaves[last + 1][:2] == (holder.end, holder.end):
+                last += 1  # a value that is nothing
+            self._closing.setdefault(last, []).append(holder)
+
+    def found(self, mark: re.Pattern[str]) -> Comments:
+        comments, at = Comments(), 0
+        for index in range(len(self._leaves) + 1):
+            leaf = self._leaves[index] if index < len(self._leaves) else None
+            end = leaf.start if leaf else len(self._text)
+            for one in mark.finditer(self._text, at, max(at, end)):
+                self._place(comments, one.start(), one[1].rstrip())
+            at = max(at, leaf.end) if leaf else at
+        return comments
+
+    def _place(self, comments: Comments, at: int, words: str) -> None:
+        index = bisect_right(self._starts, at) - 1
+        closing = [one for one in self._closing.get(index, ()) if one.start <= at]
+        before = self._leaves[index] if index >= 0 else None
+        if before and not _parted(self._text, before.end, at):
+            path = before.path
+            for holder in closing:
+                if holder.column is None and holder.end <= at:
+                    path = holder.path
+            comments.beside.setdefault(path, []).append(words)
+            return
+        column = at - self._text.rfind("\n", 0, at) - 1
+        for holder in closing:
+            if holder.end > at if holder.column is None else column >= holder.column > 0:
+                comments.under.setdefault(holder.path, []).append(words)
+                return
+        if index + 1 < len(self._leaves):
+            comments.over.setdefault(self._leaves[index + 1].head, []).append(words)
+        else:
+            comments.under.setdefault((), []).append(words)
+
+
+def _parted(text: str, start: int, end: int) -> bool:
+    """Whether a line ends between two offsets."""
+    return "\n" in text[start:end] or "\r" in text[start:end]
