@@ -35,16 +35,20 @@ def _error(document: Document, path: Path, what: str, value: Json) -> ReadError:
     except KeyError:
         return ReadError(sentence, document.place(path), advice)
     fix = None
-    if path[-1]:
-        if what == A_TARGET and document.form == "json":
+    if what == A_TARGET and path[-1]:
+        if _is_header(path[-2]):
+            fix = _renamed(document, document.member(path[:-1]), "HEADER")
+        elif document.form == "json":
             fix = _in_quotes(document.text[member.value_start : member.value_end], value, member)
-        elif what == A_STATE and path[-1].strip().casefold() == "header":
-            fix = _renamed(document, member.key_start, member.key_end, path[-1], "HEADER")
-            advice = "Did you mean HEADER?"
-        elif what in (A_BRANCH, A_STATE):
-            fix = _renamed(document, member.key_start, member.key_end, path[-1], f"_{path[-1]}")
+    elif what in (A_BRANCH, A_STATE) and path[-1]:
+        fix = _renamed(document, member, "HEADER" if _is_header(path[-1]) else f"_{path[-1]}")
     length = max(1, member.key_end - member.key_start)
     return ReadError(sentence, document.place_at(member.key_start), advice, length=length, fix=fix)
+
+
+def _is_header(name: str) -> bool:
+    """Whether a name is HEADER in another spelling."""
+    return name.strip().casefold() == "header"
 
 
 def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
@@ -56,10 +60,12 @@ def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
         return f"{'an operation' if what == A_TARGET else what} has no name", advice
     if what == A_TARGET:
         sentence = f"the target of {name!r} is {kind_of(value)}, not the name of a state"
-        if len(path) > 1 and path[-2].strip().casefold() == "header":
-            return sentence, "Did you mean HEADER? An SB's header is written in capitals."
+        if _is_header(path[-2]):
+            return sentence, f"Did you mean HEADER? {path[-2]} is read as a state."
         return sentence, 'Write the operation as "Operation": "TargetState".'
     sentence = f"{name!r} is {kind_of(value)}, not {what}"
+    if what == A_STATE and _is_header(name):
+        return sentence, "Did you mean HEADER?"
     return sentence, f"Write {what} as {{ ... }}, or start the name with _ to have it skipped."
 
 
@@ -70,11 +76,12 @@ def _in_quotes(written: str, value: Json, member: Member) -> TextFix | None:
     return TextFix(f'Write "{written}"', member.value_start, member.value_end, f'"{written}"')
 
 
-def _renamed(document: Document, start: int, end: int, old: str, new: str) -> TextFix | None:
-    """The name as another, in the quotes it has."""
+def _renamed(document: Document, member: Member, new: str) -> TextFix | None:
+    """The key as another, in the quotes it has; None where it is spelled in an unusual way."""
+    start, end = member.key_start, member.key_end
     written = document.text[start:end]
     quote = written[:1] if written[:1] in ("'", '"') else ""
-    if written != f"{quote}{old}{quote}":
+    if written != f"{quote}{member.key}{quote}":
         return None
     return TextFix(f"Write {new}", start, end, f"{quote}{new}{quote}")
 

@@ -118,13 +118,15 @@ def test_all_wrong_kinds_are_told_at_once_in_the_order_of_the_text() -> None:
     fixes = [fault.fix for fault in faults]
     assert [fix.text if fix else None for fix in fixes] == [
         '"_version"',
-        None,
+        '"HEADER"',
         '"7"',
         None,
         '"_T"',
         None,
     ]
-    assert all(text[fix.start : fix.end] in ('"version"', "7", '"T"') for fix in fixes if fix)
+    assert all(
+        text[fix.start : fix.end] in ('"version"', '"header"', "7", '"T"') for fix in fixes if fix
+    )
 
 
 def test_what_can_be_read_beside_wrong_kinds_is_a_blueprint() -> None:
