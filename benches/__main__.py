@@ -14,7 +14,7 @@ from pathlib import Path
 
 from benches.row import Row
 
-BENCHES = ("load", "inspect", "dispatch", "start", "canvas", "physics")
+BENCHES = ("load", "inspect", "dispatch", "start", "canvas", "physics", "saving")
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
 

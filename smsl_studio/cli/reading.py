@@ -7,6 +7,7 @@ import sys
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.reading import read, read_bytes
+from smsl_studio.smsl.files import LARGEST
 
 STDIN = "<stdin>"
 
@@ -22,7 +23,7 @@ def _standard_input() -> bytes:
     try:
         if sys.stdin is not None:
             stream = getattr(sys.stdin, "buffer", None)
-            return stream.read() if stream else sys.stdin.read().encode()
+            return stream.read(LARGEST + 1) if stream else sys.stdin.read(LARGEST + 1).encode()
         reason = "it is closed"
     except OSError as error:
         reason = error.strerror or str(error)
