@@ -58,6 +58,12 @@ def parse_bytes(raw: bytes, file: str) -> Document:
 
     Its form is told by the suffix of ``file``, else by how the text begins.
     """
+    if len(raw) > LARGEST:
+        raise ReadError(
+            f"the file is larger than {LARGEST >> 20} MB",
+            Place(file, 1, 1),
+            "Split it into several files.",
+        )
     return parse_text(decode(raw, file), file)
 
 
