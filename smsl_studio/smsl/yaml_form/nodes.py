@@ -94,7 +94,7 @@ class Tree:
             stopped = self._read_from(text, at)
             if stopped is None:
                 return
-            following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped, at)))
+            following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped - 1, at)))
             if following is None:
                 return
             at = following.start()

@@ -85,7 +85,7 @@ def _written(document: Document, values: Mapping[str, Json], kept: Comments) -> 
         text = "\ufeff" + text
     if text == document.text:
         return document
-    return Document(text, document.file, document.form, values, YamlSpans)
+    return Document(text, document.file, document.form, dict(values), YamlSpans)
 
 
 def _spans(document: Document) -> YamlSpans:
