@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from smsl_studio.blueprint.model import StateBranch
@@ -43,7 +43,9 @@ def paint_chip(
 
 
 class Chips(QWidget):
-    """The facts of one state as a row of chips."""
+    """The facts of one state as a row of chips; a click on one is told with its digit."""
+
+    chosen = Signal(int)
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -51,6 +53,17 @@ class Chips(QWidget):
         self._chips: tuple[tuple[str, str, bool], ...] = ()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFixedHeight(CHIP + 12)
+        self._places: list[QRectF] = []
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        for digit, place in enumerate(self._places):
+            if place.contains(event.position()):
+                self.chosen.emit(digit)
+                return
+
+    def place_of(self, digit: int) -> QRectF:
+        """Where the chip of a digit is painted."""
+        return self._places[digit]
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
@@ -65,7 +78,7 @@ class Chips(QWidget):
         said = [
             f"{branch.fact_name(digit)}: {value}" for digit, value in enumerate(branch.facts(state))
         ]
-        self.setToolTip("\n".join(said))
+        self.setToolTip("\n".join([*said, "Click a fact to edit what it means."]))
         self.setAccessibleName(", ".join(said))
         self.update()
 
@@ -76,11 +89,13 @@ class Chips(QWidget):
         painter = QPainter(self)
         metrics = self.fontMetrics()
         x = 0.0
+        self._places.clear()
         for text, kind, sub in self._chips:
             natural = max(CHIP, metrics.horizontalAdvance(text) + 8)
             wide = min(float(natural), self.width() - x)
             shown = metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, int(wide))
-            paint_chip(painter, QRectF(x, 5, wide, CHIP), shown, kind, self._tokens, sub=sub)
+            self._places.append(QRectF(x, 5, wide, CHIP))
+            paint_chip(painter, self._places[-1], shown, kind, self._tokens, sub=sub)
             x += wide + GAP
             if x > self.width() - CHIP:
                 break

@@ -34,6 +34,7 @@ from smsl_studio.studio.palette import Palette
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.panels.history import History
 from smsl_studio.studio.panels.library import Library
+from smsl_studio.studio.panels.lines.box import Box
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
 from smsl_studio.studio.panels.source import Source
@@ -148,6 +149,8 @@ class Window(QMainWindow):
         self.fix_card.fix_wanted.connect(self.findings.fix)
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.docks.changed.connect(actions.refresh)
+        self.outline.fact_wanted.connect(self.show_fact)
+        self.properties.file.ask_file = Dialogs(self).file_to_open
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
         self.run_pane.run_exists.connect(self._run_exists)
@@ -195,6 +198,11 @@ class Window(QMainWindow):
 
     def stop_run(self) -> None:
         self.run_pane.stop()
+    def show_fact(self, branch: str, digit: int) -> None:
+        """Show what a fact means in the properties."""
+        self.docks.show_tab("Properties")
+        self.properties.show_fact(branch, digit)
+
 
     def warn(self, words: str) -> None:
         """Say something that went wrong."""
@@ -230,6 +238,7 @@ class Window(QMainWindow):
         self.library.set_offers(offers(loaded, self.session.blueprint))
         if loaded.faults:
             self.toast.warn(str(loaded.faults[0]))
+        self.properties.set_plugins(loaded)
 
     def _show_blueprint(self) -> None:
         self.library.set_offers(offers(self._loaded, self.session.blueprint))
@@ -268,6 +277,9 @@ class Window(QMainWindow):
                 field.setFocus()
                 field.setCursorPosition(at)
 
+        if isinstance(field, Box):
+            field.clearFocus()
+            field.setFocus()
     def _run_exists(self, exists: bool) -> None:
         self.mode_bar.show_stop(exists)
         self._stop_key.listen(exists)

@@ -9,10 +9,10 @@ import pytest
 from PySide6.QtCore import QPointF
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.canvas import lit_labels
-from smsl_studio.studio.panels import operation_form
-from smsl_studio.studio.panels.note_edits import Spot, set_note_value
+from smsl_studio.studio.panels import note_form
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person, address
 
@@ -47,7 +47,7 @@ def test_values_of_the_wrong_kind_are_shown_as_left_out(sit: Sit, tmp_path: Path
     assert form.initial.currentText() == "Default (State0)"
     person.select("SB1/State0")
     person.write(person.window.properties.state.title, "Home")
-    assert "is no map" in person.window.properties.state.refusal.text()
+    assert "is no map" in person.window.properties.state.line("title").refusal.text()
     person.choose(form.initial, "State0")
     assert person.blueprint["SB1"].header.initial == "State0"
 
@@ -56,18 +56,26 @@ def test_a_note_that_many_edges_share_is_written_once(
     sit: Sit, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     person = sit(HANOI)
-    spots: list[Spot] = []
+    written: list[object] = []
 
-    def count(blueprint: Blueprint, spot: Spot, value: object) -> Blueprint:
-        spots.append(spot)
-        return set_note_value(blueprint, spot, value)
+    def count(blueprint: Blueprint, table: str, changes: dict[object, object]) -> Blueprint:
+        written.extend(changes)
+        return change_notes(blueprint, table, changes)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(operation_form, "set_note_value", count)
+    monkeypatch.setattr(note_form, "change_notes", count)
     person.click_row(person.window.library.list, "Op_1b")
     assert len(person.selected()) > 10
-    person.choose(person.window.properties.operation.risk, "High")
-    assert spots == [Spot("SB1", "_operations", "Op_1b", "risk")]
+    form = person.window.properties.operation
+    person.choose(form.risk, "High")
+    assert written == [("SB1", "Op_1b")]
     assert person.blueprint["SB1"].operation_note("State_aaa", "Op_1b").risk == "high"
+    edges = len(person.selected())
+    person.choose(form.where, "These edges only")
+    person.choose(form.risk, "Low")
+    assert len(written) == 1 + edges
+    assert person.steps() == [
+        "Set risk of Op_1b to High", f"Set risk of {edges} operations to Low"
+    ], "one step each, and one edit"  # fmt: skip
 
 
 def test_where_very_many_operations_are_lit_only_what_says_more_is_named(

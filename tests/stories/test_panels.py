@@ -68,11 +68,14 @@ def test_the_header_form_says_a_refusal_beside_the_field(sit: Sit) -> None:
     header = person.window.properties.header
     before = person.blueprint
     person.write(header.num_facts, "2")
-    assert header.refusal.isVisible()
-    assert "cannot be cut into 2" in header.refusal.text()
+    said = header.facts_line.refusal
+    assert said.isVisible()
+    assert "cannot be cut into 2" in said.text()
     assert person.blueprint is before
     person.write(header.num_facts, "three")
-    assert "whole number" in header.refusal.text()
+    assert "no number" in said.text()
+    person.write(header.num_facts, "1.5")
+    assert "no whole number" in said.text()
     assert not person.window.toast.words, "what the form says needs no second line"
 
 
@@ -126,7 +129,7 @@ def test_a_state_is_renamed_titled_and_marked_safe_in_its_properties(sit: Sit) -
     assert note is not None
     assert (note.title, note.safe) == ("Half way", True)
     person.write(form.name, "State100")
-    assert "already a state" in form.refusal.text()
+    assert "already a state" in form.naming.refusal.text()
 
 
 def test_a_click_on_an_operation_out_selects_it_and_it_is_led_elsewhere(sit: Sit) -> None:
@@ -141,7 +144,7 @@ def test_a_click_on_an_operation_out_selects_it_and_it_is_led_elsewhere(sit: Sit
     assert person.blueprint["SB1"].cost("State100", "Operation100B") == 2.5
     person.choose(form.actor, "Human")
     person.write(form.cost, "cheap")
-    assert "no number" in form.refusal.text()
+    assert "no number" in form.line("cost").refusal.text()
     assert person.blueprint["SB1"].operation_note("State100", "Operation100B").actor == "human"
 
 
@@ -153,7 +156,7 @@ def test_what_is_being_typed_is_a_step_before_a_button_undoes_one(sit: Sit) -> N
     person.click(person.window.properties.state.title)
     person.type("Start")
     person.window.actions_table["undo"].trigger()
-    assert person.steps() == ["Delete 2 elements", "Title State000 “Start”"]
+    assert person.steps() == ["Delete 2 elements", "Set title of State000 to “Start”"]
     assert "State100" not in person.blueprint["SB1"].table, "only the title is undone"
 
 
@@ -242,16 +245,17 @@ def test_the_source_follows_the_selection_and_a_click_selects(sit: Sit) -> None:
     person = sit(HANOI)
     person.window.actions_table["show_source"].trigger()
     source = person.window.source
+    editor = source.editor
     person.until(source.isVisible)
     person.select("SB1/State_cbb")
     assert source.marked_lines == (72, 73, 74, 75, 76)
-    cursor = source.textCursor()
+    cursor = editor.textCursor()
     assert cursor.blockNumber() == 71
-    block = source.document().findBlockByNumber(73)
-    at = source.blockBoundingGeometry(block).translated(source.contentOffset())
-    QTest.mouseClick(source.viewport(), LEFT, pos=QPoint(110, int(at.center().y())))
+    block = editor.document().findBlockByNumber(73)
+    at = editor.blockBoundingGeometry(block).translated(editor.contentOffset())
+    QTest.mouseClick(editor.viewport(), LEFT, pos=QPoint(110, int(at.center().y())))
     assert person.selected() == ["SB1/State_cbb/Op_1a"]
-    assert source.toPlainText() == HANOI.read_text()
+    assert editor.toPlainText() == HANOI.read_text()
 
 
 def test_the_source_shows_the_exact_text_after_every_edit_and_undo(sit: Sit) -> None:
@@ -262,11 +266,11 @@ def test_the_source_shows_the_exact_text_after_every_edit_and_undo(sit: Sit) -> 
     person.press(Key.Key_F2)
     person.type("State010")
     person.press(Key.Key_Return)
-    shown = person.window.source.toPlainText()
+    shown = person.window.source.editor.toPlainText()
     assert shown == person.blueprint.document.text
     assert '"State010"' in shown
     person.ctrl(Key.Key_Z)
-    assert person.window.source.toPlainText() == HFSM.read_text()
+    assert person.window.source.editor.toPlainText() == HFSM.read_text()
 
 
 # History

@@ -6,6 +6,7 @@ has changed. ``after.document`` always agrees with the meaning of ``after``.
 
 from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
 from smsl_studio.blueprint.editing.headers import attach_sub, detach_sub, set_header
+from smsl_studio.blueprint.editing.imports import set_imports
 from smsl_studio.blueprint.editing.moving import reorder, retarget
 from smsl_studio.blueprint.editing.notes import (
     change_notes,
@@ -31,6 +32,7 @@ __all__ = [
     "retarget",
     "set_hazards",
     "set_header",
+    "set_imports",
     "set_layout",
     "set_note",
 ]

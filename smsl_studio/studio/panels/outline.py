@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, QTimer
+from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QToolButton, QTreeWidgetItem, QWidget
 
@@ -22,6 +22,9 @@ from smsl_studio.studio.theme import Tokens
 
 class Outline(Panel):
     """The tree of SBs. A click shows an SB; F2, the menu and the buttons add, rename, delete."""
+
+    fact_wanted = Signal(str, int)
+    """(SB, digit): a fact was clicked, and its properties are wanted."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Outline", parent)
@@ -109,6 +112,8 @@ class Outline(Panel):
         self._session.show_branch(line.branch)
         self._session.select(())
         self._mark()
+        if line.digit is not None:
+            self.fact_wanted.emit(line.branch, line.digit)
 
     def _renamed(self, item: QTreeWidgetItem) -> None:
         line, new = line_of(item), item.text(0).strip()

@@ -1,4 +1,4 @@
-"""Properties of the selection, over the header of the SB that is shown."""
+"""Properties of the selection or of a fact, over the header of the SB that is shown."""
 
 from __future__ import annotations
 
@@ -8,8 +8,12 @@ from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QWidget
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.controls import label, row, rule
+from smsl_studio.studio.panels.fact_form import FactForm
+from smsl_studio.studio.panels.file_form import FileForm
 from smsl_studio.studio.panels.frame import Panel
+from smsl_studio.studio.panels.hazard_form import HazardForm
 from smsl_studio.studio.panels.header_form import HeaderForm
 from smsl_studio.studio.panels.operation_form import OperationForm
 from smsl_studio.studio.panels.state_form import StateForm
@@ -19,50 +23,86 @@ from smsl_studio.studio.words import counted
 
 
 class Properties(QScrollArea):
-    """One state, one operation, or what several selected elements share; then the branch header."""
+    """One state, one operation, what several selected elements share, or a fact; then the branch
+    header, the hazards and what else stands in its file.
+    """
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
+        self._fact: tuple[str, int] | None = None
         self.setAccessibleName("Properties")
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         inner = Panel("Properties")
+        self.fact = FactForm(session, tokens)
         self.state = StateForm(session, tokens)
-        self.operation = OperationForm(session)
+        self.operation = OperationForm(session, tokens)
         self.several = _Several(session)
         self.header = HeaderForm(session, tokens)
+        self.hazards = HazardForm(session, tokens)
+        self.file = FileForm(session, tokens)
         self._rule = rule()
-        for widget in (self.state, self.operation, self.several, self._rule, self.header):
+        above = (self.fact, self.state, self.operation, self.several, self._rule)
+        for widget in (*above, self.header, rule(), self.hazards, rule(), self.file):
             inner.column.addWidget(widget)
         inner.column.addStretch(1)
         self.setWidget(inner)
-        session.selection_changed.connect(lambda *_: self._show())
-        session.blueprint_changed.connect(lambda *_: self._show())
+        self._connect()
         self._show()
 
+    def _connect(self) -> None:
+        session = self._session
+        session.selection_changed.connect(lambda *_: self._selected())
+        session.branch_changed.connect(lambda *_: self._selected())
+        session.blueprint_changed.connect(lambda *_: self._show())
+        self.state.fact_wanted.connect(self.show_fact)
+        self.header.fact_wanted.connect(self.show_fact)
+        self.fact.left.connect(self._selected)
+        self.fact.sub_wanted.connect(session.show_branch)
+
     def set_tokens(self, tokens: Tokens) -> None:
-        self.state.set_tokens(tokens)
-        self.header.set_tokens(tokens)
+        for form in (self.fact, self.state, self.operation, self.header, self.hazards, self.file):
+            form.set_tokens(tokens)
+
+    def set_plugins(self, loaded: Loaded) -> None:
+        """The functions that operations can be bound to."""
+        self.operation.set_plugins(loaded)
+
+    def show_fact(self, branch: str, digit: int) -> None:
+        """Show a fact in place of the selection, until something else is chosen."""
+        self._session.show_branch(branch)
+        self._fact = (branch, digit)
+        self._show()
+        self.verticalScrollBar().setValue(0)
+
+    def _selected(self) -> None:
+        """What was selected counts, and no fact any more."""
+        self._fact = None
+        self._show()
 
     def _show(self) -> None:
         blueprint, selection = self._session.blueprint, self._session.selection
         selection = tuple(a for a in selection if a.state and _stands(blueprint, a))
+        fact = self._fact if _is_fact(blueprint, self._fact) else None
+        selection = () if fact else selection
         states = [a for a in selection if not a.operation]
         edges = [a for a in selection if a.operation]
-        one_state = len(selection) == 1 and bool(states)
-        only_edges = bool(edges) and not states
-        self.state.setVisible(one_state)
-        self.operation.setVisible(only_edges)
-        self.several.setVisible(len(selection) > 1)
-        self._rule.setVisible(bool(selection))
-        if one_state:
-            self.state.show_state(blueprint, states[0])
-        if only_edges:
+        # The text of a form is settled before it is seen, so that nothing jumps.
+        if fact:
+            self.fact.show_fact(blueprint, *fact)
+        if states and not edges:
+            self.state.show_states(blueprint, states)
+        if edges and not states:
             self.operation.show_operations(blueprint, edges)
         if len(selection) > 1:
             self.several.show_selection(states, edges)
+        self.fact.setVisible(fact is not None)
+        self.state.setVisible(bool(states) and not edges)
+        self.operation.setVisible(bool(edges) and not states)
+        self.several.setVisible(len(selection) > 1)
+        self._rule.setVisible(bool(selection) or fact is not None)
 
 
 class _Several(Panel):
@@ -110,6 +150,13 @@ def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
         if len(set(column)) == 1
     ]
     return f"In all of them {', '.join(same)}." if same else "They share no fact."
+
+
+def _is_fact(blueprint: Blueprint, fact: tuple[str, int] | None) -> bool:
+    if fact is None or fact[0] not in blueprint.branches:
+        return False
+    branch = blueprint[fact[0]]
+    return fact[1] < max(branch.num_facts, branch.header.num_facts or 0)
 
 
 def _stands(blueprint: Blueprint, address: Address) -> bool:

@@ -1,62 +1,74 @@
-"""The properties of one state: name, title, facts, whether it is safe, and where it leads."""
+"""The properties of states: name, title, note, facts, whether it is safe, and where it leads."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from collections.abc import Sequence
+from typing import Any
+
+from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.annotations import StateNote
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.chips import Chips
-from smsl_studio.studio.controls import Field, Switch, label, row
-from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.note_edits import Spot, set_note_value
-from smsl_studio.studio.panels.trying import try_edit
+from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.panels.lines.box import BoxLine
+from smsl_studio.studio.panels.lines.choice import SwitchLine
+from smsl_studio.studio.panels.lines.line import Shown, labelled
+from smsl_studio.studio.panels.lines.text import ListLine, TextLine
+from smsl_studio.studio.panels.note_form import Entry, NoteForm, misfits_of, written_words
 from smsl_studio.studio.rows import Row, RowsView
 from smsl_studio.studio.session import Session
-from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import counted
 
-LABEL, MOST_ROWS = 80, 12
+MOST_ROWS = 12
+PLAIN = StateNote()
 
 
-class StateForm(Panel):
-    """Edits one state; a click on an operation selects it."""
+class StateForm(NoteForm):
+    """Edits one state, or what several share; a click on an operation selects it."""
+
+    fact_wanted = Signal(str, int)
+    """(SB, digit): a fact was clicked."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
-        super().__init__("State", parent)
-        self._session = session
-        self._address = Address("")
-        self.column.setContentsMargins(12, 8, 12, 12)
-        self.column.setSpacing(6)
+        super().__init__("State", "_states", session, parent)
+        self._states: tuple[Address, ...] = ()
+        self._heading = label("State", "heading")
         self._name = label("", "second")
-        self.column.addLayout(row(label("State", "heading"), self._name, None))
-        self.name = self._field("Name", "The state's name; everything that names it follows (F2)")
-        self.name.editingFinished.connect(self._rename)
-        self.title = self._field("Title", "A plain title, for people")
-        self.title.editingFinished.connect(self._retitle)
+        self.column.addLayout(row(self._heading, self._name, None))
+        tip = "The state's name; everything that names it follows (F2)"
+        self.naming = TextLine("Name", tip)
+        self.naming.given.connect(self._rename)
+        self.column.addWidget(self.naming)
+        self.name = self.naming.field
+        self.title = self.add("title", TextLine("Title", "A plain title, for people")).field
         self.chips = Chips(tokens)
-        self.column.addLayout(labelled("Facts", self.chips))
-        self.safe = Switch()
-        self.safe.setAccessibleName("Safe state")
-        self.safe.setToolTip("Whether the procedure may rest in this state")
-        self.safe.clicked.connect(self._set_safe)
-        self.safe_words = label("", "second")
-        line = labelled("Safe state", self.safe)
-        line.addSpacing(8)
-        line.addWidget(self.safe_words)
-        line.addStretch(1)
-        self.column.addLayout(line)
-        self.refusal: QLabel = label("", "refusal")
-        self.refusal.hide()
-        self.column.addWidget(self.refusal)
+        self.chips.chosen.connect(self._want_fact)
+        self._facts = QWidget()
+        self._facts.setLayout(labelled("Facts", self.chips))
+        self.column.addWidget(self._facts)
+        self.values = self.add("facts", ListLine(
+            "Fact values", "The value of each fact, digit 0 first, with commas between; "
+            "for names that carry none", "such as 0, 1, 1", once=False)).field  # fmt: skip
+        self.safe = self.add(
+            "safe", SwitchLine("Safe state", "Whether the procedure may rest in this state")
+        ).field
+        self.note = self.add(
+            "note", BoxLine("Note", "What people should know about this state")
+        ).field
         self._count = label("", "count")
         self._to = label("to state", "small")
+        self._out = QWidget()
         heading = row(label("Operations out", "heading"), self._count, None, self._to)
         heading.setContentsMargins(0, 6, 0, 0)
-        self.column.addLayout(heading)
+        self._out.setLayout(heading)
+        self.column.addWidget(self._out)
         self.operations = RowsView(tokens, self, margin=0)
         self.operations.setAccessibleName("Operations out of this state")
         self.operations.clicked.connect(self._clicked)
@@ -69,22 +81,26 @@ class StateForm(Panel):
         self.chips.set_tokens(tokens)
         self.operations.set_tokens(tokens)
 
-    def show_state(self, blueprint: Blueprint, address: Address) -> None:
-        """Show one state as it is now."""
-        if address != self._address:
-            self.refusal.hide()
-        self._address = address
-        branch = blueprint[address.branch]
-        note = branch.state_note(address.state)
-        self._name.setText(_short(address.state, 24))
-        self._name.setToolTip(address.state)
-        self.name.settle(address.state)
-        self.title.settle(note.title if note else "")
-        self.chips.show_state(branch, address.state)
-        safe = note.safe if note else None
-        self.safe.setChecked(safe is True)
-        self.safe_words.setText({True: "Yes", False: "No", None: "Not said"}[safe])
-        rows = [_operation_row(branch, address.state, name) for name in branch.table[address.state]]
+    def show_states(self, blueprint: Blueprint, states: Sequence[Address]) -> None:
+        """Show one state as it is now, or what several share."""
+        self._states = tuple(states)
+        one = states[0] if len(states) == 1 else None
+        self._heading.setText("State" if one else counted(len(states), "state"))
+        self._name.setText(_short(one.state, 24) if one else "")
+        self._name.setToolTip(one.state if one else "")
+        self.show_entries(_entries(blueprint, states))
+        for widget in (self.naming, self._facts, self._out):
+            widget.setVisible(one is not None)
+        shapes = [blueprint[name].shape for name in {at.branch for at in states}]
+        self._lines["facts"].setVisible(any(shape.opaque or shape.width == 0 for shape in shapes))
+        if one is None:
+            self._none.hide()
+            self.operations.hide()
+            return
+        branch = blueprint[one.branch]
+        self.naming.show_values([Shown(one.state)])
+        self.chips.show_state(branch, one.state)
+        rows = [_operation_row(branch, one.state, name) for name in branch.table[one.state]]
         self._count.setText(str(len(rows)))
         self._to.setVisible(bool(rows))
         self._none.setVisible(not rows)
@@ -93,56 +109,36 @@ class StateForm(Panel):
         self.operations.clearSelection()
         self.operations.setFixedHeight(28 * min(len(rows), MOST_ROWS))
 
-    def _field(self, words: str, tip: str) -> Field:
-        field = Field()
-        field.setAccessibleName(f"{words} of the state")
-        field.setToolTip(tip)
-        self.column.addLayout(labelled(words, field))
-        return field
+    def who(self) -> str:
+        states = self._states
+        return states[0].state if len(states) == 1 else counted(len(states), "state")
 
-    def _rename(self) -> None:
-        address, new = self._address, self.name.text().strip()
-        if not self.name.changed or not address.state:
+    def _rename(self, new: Any) -> None:
+        address, name = self._states[0], str(new or "")
+        if name == address.state:
             return
-        done = try_edit(
-            self._session,
-            f"Rename {address.state} to {new}",
-            lambda bp: editing.rename(bp, address, new),
-            self.refusal,
-        )
-        self.name.set_refused(not done)
-        if done:
-            self._session.select((Address(address.branch, new),))
+        words = f"Rename {address.state} to {name}"
+        if self.edit(words, lambda bp: editing.rename(bp, address, name), self.naming.refuse):
+            self._session.select((Address(address.branch, name),))
 
-    def _retitle(self) -> None:
-        if self.title.changed:
-            text = self.title.text().strip()
-            self._note(f"Title {self._address.state} “{text}”", "title", text or None)
-
-    def _set_safe(self, on: bool) -> None:
-        words = "safe" if on else "not safe"
-        self._note(f"Mark {self._address.state} as {words}", "safe", on)
-
-    def _note(self, words: str, name: str, value: object) -> None:
-        at = self._address
-        try_edit(
-            self._session,
-            words,
-            lambda bp: set_note_value(bp, Spot(at.branch, "_states", at.state, name), value),
-            self.refusal,
-        )
+    def _want_fact(self, digit: int) -> None:
+        self.fact_wanted.emit(self._states[0].branch, digit)
 
     def _clicked(self, index: QModelIndex) -> None:
         row_ = index.data(Qt.ItemDataRole.UserRole)
         self._session.select((row_.payload,))
 
 
-def labelled(words: str, field: QWidget) -> QHBoxLayout:
-    """A field with its name at the left."""
-    name = label(words, "label")
-    name.setFixedWidth(LABEL)
-    name.setBuddy(field)
-    return row(name, field, spacing=0)
+def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[Entry]:
+    odd = {name: misfits_of(blueprint[name], "_states") for name in {at.branch for at in states}}
+    found = []
+    for at in states:
+        branch = blueprint[at.branch]
+        misfits = odd[at.branch].get(at.state, {})
+        written = written_words(branch, "_states", at.state) - set(misfits)
+        note = branch.state_note(at.state) or PLAIN
+        found.append(Entry(at.branch, at.state, note, PLAIN, written, misfits=misfits))
+    return found
 
 
 def _operation_row(branch: StateBranch, state: str, name: str) -> Row:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QLabel
-
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.session import Session
@@ -13,14 +11,19 @@ from smsl_studio.studio.words import capital
 
 
 def try_edit(
-    session: Session, words: str, change: Callable[[Blueprint], Blueprint], said: QLabel
+    session: Session,
+    words: str,
+    change: Callable[[Blueprint], Blueprint],
+    refuse: Callable[[str], None],
 ) -> bool:
-    """Carry out an edit; where it is refused, ``said`` shows why and what to do."""
+    """Carry out an edit as one step; where it is refused, ``refuse`` is told why and what to do.
+
+    ``refuse`` is told nothing (the empty text) where it was taken.
+    """
     try:
         after = change(session.blueprint)
     except StudioError as error:
-        said.setText(" ".join(filter(None, (capital(error.sentence), error.advice))))
-        said.show()
+        refuse(" ".join(filter(None, (capital(error.sentence), error.advice))))
         return False
-    said.hide()
+    refuse("")
     return session.edit(words, lambda _: after)

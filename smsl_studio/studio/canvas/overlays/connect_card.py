@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from smsl_studio.studio.canvas.overlays.card import PassingCard, tint
 from smsl_studio.studio.canvas.overlays.choices import Choices
-from smsl_studio.studio.canvas.overlays.field import Field, complain, error_label
+from smsl_studio.studio.canvas.overlays.name_line import NameLine, complain, error_label
 from smsl_studio.studio.theme import Tokens, text_font
 
 ROWS = 4
@@ -34,10 +34,10 @@ class ConnectCard(PassingCard):
         super().__init__(parent, tokens, 10.0)
         self._names, self._commit = list(names), commit
         self._target_for, self._own_target, self._touched = target_for, False, False
-        self.operation = Field(self, tokens, "Operation")
+        self.operation = NameLine(self, tokens, "Operation")
         self.operation.setText(operation)
         self.operation.selectAll()
-        self.target = Field(self, tokens, "Target state")
+        self.target = NameLine(self, tokens, "Target state")
         self.target.setText(target or "")
         self.target.setVisible(target is not None)
         self.choices = Choices(self, tokens)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QFocusEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.studio.canvas.overlays.card import PassingCard
-from smsl_studio.studio.canvas.overlays.field import Field, complain, error_label
+from smsl_studio.studio.canvas.overlays.name_line import NameLine, complain, error_label
 from smsl_studio.studio.theme import Tokens
 
 
@@ -30,7 +30,7 @@ class NameField(PassingCard):
     ) -> None:
         super().__init__(parent, tokens, 8.0)
         self._commit, self._before = commit, text
-        self.field = Field(self, tokens, hint)
+        self.field = NameLine(self, tokens, hint)
         self.field.setText(text)
         self.field.selectAll()
         self.error = error_label(self, tokens)

@@ -10,7 +10,7 @@ from smsl_studio.studio.canvas.overlays.card import tint
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 
-class Field(QLineEdit):
+class NameLine(QLineEdit):
     """A line for a name, in the code font; Enter and Esc are told, Tab goes to the next line."""
 
     done = Signal()

@@ -1,0 +1,50 @@
+"""Edits of a file's ``_imports``: which other files bring State Branches."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from smsl_studio.blueprint.editing.draft import Draft, document_named
+from smsl_studio.blueprint.importing import KEY
+from smsl_studio.blueprint.model import Blueprint, ImportFault
+from smsl_studio.errors import EditRefused
+
+Json = Any
+
+
+def set_imports(blueprint: Blueprint, files: Sequence[Json], file: str | None = None) -> Blueprint:
+    """Write which files a document imports (its own, or ``file``); an empty list removes them.
+
+    The names are relative to the document. EditRefused where a name that is new leads to nothing
+    that can be imported; those that stood there before are not asked about again.
+    """
+    document = document_named(blueprint, file)
+    written = document.values.get(KEY, [])
+    if not isinstance(written, list):
+        raise EditRefused(
+            f"{KEY} is no list, so nothing can be added to it",
+            document.place((KEY,)),
+            f"Write {KEY} as [ ... ] in the text.",
+        )
+    draft = Draft(blueprint)
+    for name in files:
+        if list(files).count(name) > max(1, written.count(name)):
+            raise EditRefused(f"{name} is imported already", advice="Import it once.")
+    for name in (name for name in files if name not in written):
+        if not isinstance(name, str) or not name.strip():
+            raise EditRefused("an import is the name of a file", advice="Choose a file.")
+    if files:
+        draft.file(document)[KEY] = list(files)
+    else:
+        draft.file(document).pop(KEY, None)
+    after = draft.done()
+    known = {fault.sentence for fault in blueprint.import_faults}
+    fault = next((one for one in after.import_faults if one.sentence not in known), None)
+    if fault is not None and len(files) > len(written):
+        raise EditRefused(_with_chain(fault), advice="Choose another file.")
+    return after
+
+
+def _with_chain(fault: ImportFault) -> str:
+    return f"{fault.sentence}: {' > '.join(fault.chain)}"

@@ -1,0 +1,115 @@
+"""The facts of the SB that is shown, in rows: digit, plain name, the sub-SB that expands it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.studio.chips import VALUE
+from smsl_studio.studio.controls import Combo, Field, label
+from smsl_studio.studio.panels.tag import Tag
+from smsl_studio.studio.theme import CONTROL_ROW, Tokens, text_font
+
+MOST = 64
+"""So many facts have a row; a slip in NUM_FACTS must not fill the window with thousands."""
+NEW = ""
+"""In place of a name in the list of sub-SBs: one that is made for it."""
+
+
+@dataclass
+class FactRow:
+    """The widgets of one fact."""
+
+    chip: Tag
+    name: Field
+    sub: Combo
+
+
+class HeaderFacts(QWidget):
+    """Tells what is meant: a name, a sub-SB, or a click on the digit."""
+
+    named = Signal(int, str)
+    sub_chosen = Signal(int, object)
+    """(digit, SB): None for no sub-SB, ``NEW`` for one that is to be made."""
+    wanted = Signal(int)
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self._tokens = tokens
+        self.rows: list[FactRow] = []
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 8, 0, 0)
+        self._grid.setHorizontalSpacing(6)
+        self._grid.setVerticalSpacing(8)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.addWidget(label("Fact", "small"), 0, 0, 1, 2)
+        self._grid.addWidget(label("Sub-SB", "small"), 0, 2)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        for fact in self.rows:
+            fact.chip.set_tokens(tokens)
+
+    def show_facts(self, blueprint: Blueprint, branch: StateBranch) -> None:
+        """A row for each fact the SB has, or that its header says it has."""
+        count = min(fact_count(branch), MOST)
+        while len(self.rows) > count:
+            gone = self.rows.pop()
+            for widget in (gone.chip, gone.name, gone.sub):
+                self._grid.removeWidget(widget)
+                widget.hide()
+                widget.deleteLater()
+        while len(self.rows) < count:
+            self.rows.append(self._new_row(len(self.rows)))
+        self.setVisible(count > 0)
+        others = [name for name in blueprint.branches if name != branch.name]
+        for digit, fact in enumerate(self.rows):
+            self._show_fact(branch, digit, fact, others)
+
+    def _show_fact(self, branch: StateBranch, digit: int, fact: FactRow, others: list[str]) -> None:
+        sub = branch.subs.get(digit)
+        fact.chip.show_tag(str(digit), VALUE, sub is not None)
+        fact.chip.setToolTip(f"Edit what fact {digit} means and where it comes from")
+        fact.name.settle(branch.fact_name(digit))
+        fact.name.setToolTip(f"{branch.fact_name(digit)}. Type to name this fact.")
+        fact.sub.accent = sub is not None
+        fact.sub.setProperty("pale", sub is None)
+        fact.sub.clear()
+        names = [*others, sub] if sub and sub not in others else others
+        fact.sub.addItem("None", None)
+        for name in names:
+            fact.sub.addItem(name, name)
+        fact.sub.addItem("New", NEW)
+        fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
+        fact.sub.setToolTip(f"Sub-SB of fact {digit}: {sub or 'none'}")
+        fact.sub.update()
+
+    def _new_row(self, digit: int) -> FactRow:
+        fact = FactRow(Tag(self._tokens), Field(), Combo(height=28))
+        fact.chip.press_with_keys(f"Edit fact {digit}")
+        fact.chip.clicked.connect(lambda: self.wanted.emit(digit))
+        fact.name.setProperty("role", "flat")
+        fact.name.setAccessibleName(f"Name of fact {digit}")
+        fact.name.editingFinished.connect(lambda: self._typed(digit))
+        fact.sub.setAccessibleName(f"Sub-SB of fact {digit}")
+        fact.sub.setFixedWidth(118)
+        fact.sub.setFont(text_font(12))
+        fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.sub.itemData(at)))
+        for place, widget in enumerate((fact.chip, fact.name, fact.sub)):
+            self._grid.addWidget(widget, digit + 1, place)
+        self._grid.setRowMinimumHeight(digit + 1, CONTROL_ROW)
+        return fact
+
+    def _typed(self, digit: int) -> None:
+        field = self.rows[digit].name
+        if field.changed:
+            text = field.text().strip()
+            self.named.emit(digit, "" if text == f"Fact {digit + 1}" else text)
+
+
+def fact_count(branch: StateBranch) -> int:
+    """How many facts the SB has, or its header says it has while it has no states."""
+    return branch.num_facts if branch.table else (branch.header.num_facts or 0)

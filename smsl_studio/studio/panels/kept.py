@@ -1,0 +1,58 @@
+"""What a file says that Studio has no field for: shown as it is, and kept."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+
+from smsl_studio.studio.controls import label
+
+LONGEST, MOST = 60, 24
+
+
+class Kept(QWidget):
+    """Keys and values under a heading, read-only; no room is taken where there are none."""
+
+    def __init__(self, title: str) -> None:
+        super().__init__()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 6, 0, 0)
+        column.setSpacing(2)
+        column.addWidget(label(title, "small"))
+        self.words: QLabel = label("", "terms")
+        self.words.setWordWrap(True)
+        self.setToolTip("Studio has no field for these. They are kept in every edit and form.")
+        column.addWidget(self.words)
+
+    def show_values(self, values: Mapping[str, Any]) -> None:
+        """Show these keys and their values."""
+        lines = [_line(key, value) for key, value in list(values.items())[:MOST]]
+        if len(values) > MOST:
+            lines.append(f"and {len(values) - MOST:,} more")
+        self.words.setText("\n".join(lines))
+        self.setVisible(bool(values))
+
+
+def kept_fields(fields: Mapping[str, Any], known: Collection[str]) -> dict[str, Any]:
+    """The ``_`` fields that Studio does not know."""
+    return {key: value for key, value in fields.items() if key not in known}
+
+
+def _line(key: str, value: Any) -> str:
+    text = value if isinstance(value, str) else _json(value)
+    line = f"{key}: {text}".replace("\n", " ")
+    # A word that nothing breaks would make the panel wider than it is.
+    line = line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
+    return "\u200b".join(line[at : at + 24] for at in range(0, len(line), 24))
+
+
+def _json(value: Any) -> str:
+    if isinstance(value, dict | list) and len(value) > LONGEST:
+        return f"{'map' if isinstance(value, dict) else 'list'} of {len(value):,}"
+    try:
+        return json.dumps(value, ensure_ascii=False)
+    except (ValueError, RecursionError):
+        return "…"
