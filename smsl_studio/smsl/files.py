@@ -58,13 +58,22 @@ def parse_bytes(raw: bytes, file: str) -> Document:
 
     Its form is told by the suffix of ``file``, else by how the text begins.
     """
+    return parse_text(_text_of(raw, file), file)
+
+
+def read_text(path: str | os.PathLike[str]) -> str:
+    """The text of a file, whatever it says; ReadError where it cannot be read or is none."""
+    return _text_of(read_bytes(path), os.fspath(path))
+
+
+def _text_of(raw: bytes, file: str) -> str:
     if len(raw) > LARGEST:
         raise ReadError(
             f"the file is larger than {LARGEST >> 20} MB",
             Place(file, 1, 1),
             "Split it into several files.",
         )
-    return parse_text(decode(raw, file), file)
+    return decode(raw, file)
 
 
 def parse_text(text: str, file: str) -> Document:
