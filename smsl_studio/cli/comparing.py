@@ -9,10 +9,12 @@ from __future__ import annotations
 import argparse
 import os
 
-from smsl_studio.blueprint.comparing import Change, Difference, Kind, compare
+from smsl_studio.blueprint.comparing import Change, Difference, compare
+from smsl_studio.blueprint.comparing.signs import CHANGED, SIGNS
 from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.git_driver import by_git, show_for_git
 from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.pictures import add_picture, picture_form, write_picture
 from smsl_studio.cli.reading import read_argument
 from smsl_studio.errors import UsageError
 
@@ -21,6 +23,7 @@ def add_arguments(parser: Parser) -> None:
     parser.add_argument(
         "files", nargs="+", metavar="FILE", help="the earlier and the later blueprint; - is one"
     )
+    add_picture(parser, required=False)
     add_format(parser)
 
 
@@ -36,7 +39,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         )
     if files == ["-", "-"]:
         raise UsageError("standard input cannot be both files", advice="Name one of them.")
+    if options.output:
+        picture_form(options.output)
     difference = compare(read_argument(files[0]), read_argument(files[1]))
+    if options.output:
+        _draw(difference, options.output)
     if options.format == "json":
         out.json(difference.as_json())
     else:
@@ -47,14 +54,19 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 def print_difference(difference: Difference, out: Output) -> None:
     """Every change on a line: its sign, its address, its sentence, its places; then the sum."""
     for change in difference.changes:
-        sign = SIGNS.get(change.kind, "~")
+        sign = SIGNS.get(change.kind, CHANGED)
         paint = {"+": out.green, "-": out.red}.get(sign, out.yellow)
         where = "" if change.address is None else f"{change.address}: "
         out.line(paint(one_line(f"{sign} {where}{change.words}")) + _places(difference, change))
     out.line(difference.words)
 
 
-SIGNS = {Kind.ADDED: "+", Kind.REMOVED: "-"}
+def _draw(difference: Difference, output: str) -> None:
+    from smsl_studio.picture.colours import LIGHT
+    from smsl_studio.picture.compared import draw_difference
+
+    title = f"{difference.before.file} -> {difference.after.file}"
+    write_picture(draw_difference(difference), title, output, LIGHT)
 
 
 def _places(difference: Difference, change: Change) -> str:

@@ -11,6 +11,8 @@ from functools import cache
 
 from PySide6.QtGui import QColor, QFont, QFontDatabase, QPalette
 
+from smsl_studio.picture import colours
+
 SPACE = (4, 8, 12, 16, 24)
 RADIUS_CHIP, RADIUS_CONTROL, RADIUS_NODE, RADIUS_CARD = 4, 6, 8, 10
 CONTROL, CONTROL_ROW, CONTROL_DECISION = 32, 26, 40
@@ -91,26 +93,12 @@ class Tokens:
         return palette
 
 
-_NAMES = [f.name for f in fields(Tokens)][1:]
-_LIGHT = (
-    "F3F4F6 FFFFFF EDEFF2 F8F9FB DCE0E6 DFE3E8 C2C8D1 8791A1 161B22 465060 5F6979 "
-    "2456C9 E7EEFC 9CB5EE FFFFFF 0B7357 E0F2EB B3291B FCE8E5 64548F EFEBF7 8A4F00 FBEED6 "
-    "788293 C9CED6 465060 FFFFFF C4221A"
-)
-_DARK = (
-    "12161C 191E26 0E1217 11151B 242B35 2A313C 434D5C 6D7889 E9EDF2 B5BECA 929CAB "
-    "86AAFF 1D2A49 4565B0 0B1430 4FCB9C 12322A FF8A76 401F1B B9A8EC 2B2541 F0B34C 392A10 "
-    "7E899A 3A434F B5BECA 12161C D5352A"
-)
+def _tokens(name: str, inks: colours.Colours) -> Tokens:
+    return Tokens(name, *(QColor(inks[f.name]) for f in fields(Tokens)[1:]))
 
 
-def _tokens(name: str, colours: str) -> Tokens:
-    values = {key: QColor(f"#{hex_}") for key, hex_ in zip(_NAMES, colours.split(), strict=True)}
-    return Tokens(name=name, **values)
-
-
-LIGHT = _tokens("light", _LIGHT)
-DARK = _tokens("dark", _DARK)
+LIGHT = _tokens("light", colours.LIGHT)
+DARK = _tokens("dark", colours.DARK)
 
 
 @cache

@@ -1,96 +1,165 @@
-"""The SVG of a branch: well formed, every state and operation in it, marks where they belong."""
+"""Pictures: well formed, every name in them, nothing overlaps or is cut, any name is safe."""
 
 from __future__ import annotations
 
+import json
+from typing import Any
 from xml.etree import ElementTree as ET
 
-from smsl_studio.blueprint.model import Blueprint, StateBranch
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import smsl_studio as smsl
+from smsl_studio.blueprint import editing as edit
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparing import compare
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rules import hanoi
-from smsl_studio.picture.svg import HEIGHT, WIDTH, Point, draw_branch
+from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.colours import DARK, LIGHT
+from smsl_studio.picture.compared import draw_difference
+from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.labels import meet
+from smsl_studio.picture.paper import as_pdf, as_png
+from smsl_studio.picture.picture import Picture
+from smsl_studio.picture.svg import as_svg, draw_blueprint, one_below_another
+from smsl_studio.picture.words import elided, width
+from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
 
 SVG = "{http://www.w3.org/2000/svg}"
+SAMPLES = sorted(path.name for path in samples_dir().glob("*.json"))
 
 
-def read(text: str) -> Blueprint:
-    return read_blueprint(parse_json(text, "test.json"))
+def of(values: Any) -> Blueprint:
+    return read_blueprint(parse_json(json.dumps(values), "test.json"))
 
 
-def on_a_row(branch: StateBranch) -> dict[str, Point]:
-    return {name: (200.0 * index, 0.0) for index, name in enumerate(branch.table)}
+def svg_of(blueprint: Blueprint) -> str:
+    panels = draw_blueprint(blueprint, list(blueprint.branches))
+    return as_svg(one_below_another(panels), "a picture")
 
 
-def texts(svg: str) -> list[str]:
+def words_of(svg: str) -> list[str]:
     return [node.text or "" for node in ET.fromstring(svg).iter(f"{SVG}text")]
 
 
-def test_every_state_and_operation_is_drawn_without_the_prefix_they_share() -> None:
-    branch = hanoi(2)["SB1"]
-    svg = draw_branch(branch, on_a_row(branch))
-    titles = [node.text for node in ET.fromstring(svg).iter(f"{SVG}title")]
-    assert titles == list(branch.table)
-    assert set(branch.table) <= set(texts(svg))
-    edges = [edge.name.removeprefix("Op_") for edge in branch.edges()]
-    assert sorted(text for text in texts(svg) if len(text) == 2) == sorted(edges)
+def titles_of(svg: str) -> list[str]:
+    return [node.text or "" for node in ET.fromstring(svg).iter(f"{SVG}title")]
 
 
-def test_the_activating_state_has_a_second_outline_and_the_initial_one_a_dot() -> None:
-    branch = hanoi(2)["SB1"]
-    groups = {
-        group.findtext(f"{SVG}title"): group
-        for group in ET.fromstring(draw_branch(branch, on_a_row(branch))).iter(f"{SVG}g")
-    }
-    outlines = {name: len(group.findall(f"{SVG}rect")) for name, group in groups.items()}
-    assert [name for name, count in outlines.items() if count == 2] == ["State_cc"]
-    assert [n for n, g in groups.items() if g.find(f"{SVG}circle") is not None] == ["State_aa"]
+@pytest.mark.parametrize("name", SAMPLES)
+def test_every_sample_shows_every_name_and_nothing_overlaps(name: str) -> None:
+    blueprint = smsl.read(samples_dir() / name)
+    svg = svg_of(blueprint)
+    shown = words_of(svg)
+    for branch in blueprint:
+        assert branch.name in shown
+        assert set(branch.table) <= set(shown)
+        figure = Figure(Picture(blueprint, branch.name), place_states(branch))
+        edges = range(branch.edge_count)
+        assert all(figure.label(edge) in shown for edge in edges)
+        labels = [figure.geometry.label(edge) for edge in edges]
+        assert None not in labels, "every label has a place"
+        left, top, right, bottom = figure.bounds()
+        boxes = [
+            (x - w / 2, y - 27.0, x + w / 2, y + 27.0)
+            for (x, y), w in zip(figure.at.tolist(), figure.widths.tolist(), strict=True)
+        ]
+        rects = [*filter(None, labels), *boxes]
+        for i, one in enumerate(rects):
+            assert left <= one[0]
+            assert top <= one[1]
+            assert one[2] <= right
+            assert one[3] <= bottom
+            assert not any(meet(one, other) for other in rects[:i])
 
 
-def test_opposite_operations_bend_apart_and_edges_end_at_the_box() -> None:
-    branch = read('{"B": {"S0": {"go": "S1"}, "S1": {"back": "S0"}}}')["B"]
-    root = ET.fromstring(draw_branch(branch, {"S0": (0.0, 0.0), "S1": (400.0, 0.0)}))
-    curves = [p.get("d", "") for p in root.iter(f"{SVG}path") if "Q" in p.get("d", "")]
-    assert len(curves) == 2
-    middles = [float(d.split("Q")[1].split()[1]) for d in curves]
-    assert middles[0] == -middles[1] != 0
-    x, y = (float(v) for v in curves[0][1:].split("Q")[0].split())
-    assert x == WIDTH / 2
-    assert abs(y) < HEIGHT / 2
+def test_what_all_operations_share_is_said_once_and_left_out() -> None:
+    shown = words_of(svg_of(hanoi(2)))
+    assert "1a" in shown
+    assert "Op_1a" not in shown
+    assert "The name of every operation here begins with Op_" in shown
 
 
-def test_parallel_operations_and_loops_each_have_their_own_line() -> None:
-    branch = read('{"B": {"S0": {"a": "S1", "b": "S1", "c": "S0", "d": "S0"}, "S1": {}}}')["B"]
-    root = ET.fromstring(draw_branch(branch, {"S0": (0.0, 0.0), "S1": (300.0, 80.0)}))
-    lines = [p.get("d") for p in root.iter(f"{SVG}path") if p.get("marker-end")]
-    assert len(lines) == len(set(lines)) == 5  # four operations and the mark of the initial state
+def test_marks_are_explained_where_they_occur() -> None:
+    shown = words_of(svg_of(smsl.read(samples_dir() / "hfsm.json")))
+    assert "turns a sub-SB's fact on" in shown
+    assert any(words.startswith("expanded by a sub-SB: Fact 2 by SB2") for words in shown)
+    assert "turns it off" not in words_of(svg_of(hanoi(2)))
 
 
-def test_the_picture_holds_every_node() -> None:
-    branch = hanoi(2)["SB1"]
-    root = ET.fromstring(draw_branch(branch, on_a_row(branch)))
-    left, top, width, height = map(float, root.get("viewBox", "").split())
-    for box in list(root.iter(f"{SVG}rect"))[1:]:
-        x, y = float(box.get("x", "")), float(box.get("y", ""))
-        assert left < x < left + width - float(box.get("width", ""))
-        assert top < y < top + height - float(box.get("height", ""))
+def test_a_large_sb_is_dots_and_straight_lines_with_start_and_goal_named() -> None:
+    svg = svg_of(hanoi(7))
+    assert len(svg) < 400_000
+    shown = words_of(svg)
+    assert "State_aaaaaaa" in shown
+    assert "State_ccccccc" in shown
+    assert len(shown) < 10
+    assert sum(1 for _ in ET.fromstring(svg).iter(f"{SVG}circle")) >= 3**7
 
 
-def test_names_that_look_like_markup_stay_text_and_loops_are_drawn() -> None:
-    branch = read('{"B & \\"C\\"": {"S<0>": {"a&b": "S<0>"}}}')['B & "C"']
-    svg = draw_branch(branch, {"S<0>": (0.0, 0.0)})
-    assert ET.fromstring(svg).get("aria-label") == 'B & "C"'
-    assert {"S<0>", "a&b"} <= set(texts(svg))
+def test_a_layout_in_the_file_is_followed() -> None:
+    placed = {"A": [0, 0], "B": [0, 400]}
+    blueprint = of({"S": {"A": {"go": "B"}, "B": {}, "_layout": placed}})
+    figure = Figure(Picture(blueprint, "S"), place_states(blueprint["S"]))
+    assert figure.at.tolist() == [[0.0, 0.0], [0.0, 400.0]]
 
 
-def test_a_state_without_a_position_is_left_out_with_its_operations() -> None:
-    branch = hanoi(2)["SB1"]
-    positions = on_a_row(branch)
-    del positions["State_aa"]
-    drawn = texts(draw_branch(branch, positions))
-    assert "State_aa" not in drawn
-    kept = [e for e in branch.edges() if "State_aa" not in (e.source, e.target)]
-    assert sum(len(text) == 2 for text in drawn) == len(kept)
+ODD = st.text(
+    st.characters(exclude_categories=["Cs"]) | st.sampled_from("<&\"'>]\u202e\u0000é中שم "),
+    min_size=1,
+    max_size=40,
+).filter(lambda name: not name.startswith("_") and name != "HEADER")
 
 
-def test_an_empty_branch_is_an_empty_picture() -> None:
-    assert texts(draw_branch(read('{"B": {}}')["B"], {})) == []
+@settings(max_examples=30)
+@given(ODD, ODD, ODD)
+def test_any_name_gives_a_picture_that_can_be_read(branch: str, state: str, name: str) -> None:
+    svg = svg_of(of({branch: {state: {name: state, f"{name}2": "nowhere"}}}))
+    assert len(titles_of(svg)) >= 4, "of the picture, the state and its two operations"
+    assert not set("\u202e\u0000\ufffe") & set(svg)
+
+
+def test_a_name_of_ten_thousand_characters_is_cut_in_its_middle() -> None:
+    svg = svg_of(of({"S": {"a" + "x" * 9998 + "b": {"go": "nowhere"}}}))
+    shown = [words for words in words_of(svg) if "…" in words]
+    assert shown[0].startswith("a")
+    assert shown[0].endswith("b")
+    assert len(shown[0]) < 80
+
+
+@given(st.text(max_size=60), st.floats(1.0, 400.0))
+def test_what_is_cut_fits(text: str, room: float) -> None:
+    cut = elided(text, 12.0, room)
+    assert cut == text or len(cut) <= 3 or width(cut, 12.0) <= room
+
+
+def test_png_and_pdf_are_made_without_a_display() -> None:
+    blueprint = smsl.read(samples_dir() / "hfsm.json")
+    panels = draw_blueprint(blueprint, list(blueprint.branches), DARK)
+    png = as_png(as_svg(one_below_another(panels, DARK), "both", DARK), "both")
+    assert png.startswith(b"\x89PNG")
+    pdf = as_pdf([as_svg(panel, "one", DARK) for panel in panels], "é <&>")
+    assert pdf.startswith(b"%PDF")
+    assert pdf.count(b"/Type /Page\n") == 2 or pdf.count(b"/Type/Page") >= 2
+
+
+def test_a_difference_is_marked_by_sign_and_form_on_both_sides() -> None:
+    before = hanoi(2)
+    after = edit.add_state(before, "SB1", "State_dd")
+    after = edit.delete(after, [Address("SB1", "State_aa", "Op_1b")])
+    after = edit.rename(after, Address("SB1", "State_cc"), "State_ee")
+    panels = draw_difference(compare(before, after))
+    svg = as_svg(one_below_another(panels), "difference")
+    shown = words_of(svg)
+    assert {"State_cc", "State_ee", "State_dd", "before", "after"} <= set(shown)
+    assert "The state State_cc of SB1 is now called State_ee." in shown
+    assert 'stroke-dasharray="5 3"' in svg
+    for colour in (LIGHT["ok"], LIGHT["risk"], LIGHT["acc"]):
+        assert colour in svg
+    assert LIGHT["bad"] not in svg
+    same = as_svg(one_below_another(draw_difference(compare(before, before))), "same")
+    assert "No difference." in words_of(same)

@@ -13,6 +13,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
 from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.picture.picture import Ints
 from smsl_studio.studio.canvas import batch
 from smsl_studio.studio.canvas.edge_paint import (
@@ -23,7 +24,6 @@ from smsl_studio.studio.canvas.edge_paint import (
     paint_sign,
 )
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN
-from smsl_studio.studio.canvas.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.studio.canvas.lit_labels import LitLabel, LitLabels, by_weight, lit_boxes
 from smsl_studio.studio.canvas.node_paint import paint_goal
 from smsl_studio.studio.canvas.sheet import Numbers, Sheet

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.levels import COMPACT_SIZE, Level
 from smsl_studio.picture.shape import EdgeShape
 from smsl_studio.studio.canvas.edge_paint import (
     EdgeLook,
@@ -15,7 +16,6 @@ from smsl_studio.studio.canvas.edge_paint import (
     label_size,
     pill_width,
 )
-from smsl_studio.studio.canvas.levels import COMPACT_SIZE, Level
 from smsl_studio.studio.canvas.sheet import Sheet
 
 MOST = 400

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsObject, QStyleOptionGraphicsItem, QWidget
 
-from smsl_studio.studio.canvas.levels import COMPACT_SIZE, FULL_SIZE
+from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE
 from smsl_studio.studio.canvas.node_paint import MARGIN, paint_node
 from smsl_studio.studio.canvas.sheet import Sheet
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
+from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.studio.canvas.ink import (
     NO_BRUSH,
@@ -20,7 +21,6 @@ from smsl_studio.studio.canvas.ink import (
     faded,
     pen,
 )
-from smsl_studio.studio.canvas.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE
 from smsl_studio.studio.theme import RADIUS_CHIP, RADIUS_NODE
 
 CHIP, GAP, CHIP_TOP = 18.0, 4.0, 27.0

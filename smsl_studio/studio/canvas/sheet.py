@@ -14,13 +14,7 @@ from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.picture import SMALL_STATES, Picture
-from smsl_studio.picture.routing import Style, meets
-from smsl_studio.picture.shape import Floats
-from smsl_studio.studio.canvas import edge_paint, node_paint
-from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size
-from smsl_studio.studio.canvas.ink import Ink
-from smsl_studio.studio.canvas.levels import (
+from smsl_studio.picture.levels import (
     BOX_SIZE,
     COMPACT_SIZE,
     DOT_SIZE,
@@ -30,6 +24,12 @@ from smsl_studio.studio.canvas.levels import (
     spacing_of,
     unit_at,
 )
+from smsl_studio.picture.picture import SMALL_STATES, Picture
+from smsl_studio.picture.routing import Style, meets
+from smsl_studio.picture.shape import Floats
+from smsl_studio.studio.canvas import edge_paint, node_paint
+from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size
+from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.looks import Looks
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_paint import compact_width, full_width

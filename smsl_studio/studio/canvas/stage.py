@@ -12,12 +12,12 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas import batch
 from smsl_studio.studio.canvas.camera import Camera
 from smsl_studio.studio.canvas.gesture_layer import GestureLayer
 from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.layers import EdgeLayer, FarNodeLayer, LitLayer
-from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.lit_labels import LitLabel
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_item import NodePool

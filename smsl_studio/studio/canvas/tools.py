@@ -8,6 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas import keys
 from smsl_studio.studio.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.canvas.gestures import (
@@ -20,7 +21,6 @@ from smsl_studio.studio.canvas.gestures import (
     selection_after,
 )
 from smsl_studio.studio.canvas.handles import handles, nearest
-from smsl_studio.studio.canvas.levels import Level
 from smsl_studio.studio.canvas.node_paint import chip_places
 
 if TYPE_CHECKING:

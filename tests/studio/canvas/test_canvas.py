@@ -14,8 +14,8 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.generate.rules import hanoi
+from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.studio.canvas import accessible_tree
-from smsl_studio.studio.canvas.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.theme import DARK
 from tests.stories.at_canvas import Drawer, sample

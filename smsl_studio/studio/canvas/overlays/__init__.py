@@ -12,7 +12,7 @@ from PySide6.QtGui import QCursor
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.canvas.levels import Level
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays.breadcrumb import Breadcrumb
 from smsl_studio.studio.canvas.overlays.hover_pad import HoverPad

@@ -9,7 +9,7 @@ from PySide6.QtGui import QEnterEvent
 from PySide6.QtWidgets import QVBoxLayout
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.canvas.levels import Level
+from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas.overlays.card import Card, IconButton
 from smsl_studio.studio.theme import Tokens
 

@@ -1,0 +1,179 @@
+"""Figure: one SB laid out for paper. Positions, sizes of nodes, lines and labels, level of detail.
+
+On paper there is no zoom and nothing to point at: a small SB is drawn out until every node has
+room and every label a place; a large one keeps its layout and shows less of each element.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+
+from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, spacing_of
+from smsl_studio.picture.picture import Chip, Face, Picture
+from smsl_studio.picture.routing import Style
+from smsl_studio.picture.shape import Floats, Point
+from smsl_studio.picture.words import elided, mono_width, width
+
+Rect = tuple[float, float, float, float]
+NAME, LABEL, CHIP_TEXT, SHORT = 12.0, 11.0, 12.0, 12.0
+CHIP, GAP = 18.0, 4.0
+WIDEST, LONGEST_LABEL = 320.0, 260.0
+MOST_LINES, MOST_LABELS = 3000, 1500
+"""More operations than these are straight lines, or have no labels."""
+DOT_PITCH = 26.0
+_LARGER = 1.2
+_STEPS = 6
+MARK = 13.0
+
+
+class Figure:
+    """One SB as it is drawn; ``signed`` are operations whose label carries a sign."""
+
+    def __init__(
+        self, picture: Picture, positions: Mapping[str, Point], signed: frozenset[int] = frozenset()
+    ) -> None:
+        self.picture = picture
+        self.signed = signed
+        self.at: Floats = np.array(
+            [positions.get(name, (0.0, 0.0)) for name in picture.names], dtype=np.float64
+        ).reshape(-1, 2)
+        self.level = self._level()
+        self.faces = [picture.face(i) for i in range(len(picture))] if self.shows_nodes else []
+        self.widths = self._widths()
+        self._draw_out()
+
+    @property
+    def shows_nodes(self) -> bool:
+        return self.level in (Level.FULL, Level.COMPACT)
+
+    @property
+    def shows_labels(self) -> bool:
+        return self.shows_nodes and len(self.picture.operations) <= MOST_LABELS
+
+    def _level(self) -> Level:
+        if self.picture.small:
+            return Level.FULL
+        return Level.COMPACT if len(self.picture.operations) <= MOST_LINES else Level.DOT
+
+    def _widths(self) -> Floats:
+        if self.level is Level.FULL:
+            return np.array([full_width(face) for face in self.faces])
+        if self.level is Level.COMPACT:
+            return np.array([compact_width(face) for face in self.faces])
+        return np.full(len(self.picture), 6.0)
+
+    def _draw_out(self) -> None:
+        """Enlarge the layout until nodes are apart and, in a small SB, each label has a place."""
+        if not self.shows_nodes:
+            # Dots need less room than the boxes that the layout was made for.
+            self.at = self.at * (DOT_PITCH / max(self._pitch(), 1.0))
+        elif len(self.at) > 1:
+            for _ in range(_STEPS):
+                if self._is_roomy():
+                    break
+                self.at = self.at * _LARGER
+        self.geometry = self._geometry()
+        for _ in range(_STEPS if self.picture.small else 0):
+            if not self._hidden():
+                break
+            self.at = self.at * _LARGER
+            self.geometry = self._geometry()
+
+    def _is_roomy(self) -> bool:
+        spacing = spacing_of(self.at, self.widths, self.widths)
+        return spacing.roomy if self.level is Level.FULL else spacing.compact_zoom <= 0.9
+
+    def _pitch(self) -> float:
+        return spacing_of(self.at, self.widths, self.widths).pitch
+
+    def _geometry(self) -> Geometry:
+        half = np.column_stack([self.widths, np.full(len(self.at), self.height)]) / 2
+        boxes = np.hstack([self.at, half]) if len(self.at) else np.zeros((0, 4))
+        style = Style(1.0, self.level is not Level.FULL)
+        return Geometry(self.picture, boxes, style, self.label_size)
+
+    def _hidden(self) -> bool:
+        edges = range(len(self.picture.operations))
+        return any(self.geometry.label(edge) is None for edge in edges)
+
+    @property
+    def height(self) -> float:
+        sizes = {Level.FULL: FULL_SIZE[1], Level.COMPACT: COMPACT_SIZE[1]}
+        return sizes.get(self.level, 6.0)
+
+    @cached_property
+    def named(self) -> dict[int, float]:
+        """Among dots, the states that have their name beside them, and how wide it is."""
+        branch, index = self.picture.branch, self.picture.index
+        chosen = [name for name in (branch.initial, branch.activating) if name in index]
+        return {index[n]: width(elided(n, NAME, LONGEST_LABEL), NAME) + 8.0 for n in chosen}
+
+    def label(self, edge: int) -> str:
+        """The label of an operation, cut where it is very long."""
+        return elided(self.picture.label(edge), LABEL, LONGEST_LABEL)
+
+    def label_size(self, edge: int) -> tuple[float, float]:
+        if not self.shows_labels:
+            return 0.0, 0.0
+        marks = (MARK if self.picture.kind(edge) else 0.0) + (MARK if edge in self.signed else 0.0)
+        return width(self.label(edge), LABEL) + marks + 8.0, 15.0
+
+    def bounds(self) -> Rect:
+        """left, top, right, bottom of everything that is drawn."""
+        if not len(self.at):
+            return 0.0, 0.0, 160.0, 20.0
+        half = np.column_stack([self.widths, np.full(len(self.at), self.height)]) / 2
+        low, high = (self.at - half).min(axis=0), (self.at + half).max(axis=0)
+        found = [(low[0] - 10.0, low[1] - 10.0, high[0] + 10.0, high[1] + 10.0)]
+        initial = self.picture.index.get(self.picture.branch.initial, -1)
+        if initial >= 0:
+            x, y = self.at[initial] - half[initial]
+            found.append((x - 30.0, y, x, y))
+        if not self.shows_nodes:
+            for state, wide in self.named.items():
+                x, y = self.at[state]
+                found.append((x - wide / 2, y - 26.0, x + wide / 2, y))
+        if self.shows_nodes:
+            for edge in range(len(self.picture.operations)):
+                found.append(self.geometry.shape(edge).bounds)
+                label = self.geometry.label(edge)
+                if label is not None:
+                    found.append(label)
+        rects = np.array(found)
+        left, top = rects[:, :2].min(axis=0)
+        right, bottom = rects[:, 2:].max(axis=0)
+        return float(left), float(top), float(right), float(bottom)
+
+
+def chip_width(chip: Chip) -> float:
+    return max(CHIP, mono_width(chip.text, CHIP_TEXT) + 8.0)
+
+
+def full_width(face: Face) -> float:
+    """108, growing with name and facts."""
+    chips = sum(chip_width(chip) + GAP for chip in face.chips) - GAP
+    words = face.title if face.title and not face.chips else ""
+    wanted = max(width(face.name, NAME), width(words, LABEL)) + 24.0
+    return min(max(round(wanted), chips + 20.0, FULL_SIZE[0]), WIDEST)
+
+
+def compact_width(face: Face) -> float:
+    """46, growing with the facts."""
+    return min(max(mono_width(face.short, SHORT) + 18.0, COMPACT_SIZE[0]), WIDEST / 2)
+
+
+def chip_places(face: Face, room: float) -> list[tuple[float, float]]:
+    """Left and width of each chip about the middle of its node; what has no room is left out."""
+    widths = [chip_width(chip) for chip in face.chips]
+    while widths and sum(widths) + GAP * (len(widths) - 1) > room - 12.0:
+        widths.pop()
+    x = -(sum(widths) + GAP * (len(widths) - 1)) / 2
+    places = []
+    for wide in widths:
+        places.append((x, wide))
+        x += wide + GAP
+    return places

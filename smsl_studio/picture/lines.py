@@ -1,0 +1,121 @@
+"""How an operation looks in a picture: its line, its arrowhead, its label."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from smsl_studio.picture.colours import Colours
+from smsl_studio.picture.figure import LABEL, MARK, Figure
+from smsl_studio.picture.levels import Level
+from smsl_studio.picture.shape import EdgeShape, Point
+from smsl_studio.picture.signs import DASHES, inks, sign_at
+from smsl_studio.picture.strokes import box, number, polygon, polyline, text
+from smsl_studio.picture.words import safe
+
+HEAD = 8.0
+NO_SIGNS: Mapping[int, str] = {}
+
+
+def draw_lines(
+    figure: Figure, colours: Colours, signs: Mapping[int, str] = NO_SIGNS
+) -> Iterator[str]:
+    """All lines; where there are very many, each sign's in one stroke from middle to middle."""
+    edges = range(len(figure.picture.operations))
+    if figure.shows_nodes:
+        # What has a sign lies on top of the others.
+        for edge in sorted(edges, key=lambda one: one in signs):
+            yield from _line(figure, edge, colours, signs.get(edge, ""))
+        return
+    for sign in ("", *dict.fromkeys(signs.values())):
+        chosen = [e for e in edges if signs.get(e, "") == sign]
+        yield from _straight(figure, chosen, colours, sign)
+
+
+def draw_labels(
+    figure: Figure, colours: Colours, signs: Mapping[int, str] = NO_SIGNS
+) -> Iterator[str]:
+    """The labels that have a place."""
+    if not figure.shows_labels:
+        return
+    places = {e: figure.geometry.label(e) for e in range(len(figure.picture.operations))}
+    # Every ground lies below every label: labels of lines side by side stand close together.
+    for left, top, right, bottom in filter(None, places.values()):
+        yield box((left + 1.0, top, right - left - 2.0, bottom - top), 3.0, colours["canvas"])
+    for edge, place in places.items():
+        if place is not None:
+            yield from _label(figure, edge, place, colours, signs.get(edge, ""))
+
+
+def _line(figure: Figure, edge: int, colours: Colours, sign: str) -> Iterator[str]:
+    shape = figure.geometry.shape(edge)
+    colour = inks(sign, colours).line if sign else colours["edge"]
+    wide = 2.2 if sign else 1.5 if figure.level is Level.FULL else 1.2
+    head = HEAD + (1.0 if sign else 0.0) - (0.0 if figure.level is Level.FULL else 1.0)
+    name = figure.picture.operations[edge]
+    yield f"<g><title>{safe(name)}</title>"
+    body = shape.cut(0.0, max(shape.length - head + 2.0, 0.0))
+    yield polyline(body, colour, wide, DASHES.get(sign, ""))
+    yield polygon(_head(shape, head), colour)
+    yield "</g>"
+
+
+def _head(shape: EdgeShape, size: float) -> list[Point]:
+    x, y = shape.tip
+    bx, by = shape.at(max(shape.length - size, 0.0))
+    dx, dy = x - bx, y - by
+    length = (dx * dx + dy * dy) ** 0.5 or 1.0
+    dx, dy = dx / length, dy / length
+    bx, by, half = x - dx * size, y - dy * size, size * 0.46
+    return [(x, y), (bx - dy * half, by + dx * half), (bx + dy * half, by - dx * half)]
+
+
+def _straight(figure: Figure, edges: list[int], colours: Colours, sign: str) -> Iterator[str]:
+    if not edges:
+        return
+    picture, at = figure.picture, figure.at
+    pieces = []
+    for edge in edges:
+        a, b = int(picture.source[edge]), int(picture.target[edge])
+        if b >= 0 and a != b:
+            start, end = at[a].tolist(), at[b].tolist()
+            pieces.append(
+                f"M{number(start[0])} {number(start[1])}L{number(end[0])} {number(end[1])}"
+            )
+    colour = inks(sign, colours).line if sign else colours["edge"]
+    wide = "2.4" if sign else "0.8"
+    yield f'<path d="{"".join(pieces)}" fill="none" stroke="{colour}" stroke-width="{wide}"/>'
+
+
+def _label(
+    figure: Figure,
+    edge: int,
+    place: tuple[float, float, float, float],
+    colours: Colours,
+    sign: str,
+) -> Iterator[str]:
+    left, top, right, bottom = place
+    middle = (top + bottom) / 2
+    x = left + 4.0
+    if sign:
+        yield from sign_at((x + 5.0, middle), sign, colours, 5.5)
+        x += MARK
+    kind = figure.picture.kind(edge)
+    if kind:
+        yield from sub_mark_at((x + 4.5, middle), kind, colours)
+        x += MARK
+    colour = inks(sign, colours).line if sign else colours["tx2"]
+    centre = (x + right - 4.0) / 2
+    yield text((centre, middle + 3.9), figure.label(edge), LABEL, colour, 500)
+
+
+def sub_mark_at(at: Point, kind: str, colours: Colours) -> Iterator[str]:
+    """Rise, fall or mixed, 9 wide."""
+    x, y = at
+    ink = colours["acc"]
+    if kind == "mixed":
+        r = 4.4
+        yield polygon([(x, y - r), (x + r, y), (x, y + r), (x - r, y)], colours["canvas"], ink)
+        yield polygon([(x, y - r), (x + r, y), (x - r, y)], ink)
+        return
+    up = -1.0 if kind == "rise" else 1.0
+    yield polygon([(x, y + 4 * up), (x + 4.2, y - 3.6 * up), (x - 4.2, y - 3.6 * up)], ink)

@@ -1,0 +1,107 @@
+"""How a state looks in a picture: the marks of the canvas, as SVG."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from smsl_studio.picture.colours import Colours
+from smsl_studio.picture.figure import (
+    CHIP,
+    CHIP_TEXT,
+    LABEL,
+    LONGEST_LABEL,
+    NAME,
+    SHORT,
+    Figure,
+    chip_places,
+)
+from smsl_studio.picture.levels import FULL_SIZE, Level
+from smsl_studio.picture.picture import Chip, Face
+from smsl_studio.picture.signs import DASHES, inks, sign_at
+from smsl_studio.picture.strokes import box, circle, number, polygon, polyline, text
+from smsl_studio.picture.words import elided, safe
+
+
+def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> Iterator[str]:
+    """One state; ``sign`` is +, -, ~ or empty."""
+    x, y = map(float, figure.at[state])
+    if not figure.shows_nodes:
+        yield from _dot(figure, state, colours, sign)
+        return
+    face, wide, high = figure.faces[state], float(figure.widths[state]), figure.height
+    radius = 8.0 if figure.level is Level.FULL else 6.0
+    yield f'<g transform="translate({number(x)} {number(y)})">'
+    title = f"{face.name}: {face.title}" if face.title else face.name
+    yield f"<title>{safe(title)}</title>"
+    ink = inks(sign, colours)
+    rect = (-wide / 2, -high / 2, wide, high)
+    yield box(rect, radius, ink.fill, ink.line, 2.2 if sign else 1.2, DASHES.get(sign, ""))
+    if face.activating:
+        gap = 3.5 if figure.level is Level.FULL else 2.8
+        inner = (gap - wide / 2, gap - high / 2, wide - 2 * gap, high - 2 * gap)
+        yield box(inner, radius - gap, "none", colours["slate"])
+    if face.initial:
+        yield from _initial(-wide / 2 - 3.0, colours)
+    yield from (
+        _words(face, wide, colours) if figure.level is Level.FULL else _short(face, wide, colours)
+    )
+    if sign:
+        yield from sign_at((wide / 2 - 2.0, -high / 2 + 2.0), sign, colours)
+    yield "</g>"
+
+
+def _dot(figure: Figure, state: int, colours: Colours, sign: str) -> Iterator[str]:
+    """A state in a large SB; the start and the goal are larger, with their name above."""
+    at = (float(figure.at[state, 0]), float(figure.at[state, 1]))
+    ink = inks(sign, colours).line if sign else colours["slate"]
+    if state not in figure.named:
+        yield circle(at, 5.0 if sign else 3.0, ink)
+        return
+    name = figure.picture.names[state]
+    if name == figure.picture.branch.activating:
+        yield circle(at, 7.5, colours["surf"], ink)
+    yield circle(at, 5.0, ink)
+    shown = elided(name, NAME, LONGEST_LABEL)
+    yield text((at[0], at[1] - 13.0), shown, NAME, colours["tx"], 600)
+
+
+def _initial(x: float, colours: Colours) -> Iterator[str]:
+    ink = colours["slate"]
+    yield polyline([(x - 14.0, 0.0), (x - 5.0, 0.0)], ink, 1.4)
+    yield circle((x - 17.0, 0.0), 5.0, ink)
+    yield polygon([(x, 0.0), (x - 7.0, -3.6), (x - 7.0, 3.6)], ink)
+
+
+def _short(face: Face, wide: float, colours: Colours) -> Iterator[str]:
+    words = elided(face.short, SHORT, wide - 8.0)
+    yield text((0.0, 4.2), words, SHORT, colours["tx"], 500, mono=True)
+
+
+def _words(face: Face, wide: float, colours: Colours) -> Iterator[str]:
+    baseline = 19.0 - FULL_SIZE[1] / 2
+    if not face.chips:
+        baseline = -2.0 if face.title else 4.2
+    name = elided(face.name, NAME, wide - 16.0)
+    yield text((0.0, baseline), name, NAME, colours["tx"], 600)
+    if not face.chips and face.title:
+        yield text((0.0, 15.0), elided(face.title, LABEL, wide - 16.0), LABEL, colours["tx2"])
+    for chip, (left, across) in zip(face.chips, chip_places(face, wide), strict=False):
+        yield from _chip(chip, left, across, colours)
+
+
+def _chip(chip: Chip, left: float, across: float, colours: Colours) -> Iterator[str]:
+    top = 27.0 - FULL_SIZE[1] / 2
+    if chip.kind == "on":
+        yield box((left, top, across, CHIP), 4.0, colours["slate"])
+        ink = colours["onslate"]
+    elif chip.kind == "off":
+        edge = (left + 0.6, top + 0.6, across - 1.2, CHIP - 1.2)
+        yield box(edge, 4.0, colours["surf"], colours["line2"])
+        ink = colours["tx2"]
+    else:
+        yield box((left, top, across, CHIP), 4.0, colours["sunk"])
+        ink = colours["tx"]
+    middle = left + across / 2
+    yield text((middle, top + CHIP / 2 + 4.2), chip.text, CHIP_TEXT, ink, 500, mono=True)
+    if chip.sub:
+        yield box((middle - 6.5, top + CHIP + 1.5, 13.0, 2.0), 1.0, colours["acc"])

@@ -1,0 +1,104 @@
+"""One SB with its title and its legend, as a piece of SVG of a known size."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from smsl_studio.picture.colours import Colours
+from smsl_studio.picture.figure import Figure
+from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, sub_mark_at
+from smsl_studio.picture.nodes import draw_node
+from smsl_studio.picture.strokes import box, number, text
+from smsl_studio.picture.words import elided, width
+
+TITLE, NOTE = 16.0, 12.0
+HEAD, ROW, EDGE = 46.0, 18.0, 24.0
+LEAST = 420.0
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A piece of SVG whose upper left corner is at (0, 0)."""
+
+    width: float
+    height: float
+    svg: str
+
+    def at(self, x: float, y: float) -> str:
+        return f'<g transform="translate({number(x)} {number(y)})">{self.svg}</g>'
+
+
+def panel_of(
+    figure: Figure,
+    title: str,
+    note: str,
+    colours: Colours,
+    states: Mapping[int, str] = NO_SIGNS,
+    operations: Mapping[int, str] = NO_SIGNS,
+) -> Panel:
+    """The panel of one SB; ``states`` and ``operations`` have the signs of a difference."""
+    left, top, right, bottom = figure.bounds()
+    rows = list(_legend(figure, colours))
+    wide = max(right - left + 2 * EDGE, LEAST, *(row[1] + 2 * EDGE for row in rows), 0.0)
+    high = HEAD + bottom - top + 2 * EDGE + ROW * len(rows)
+    parts = [*_title(title, note, wide, colours)]
+    x, y = (wide - right - left) / 2, HEAD + EDGE - top
+    parts.append(f'<g transform="translate({number(x)} {number(y)})">')
+    parts.extend(draw_lines(figure, colours, operations))
+    for state in range(len(figure.picture)):
+        parts.extend(draw_node(figure, state, colours, states.get(state, "")))
+    parts.extend(draw_labels(figure, colours, operations))
+    if not len(figure.picture):
+        parts.append(text((80.0, 14.0), "no states", NOTE, colours["tx3"]))
+    parts.append("</g>")
+    below = HEAD + bottom - top + 2 * EDGE
+    for number_, (svg, _) in enumerate(rows):
+        parts.append(f'<g transform="translate({number(EDGE)} {number(below + number_ * ROW)})">')
+        parts.append(f"{svg}</g>")
+    return Panel(wide, high + (12.0 if rows else 0.0), "\n".join(parts))
+
+
+def _title(title: str, note: str, wide: float, colours: Colours) -> Iterator[str]:
+    shown = elided(title, TITLE, wide * 0.6)
+    yield text((EDGE, 30.0), shown, TITLE, colours["tx"], 600, "start")
+    x = EDGE + width(shown, TITLE) + 14.0
+    yield text((x, 30.0), elided(note, NOTE, wide - x - EDGE), NOTE, colours["tx3"], 400, "start")
+
+
+def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
+    """The rows below the figure: what was left out, and what its marks mean."""
+    picture = figure.picture
+    words: list[tuple[str, str]] = []
+    if picture.prefix and figure.shows_labels:
+        prefix = elided(picture.prefix, NOTE, LEAST / 2)
+        words.append(("", f"The name of every operation here begins with {prefix}"))
+    if not figure.shows_labels and picture.operations:
+        words.append(("", "The names of the operations are left out: there are too many."))
+    if not figure.shows_nodes:
+        words.append(("", "Each dot is a state: there are too many to show their names."))
+    elif picture.branch.subs:
+        subs = "; ".join(
+            f"{picture.branch.fact_name(digit)} by {sub}"
+            for digit, sub in picture.branch.subs.items()
+        )
+        words.append(("bar", f"expanded by a sub-SB: {elided(subs, NOTE, LEAST)}"))
+    if figure.shows_labels:
+        kinds = {picture.kind(edge) for edge in range(len(picture.operations))}
+        for kind, meaning in (
+            ("rise", "turns a sub-SB's fact on"),
+            ("fall", "turns it off"),
+            ("mixed", "changes it together with others"),
+        ):
+            if kind in kinds:
+                words.append((kind, meaning))
+    for mark, line in words:
+        yield "".join(_row(mark, line, colours)), width(line, NOTE) + (18.0 if mark else 0.0)
+
+
+def _row(mark: str, words: str, colours: Colours) -> Iterator[str]:
+    if mark == "bar":
+        yield box((0.0, 7.0, 13.0, 2.0), 1.0, colours["acc"])
+    elif mark:
+        yield from sub_mark_at((6.0, 8.0), mark, colours)
+    yield text((20.0 if mark else 0.0, 12.0), words, NOTE, colours["tx2"], 400, "start")

@@ -1,0 +1,74 @@
+"""The few shapes a picture is made of, as SVG. Lengths are pixels, written to a tenth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from smsl_studio.picture.shape import Floats, Point
+from smsl_studio.picture.words import MONO_FAMILY, safe
+
+
+def number(value: float) -> str:
+    return f"{value:.1f}".removesuffix(".0")
+
+
+def points(line: Iterable[Point] | Floats) -> str:
+    return " ".join(f"{number(float(x))},{number(float(y))}" for x, y in line)
+
+
+def box(
+    rect: tuple[float, float, float, float],
+    radius: float,
+    fill: str,
+    line: str = "",
+    width: float = 1.2,
+    dashes: str = "",
+) -> str:
+    """A rounded rectangle from left, top, width, height."""
+    x, y, w, h = map(number, rect)
+    stroke = f' stroke="{line}" stroke-width="{number(width)}"' if line else ""
+    pattern = f' stroke-dasharray="{dashes}"' if dashes else ""
+    return (
+        f'<rect x="{x}" y="{y}" width="{w}" height="{h}" rx="{number(radius)}" '
+        f'fill="{fill}"{stroke}{pattern}/>'
+    )
+
+
+def polyline(
+    line: Iterable[Point] | Floats, colour: str, width: float = 1.5, dashes: str = ""
+) -> str:
+    pattern = f' stroke-dasharray="{dashes}"' if dashes else ""
+    return (
+        f'<polyline points="{points(line)}" fill="none" stroke="{colour}" '
+        f'stroke-width="{number(width)}"{pattern}/>'
+    )
+
+
+def polygon(corners: Iterable[Point], fill: str, line: str = "") -> str:
+    stroke = f' stroke="{line}" stroke-width="1.3"' if line else ""
+    return f'<polygon points="{points(corners)}" fill="{fill}"{stroke}/>'
+
+
+def circle(at: Point, radius: float, fill: str, line: str = "") -> str:
+    stroke = f' stroke="{line}" stroke-width="1.4"' if line else ""
+    x, y = map(number, at)
+    return f'<circle cx="{x}" cy="{y}" r="{number(radius)}" fill="{fill}"{stroke}/>'
+
+
+def text(
+    at: Point,
+    words: str,
+    size: float,
+    colour: str,
+    weight: int = 400,
+    anchor: str = "middle",
+    mono: bool = False,
+) -> str:
+    """A line of text about a baseline point."""
+    x, y = map(number, at)
+    family = f' font-family="{MONO_FAMILY}"' if mono else ""
+    heavy = f' font-weight="{weight}"' if weight != 400 else ""
+    return (
+        f'<text x="{x}" y="{y}" font-size="{number(size)}"{heavy}{family} '
+        f'text-anchor="{anchor}" fill="{colour}">{safe(words)}</text>'
+    )

@@ -1,0 +1,54 @@
+"""``render``, and the picture of ``diff``: files of the right kind, chosen SBs, plain refusals."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.shell import Shell, sample
+
+BEGIN = {"svg": b"<svg ", "png": b"\x89PNG", "pdf": b"%PDF"}
+
+
+@pytest.mark.parametrize("form", BEGIN)
+def test_a_picture_is_written(form: str, shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / f"out.{form}"
+    answer = shell("render", sample("hfsm"), "-o", str(out))
+    assert (answer.status, answer.out, answer.err) == (0, "", "")
+    assert out.read_bytes().startswith(BEGIN[form])
+
+
+def test_only_the_chosen_sbs_are_drawn(shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / "out.svg"
+    assert shell("render", sample("hfsm"), "-o", str(out), "--sb", "SB2").status == 0
+    svg = out.read_text("utf-8")
+    assert ">SB2<" in svg
+    assert ">SB1<" not in svg
+
+
+def test_what_cannot_be_drawn_or_written(shell: Shell, tmp_path: Path) -> None:
+    assert shell("render", sample("hfsm")).status == 2
+    wrong = shell("render", sample("hfsm"), "-o", str(tmp_path / "out.gif"))
+    assert wrong.status == 2
+    assert "Let it end in .svg, .png or .pdf." in wrong.err
+    absent = shell("render", sample("hfsm"), "-o", str(tmp_path / "out.svg"), "--sb", "SB3")
+    assert absent.status == 2
+    assert "Did you mean SB" in absent.err
+    nowhere = shell("render", sample("hfsm"), "-o", str(tmp_path / "no" / "out.svg"))
+    assert nowhere.status == 2
+    assert "was not saved" in nowhere.err
+    empty = tmp_path / "empty.json"
+    empty.write_text("{}")
+    assert shell("render", str(empty), "-o", str(tmp_path / "out.svg")).status == 2
+
+
+def test_diff_draws_both_sides(shell: Shell, tmp_path: Path) -> None:
+    out = tmp_path / "out.svg"
+    answer = shell("diff", sample("hanoi"), sample("hanoi-corrected"), "-o", str(out))
+    assert answer.status == 1
+    assert answer.out.splitlines()[-1] == "2 changes: 2 renamed."
+    svg = out.read_text("utf-8")
+    assert ">before<" in svg
+    assert ">after<" in svg
+    assert shell("diff", sample("hanoi"), sample("hanoi"), "-o", "out.txt").status == 2
