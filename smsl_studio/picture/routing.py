@@ -12,6 +12,8 @@ from smsl_studio.picture.shape import Box, EdgeShape, Floats, Point, between
 
 OPPOSITE, PARALLEL = 16.0, 18.0
 START_GAP, TIP_GAP = 1.0, 2.0
+NEAR = 0.8
+"""A curve leaves and arrives at this share of its offset."""
 _SHARES = np.linspace(0.0, 1.0, 33)
 
 
@@ -89,11 +91,21 @@ def _side_by_side(pair: Between, forward: bool, compact: bool) -> Sequence[int]:
 
 
 def _offsets(count: int, opposite: bool, source: Box, target: Box, style: Style) -> list[float]:
+    """How far each of the lines runs beside the middle; all of them begin at their node."""
     step = OPPOSITE if count == 2 and opposite else PARALLEL
     if not style.compact:
-        room = 2 * (min(source.h, target.h) - 6.0) / max(count - 1, 1)
-        step = min(step, max(room, 7.0)) if in_row(source, target) else step
+        share = 1.0 if in_row(source, target) else NEAR
+        room = 2 * _reach(source, target) / share / max(count - 1, 1)
+        step = min(step, max(room, 7.0))
     return [(i - (count - 1) / 2) * step * style.unit for i in range(count)]
+
+
+def _reach(source: Box, target: Box) -> float:
+    """How far beside the middle a line may begin across the way, at both nodes."""
+    nx, ny = (max(abs(part), 1e-6) for part in _normal(source, target))
+    if in_row(source, target):
+        return min(source.h, target.h) - 6.0
+    return min(min((box.w - 6.0) / nx, (box.h - 6.0) / ny) for box in (source, target))
 
 
 def _straight(source: Box, target: Box, offset: float, normal: Point, style: Style) -> EdgeShape:
@@ -109,7 +121,7 @@ def curve(
     source: Box, target: Box, offset: float, bow: float, normal: Point, style: Style
 ) -> EdgeShape:
     """A line that leaves beside the middle, bends by ``bow`` and arrives beside the middle."""
-    near = offset * (0.5 if style.compact else 0.8)
+    near = offset * (0.5 if style.compact else NEAR)
     start = (source.x + normal[0] * near, source.y + normal[1] * near)
     end = (target.x + normal[0] * near, target.y + normal[1] * near)
     # The control point of a quadratic curve bends its middle by half.

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from smsl_studio.picture.lanes import FIRST, STEP, Passing, in_lanes
@@ -70,6 +70,7 @@ def test_compact_pairs_keep_to_the_right() -> None:
     assert middle[1] == pytest.approx(-8.0, abs=0.5)
 
 
+@example(160.0, 2.0, 3, 3, False)
 @given(
     st.floats(-400, 400), st.floats(-400, 400), st.integers(1, 3), st.integers(0, 3), st.booleans()
 )
