@@ -59,6 +59,10 @@ class StatusLine(QStatusBar):
         """Where the selected element is written."""
         self.place.setText(f"Line {line}, column {column}")
 
+    def show_caret(self, line: int, column: int) -> None:
+        """Where the caret stands in the source."""
+        self.place.setText(f"Line {line}, column {column}")
+
     def show_run(self, said: tuple[tuple[str, ...], tuple[str, ...]]) -> None:
         """How the run stands: sentences for the left and for the right."""
         for parts, words in zip((self.run, self.run_right), said, strict=True):

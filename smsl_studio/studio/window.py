@@ -37,10 +37,10 @@ from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.lines.box import Box
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
-from smsl_studio.studio.panels.source import Source
 from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.session import Session
+from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.status_line import StatusLine
 from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.theme import Tokens
@@ -132,6 +132,7 @@ class Window(QMainWindow):
         session.blueprint_changed.connect(lambda *_: self._show_blueprint())
         session.selection_changed.connect(lambda *_: self._show_place())
         session.branch_changed.connect(lambda *_: self._show_place())
+        self.source.caret_moved.connect(self.status_line.show_caret)
         session.edited_changed.connect(lambda *_: self._show_title())
         for signal in (session.blueprint_changed, session.selection_changed,
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
@@ -269,6 +270,7 @@ class Window(QMainWindow):
 
     def settle(self) -> None:
         """What is still being typed counts: leaving a field takes it over, then one goes on."""
+        self.source.settle()
         field = self.focusWidget()
         if isinstance(field, QLineEdit):
             at = field.cursorPosition()

@@ -1,0 +1,111 @@
+"""Typing: what is being typed becomes a step of the history after a short pause, or at once.
+
+A large text is read beside the window's own thread; what was typed meanwhile is read again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QRunnable, QThreadPool, QTimer, Signal
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.broken import Reading, read_text
+from smsl_studio.studio.session import Session
+
+PAUSE = 300
+"""Milliseconds without a key after which the text is read."""
+LARGE = 200_000
+"""Characters from which on it is read beside the window's own thread."""
+
+
+class Typing(QObject):
+    """Holds what is typed until it is read. ``text`` gives it, ``file`` says whose it is."""
+
+    def __init__(self, session: Session, text: Callable[[], str], parent: QObject) -> None:
+        super().__init__(parent)
+        self._session, self._text = session, text
+        self.file = ""
+        self._words, self._serial = "", 0
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(PAUSE)
+        self._timer.timeout.connect(self._paused)
+        self._pool = QThreadPool(self)
+        self._pool.setMaxThreadCount(1)
+
+    @property
+    def pending(self) -> bool:
+        """Whether something was typed that is not yet part of the history."""
+        return bool(self._words)
+
+    def begin(self, words: str) -> None:
+        """Something was typed; ``words`` name the step, should it be the first of its burst."""
+        self._words = self._words or words
+        self._serial += 1
+        self._timer.start()
+
+    def settle(self) -> None:
+        """Take over now what was typed."""
+        if self._words:
+            self._take(read_text(self._session.blueprint, self.file, self._text()))
+
+    def forget(self) -> None:
+        """What was typed is no longer there."""
+        self._timer.stop()
+        self._words = ""
+
+    def stop(self) -> None:
+        """Wait for what is being read; the window is going away."""
+        self.forget()
+        self._pool.clear()
+        self._pool.waitForDone()
+
+    def _take(self, reading: Reading) -> None:
+        words = self._words
+        self.forget()
+        self._session.take(words, reading, self.file)
+
+    def _paused(self) -> None:
+        text = self._text()
+        if len(text) < LARGE:
+            self.settle()
+            return
+        task = _Task(self._serial, self._session.blueprint, self.file, text)
+        task.signals.done.connect(self._arrived)
+        task.signals.failed.connect(self._failed)
+        self._pool.clear()
+        self._pool.start(task)
+
+    def _arrived(self, serial: int, former: Blueprint, reading: Reading) -> None:
+        if not self._words or serial != self._serial:
+            return
+        if former is self._session.blueprint:
+            self._take(reading)
+        else:
+            self._timer.start()
+
+    def _failed(self, error: Exception) -> None:
+        """A fault of ours in reading: it crashes here, where the person's work is kept."""
+        raise error
+
+
+class _Signals(QObject):
+    done = Signal(object, object, object)
+    failed = Signal(object)
+
+
+class _Task(QRunnable):
+    def __init__(self, serial: int, former: Blueprint, file: str, text: str) -> None:
+        super().__init__()
+        self._given = (serial, former, file, text)
+        self.signals = _Signals()
+
+    def run(self) -> None:
+        serial, former, file, text = self._given
+        try:
+            reading = read_text(former, file, text)
+        except Exception as error:
+            self.signals.failed.emit(error)
+        else:
+            self.signals.done.emit(serial, former, reading)
