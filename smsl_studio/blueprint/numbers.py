@@ -5,10 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, count
+from operator import methodcaller
 
 from smsl_studio.blueprint.model import StateBranch
 
 _KEY = "_numbers"
+_values = methodcaller("values")
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +35,7 @@ def numbers_of(branch: StateBranch) -> Numbers:
         return kept
     table = branch.table
     of = dict(zip(table, count(), strict=False))
-    targets = chain.from_iterable([operations.values() for operations in table.values()])
+    targets = chain.from_iterable(map(_values, table.values()))
     numbers = Numbers(of, list(map(of.get, targets)))
     branch.__dict__[_KEY] = numbers
     return numbers

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 from itertools import chain
-from typing import Any
+from typing import Any, cast
 
 from smsl_studio.blueprint.elements import EMPTY, Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -117,13 +117,13 @@ def _is_plain(table: Mapping[str, Json]) -> bool:
 
     Asked of whole tables, in the interpreter's own loops, because nearly all are.
     """
-    states = table.values()
-    if not set(map(type, states)) <= {dict} or "" in table:
+    if not set(map(type, table.values())) <= {dict} or "" in table:
         return False
+    states = cast("list[dict[str, Json]]", list(table.values()))
     names = set(chain.from_iterable(states))
     if "" in names or any(name[0] == "_" for name in names):
         return False
-    targets = chain.from_iterable([operations.values() for operations in states])
+    targets = chain.from_iterable(map(dict.values, states))
     return set(map(type, targets)) <= {str}
 
 

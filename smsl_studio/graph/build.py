@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate, chain, repeat
 from typing import cast
 
-from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.model import StateBranch, Table
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.errors import AddressError, did_you_mean
 
@@ -29,9 +28,9 @@ class BranchGraph:
     names: tuple[str, ...]
     index: dict[str, int]
     starts: Sequence[int]
-    sources: Sequence[int]
     targets: Sequence[int]
-    operations: Sequence[str]
+    table: Table = field(repr=False)
+    """What the graph was made from."""
 
     def __len__(self) -> int:
         return len(self.names)
@@ -48,6 +47,25 @@ class BranchGraph:
 
     def edges_out(self, state: int) -> range:
         return range(self.starts[state], self.starts[state + 1])
+
+    @cached_property
+    def sources(self) -> list[int]:
+        """For each edge the state it leads from."""
+        ends = [self.starts[i + 1] - self.starts[i] for i in range(len(self.names))]
+        return list(chain.from_iterable(map(repeat, range(len(ends)), ends)))
+
+    @cached_property
+    def operations(self) -> list[str]:
+        """For each edge the name of its operation."""
+        if len(self.targets) == sum(map(len, self.table.values())):
+            return list(chain.from_iterable(self.table.values()))
+        index = self.index
+        return [
+            operation
+            for operations in self.table.values()
+            for operation, target in operations.items()
+            if target in index
+        ]
 
     @cached_property
     def successors(self) -> list[list[int]]:
@@ -97,27 +115,12 @@ def graph_of(branch: StateBranch) -> BranchGraph:
 
 
 def _build(branch: StateBranch) -> BranchGraph:
-    table = branch.table
-    numbers = numbers_of(branch)
-    operations = list(chain.from_iterable(table.values()))
-    found = numbers.targets
-    counts = list(map(len, table.values()))
-    sources = chain.from_iterable(map(repeat, range(len(counts)), counts))
-    if not numbers.dangles:
-        starts = list(accumulate(counts, initial=0))
-        targets = cast("list[int]", found)
-        return BranchGraph(
-            branch.name, tuple(table), numbers.of, starts, list(sources), targets, operations
-        )
-    edges = [edge for edge in zip(sources, found, operations, strict=True) if edge[1] is not None]
-    per_state = Counter(source for source, _, _ in edges)
-    starts = list(accumulate((per_state[state] for state in range(len(counts))), initial=0))
-    return BranchGraph(
-        branch.name,
-        tuple(table),
-        numbers.of,
-        starts,
-        [source for source, _, _ in edges],
-        [target for _, target, _ in edges if target is not None],
-        [operation for _, _, operation in edges],
-    )
+    table, numbers = branch.table, numbers_of(branch)
+    if numbers.dangles:
+        counts = [sum(target in numbers.of for target in o.values()) for o in table.values()]
+        targets = [target for target in numbers.targets if target is not None]
+    else:
+        counts = list(map(len, table.values()))
+        targets = cast("list[int]", numbers.targets)
+    starts = list(accumulate(counts, initial=0))
+    return BranchGraph(branch.name, tuple(table), numbers.of, starts, targets, table)

@@ -12,6 +12,7 @@ from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
 from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS, MAX_DEPTH
+from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
 from smsl_studio.smsl.json_form.style import CANONICAL, render
 
@@ -30,6 +31,21 @@ def parse(text: str, file: str) -> Document:
             Place(file, 1, 1),
             "Split it into several files.",
         )
+    quick = quick_values(text.removeprefix("\ufeff"), MAX_DEPTH) if len(text) >= LONG else None
+    values, doubled = (quick, False) if quick is not None else _exact_values(text, file)
+    return Document(text, file, "json", values, JsonSpans, doubled)
+
+
+def recover(text: str, file: str) -> Document:
+    """A document with what could be read of a faulty text, written canonically."""
+    from smsl_studio.smsl.json_form.recovery import Recovery
+
+    values = Recovery(text).values if len(text) <= MAX_CHARACTERS else {}
+    return Document(write(values), file, "json", values, JsonSpans)
+
+
+def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
+    """The values and whether a key is written twice, by the reader that knows every number."""
     doubled = False
 
     def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -39,10 +55,10 @@ def parse(text: str, file: str) -> Document:
             doubled = True
         return found
 
-    shift = 1 if text.startswith("\ufeff") else 0
+    body = text.removeprefix("\ufeff")
     try:
         values = json.loads(
-            text[shift:], object_pairs_hook=keep, parse_constant=_no_number, parse_float=_number
+            body, object_pairs_hook=keep, parse_constant=_no_number, parse_float=_number
         )
     except (ValueError, RecursionError):
         raise _refusal(text, file) from None
@@ -53,15 +69,7 @@ def parse(text: str, file: str) -> Document:
         or _has_half_pair(text)
     ):
         raise _refusal(text, file)
-    return Document(text, file, "json", values, JsonSpans, doubled)
-
-
-def recover(text: str, file: str) -> Document:
-    """A document with what could be read of a faulty text, written canonically."""
-    from smsl_studio.smsl.json_form.recovery import Recovery
-
-    values = Recovery(text).values if len(text) <= MAX_CHARACTERS else {}
-    return Document(write(values), file, "json", values, JsonSpans)
+    return values, doubled
 
 
 def write(values: Mapping[str, Any]) -> str:
