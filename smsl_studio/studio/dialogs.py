@@ -6,9 +6,16 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.studio.files import Answer
 
-KINDS = "SMSL blueprints (*.json);;All files (*)"
+ALL = "All files (*)"
+KINDS = {
+    ".json": "JSON (*.json)",
+    ".smsl": "SMSL (*.smsl)",
+    ".yaml": "YAML (*.yaml *.yml)",
+}
+OPEN = f"SMSL blueprints ({' '.join(f'*{suffix}' for suffix in SUFFIXES)});;{ALL}"
 
 
 class Dialogs:
@@ -18,12 +25,15 @@ class Dialogs:
         self._window = window
 
     def file_to_open(self, folder: Path) -> Path | None:
-        name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), KINDS)
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), OPEN)
         return Path(name) if name else None
 
     def file_to_save(self, suggested: Path) -> Path | None:
-        name, _ = QFileDialog.getSaveFileName(
-            self._window, "Save blueprint as", str(suggested), KINDS
+        """The suffix chooses the form; a name without one takes that of the chosen kind."""
+        first = suggested.suffix if suggested.suffix in KINDS else ".json"
+        kinds = [KINDS[first], *(words for words in KINDS.values() if words != KINDS[first]), ALL]
+        name, chosen = QFileDialog.getSaveFileName(
+            self._window, "Save blueprint as", str(suggested), ";;".join(kinds)
         )
         if not name:
             return None
@@ -31,20 +41,40 @@ class Dialogs:
         if path.suffix:
             return path
         # The dialog asks about the name that was typed, not about the one it becomes.
-        path = path.with_suffix(".json")
+        path = path.with_suffix(next((s for s, words in KINDS.items() if words == chosen), first))
         return path if not path.exists() or self._may_replace(path) else None
 
     def _may_replace(self, path: Path) -> bool:
-        box = QMessageBox(self._window)
-        box.setWindowTitle("Replace file")
-        box.setText(f"{path.name} is there already.")
-        box.setInformativeText("Replacing it loses what it holds now.")
-        replace = box.addButton(f"Replace {path.name}", QMessageBox.ButtonRole.DestructiveRole)
-        stay = box.addButton("Cancel", QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(stay)
-        box.setEscapeButton(stay)
-        box.exec()
-        return box.clickedButton() is replace
+        return self._agrees(
+            "Replace file",
+            f"{path.name} is there already.",
+            "Replacing it loses what it holds now.",
+            f"Replace {path.name}",
+        )
+
+    def may_overwrite(self, names: str) -> bool:
+        return self._agrees(
+            "Changed by another program",
+            f"{names} was changed by another program since it was read.",
+            "Saving puts your text in the place of what stands there now.",
+            "Save over it",
+        )
+
+    def may_save_broken(self, name: str, faults: str) -> bool:
+        return self._agrees(
+            "The text does not read",
+            f"The text of {name} does not read as a blueprint.",
+            f"It has {faults}. The file can be saved as it is and repaired later.",
+            "Save as it is",
+        )
+
+    def may_leave_comments(self, name: str, form: str) -> bool:
+        return self._agrees(
+            "Comments",
+            f"{name} has comments, and they do not come along into {form}.",
+            "The file from which they come keeps them.",
+            f"Save as {form}",
+        )
 
     def unsaved(self, name: str) -> Answer:
         box = QMessageBox(self._window)
@@ -60,3 +90,15 @@ class Dialogs:
         if box.clickedButton() is save:
             return "save"
         return "discard" if box.clickedButton() is discard else "cancel"
+
+    def _agrees(self, title: str, what: str, why: str, verb: str) -> bool:
+        box = QMessageBox(self._window)
+        box.setWindowTitle(title)
+        box.setText(what)
+        box.setInformativeText(why)
+        agree = box.addButton(verb, QMessageBox.ButtonRole.DestructiveRole)
+        stay = box.addButton("Cancel", QMessageBox.ButtonRole.RejectRole)
+        box.setDefaultButton(stay)
+        box.setEscapeButton(stay)
+        box.exec()
+        return box.clickedButton() is agree

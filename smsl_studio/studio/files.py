@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, Protocol
 
@@ -11,17 +12,32 @@ from PySide6.QtCore import QObject, Signal
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.names import fresh_branch_name
-from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.shipped import samples_dir
-from smsl_studio.smsl.files import read_document, save_document
+from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import SUFFIXES
+from smsl_studio.smsl.together import save_together
+from smsl_studio.studio.converting import form_words, leaves_comments, moved
+from smsl_studio.studio.on_disk import OnDisk
+from smsl_studio.studio.opening import Opened, open_file, understood
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.words import counted
 
 Answer = Literal["save", "discard", "cancel"]
 UNTITLED = "untitled.json"
+
+
+@dataclass(frozen=True)
+class Title:
+    """The name of what is open, and what of it has unsaved changes; empty for nothing."""
+
+    name: str
+    edited: str
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.edited})" if self.edited else self.name
 
 
 class Asker(Protocol):
@@ -36,12 +52,21 @@ class Asker(Protocol):
     def unsaved(self, name: str) -> Answer:
         """What becomes of unsaved changes."""
 
+    def may_overwrite(self, names: str) -> bool:
+        """Whether to save over what another program has written."""
+
+    def may_save_broken(self, name: str, faults: str) -> bool:
+        """Whether to save a text that does not read as a blueprint."""
+
+    def may_leave_comments(self, name: str, form: str) -> bool:
+        """Whether to save in a form into which comments do not come along."""
+
 
 class Files(QObject):
-    """Where the session's blueprint comes from and goes to. Nothing is lost on a refusal."""
+    """Where the session's texts come from and go to. Nothing is lost on a refusal."""
 
     changed = Signal()
-    """The file, its name or the recent files have changed."""
+    """The file, its name, what stands in it, or the recent files have changed."""
     refused = Signal(object)
     """A StudioError: the file was not opened or not saved; what was there still is."""
     said = Signal(str)
@@ -55,12 +80,45 @@ class Files(QObject):
         super().__init__(parent)
         self._session, self._settings, self._asker = session, settings, asker
         self.path: Path | None = None
+        self.on_disk = OnDisk()
         self._name = UNTITLED
+        session.blueprint_changed.connect(lambda *_: self._learn())
 
     @property
     def name(self) -> str:
         """The name that the window shows."""
         return self._name
+
+    @property
+    def unsaved(self) -> tuple[str, ...]:
+        """The files, the blueprint's own first, of which another text stands on the disk."""
+        texts, own = self._session.texts, self._session.blueprint.file
+        found = self.on_disk.differing(texts)
+        if self.path is not None:
+            return found
+        others = tuple(file for file in found if file != own)
+        return (own, *others) if self._session.edited else others
+
+    @property
+    def edited(self) -> bool:
+        """Whether something would be lost."""
+        return self._session.edited and bool(self.unsaved)
+
+    @property
+    def title(self) -> Title:
+        """What is open, and which of its files are not saved."""
+        if not self.edited:
+            return Title(self._name, "")
+        own, unsaved = self._session.blueprint.file, self.unsaved
+        others = [self.display(file) for file in unsaved if file != own]
+        if len(others) < len(unsaved):
+            return Title(f"{self._name} and {len(others)} more" if others else self._name, "edited")
+        return Title(self._name, f"{others[0]} edited" if len(others) == 1 else
+                     f"{len(others)} other files edited")  # fmt: skip
+
+    def display(self, file: str) -> str:
+        """What people call one of the files."""
+        return self._name if file == self._session.blueprint.file else Path(file).name
 
     @property
     def recent(self) -> tuple[Path, ...]:
@@ -69,52 +127,67 @@ class Files(QObject):
     def new(self) -> None:
         """Start an empty blueprint with one SB."""
         if self.may_leave():
-            self._show(empty_blueprint(), None, UNTITLED)
+            self.show(Opened(empty_blueprint()), None, UNTITLED)
 
     def open(self, path: Path | None = None) -> bool:
         """Open a file (asking which); False where it cannot be read or was called off."""
         if path is None:
             path = self._asker.file_to_open(self._folder())
-        blueprint = self._read(path) if path is not None else None
+        opened = self._read(path) if path is not None else None
         self.settling.emit()
         edited = self._session.edited
-        if path is None or blueprint is None or not self.may_leave():
+        if path is None or opened is None or not self.may_leave():
             return False
         if edited:
             # The answer may have been to save, and that to this very file.
-            blueprint = self._read(path)
-            if blueprint is None:
+            opened = self._read(path)
+            if opened is None:
                 return False
-        self._show(blueprint, path.absolute(), path.name)
+        self.show(opened, path.absolute(), path.name)
         self._settings.remember(path.absolute())
         self.changed.emit()
         return True
 
     def open_copy(self, path: Path) -> bool:
         """Open a sample as a new blueprint of that name; saving asks where to."""
-        blueprint = self._read(path)
-        if blueprint is None or not self.may_leave():
+        opened = self._read(path)
+        if opened is None or not self.may_leave():
             return False
-        self._show(blueprint, None, path.name)
+        self.show(opened, None, path.name)
         return True
 
+    def show(self, opened: Opened, path: Path | None, name: str) -> None:
+        """Show what was opened, as it stands at ``path`` (None for nowhere)."""
+        self.path, self._name = path, name
+        self.on_disk.forget()
+        self._session.open(opened.blueprint, opened.broken)
+        self._learn()
+        self.changed.emit()
+
     def save(self) -> bool:
-        """Save where the blueprint came from, or ask where to."""
+        """Save every text that is not on the disk, all or none; asks where to if need be."""
         self.settling.emit()
-        return self._write(self.path) if self.path is not None else self.save_as()
+        if self.path is None:
+            return self.save_as()
+        files = self.unsaved
+        own = self._session.blueprint.file
+        if not files and not self.on_disk.look(own).changed:
+            self._saved(())
+            return True
+        return self._store(files or (own,))
 
     def save_as(self) -> bool:
-        """Ask where to save, and save there."""
+        """Ask where to save the blueprint's own text, and save there; the form follows the name."""
         self.settling.emit()
         path = self._asker.file_to_save(self.path or self._folder() / self._name)
-        return path is not None and self._write(path)
+        return path is not None and self._save_to(path.absolute())
 
     def may_leave(self) -> bool:
         """Whether the blueprint may go: it is saved, or the person says what becomes of it."""
         self.settling.emit()
-        if not self._session.edited:
+        if not self.edited:
             return True
-        answer = self._asker.unsaved(self._name)
+        answer = self._asker.unsaved(_listed([self.display(file) for file in self.unsaved]))
         return self.save() if answer == "save" else answer == "discard"
 
     def _folder(self) -> Path:
@@ -122,34 +195,116 @@ class Files(QObject):
             return self.path.parent
         return self.recent[0].parent if self.recent else Path.home()
 
-    def _read(self, path: Path) -> Blueprint | None:
+    def _read(self, path: Path) -> Opened | None:
         try:
-            return read_blueprint(read_document(path))
+            return open_file(path)
         except StudioError as error:
             self._settings.forget(path.absolute())
             self.refused.emit(error)
             self.changed.emit()
             return None
 
-    def _show(self, blueprint: Blueprint, path: Path | None, name: str) -> None:
-        self.path, self._name = path, name
-        self._session.open(blueprint)
-        self.changed.emit()
+    def _learn(self) -> None:
+        """Files that came along with an import were read just now."""
+        texts = self._session.texts
+        if self.path is None:
+            texts.pop(self._session.blueprint.file, None)
+        self.on_disk.saw_if_new(texts)
 
-    def _write(self, path: Path) -> bool:
-        blueprint = self._session.blueprint
-        document = replace(blueprint.document, file=str(path))
+    def _store(self, files: Sequence[str]) -> bool:
+        """Write these of the session's files to where they came from."""
+        if not (self._may_save_broken(files) and self._may_overwrite(files)):
+            return False
+        if not self._written([(self._document(file), self._place(file)) for file in files]):
+            return False
+        self._session.saved(self._session.blueprint)
+        self._saved([self.display(file) for file in files])
+        return True
+
+    def _save_to(self, path: Path) -> bool:
+        """Write the own text to another place, and the others that changed to theirs."""
+        session = self._session
+        own, broken = session.blueprint.file, session.broken
+        if self.path is not None and path == self.path:
+            return self._store((own, *(file for file in self.unsaved if file != own)))
+        others = [file for file in self.unsaved if file != own]
+        if not (self._may_save_broken([own, *others]) and self._may_overwrite(others)):
+            return False
+        if not self._comments_may_go(path):
+            return False
         try:
-            save_document(document, path)
+            found = moved(self._document(own), path, whole=broken is None or broken.file != own)
         except StudioError as error:
             self.refused.emit(error)
             return False
-        self.path, self._name = path.absolute(), path.name
-        self._session.saved(replace(blueprint, document=document))
-        self._settings.remember(path.absolute())
-        self.changed.emit()
-        self.said.emit(f"Saved {path.name}.")
+        pairs = [(self._document(file), self._place(file)) for file in others]
+        if not self._written([(found.document, path), *pairs]):
+            return False
+        self.path, self._name = path, path.name
+        if found.anew:
+            self._show_anew(found.document)
+        else:
+            # Of a text that does not read, the document is that of the last one that did.
+            named = replace(session.blueprint.document, file=str(path))
+            session.saved(replace(session.blueprint, document=named))
+        self._learn()
+        self._settings.remember(path)
+        self._saved([path.name, *map(self.display, others)])
         return True
+
+    def _show_anew(self, document: Document) -> None:
+        """The text is another one now: the history, which holds the former, begins again."""
+        session = self._session
+        branch, selection = session.branch, session.selection
+        self.show(understood(document.text, document.file), self.path, self._name)
+        session.show_branch(branch)
+        session.select(selection)
+
+    def _written(self, pairs: Sequence[tuple[Document, Path]]) -> bool:
+        try:
+            save_together(pairs)
+        except StudioError as error:
+            self.refused.emit(error)
+            return False
+        for document, _ in pairs:
+            self.on_disk.saw(document.file, document.text)
+        return True
+
+    def _saved(self, names: Sequence[str]) -> None:
+        self.changed.emit()
+        self.said.emit(f"Saved {_listed(names)}." if names else f"{self._name} is saved already.")
+
+    def _document(self, file: str) -> Document:
+        """A document as it is to be written: of a broken one the text alone counts."""
+        documents = {document.file: document for document in self._session.blueprint.documents}
+        return replace(documents[file], text=self._session.texts[file])
+
+    def _place(self, file: str) -> Path:
+        own = self.path is not None and file == self._session.blueprint.file
+        return self.path if own and self.path is not None else Path(file)
+
+    def _may_save_broken(self, files: Sequence[str]) -> bool:
+        broken = self._session.broken
+        if broken is None or broken.file not in files:
+            return True
+        faults = counted(len(broken.error.faults), "fault")
+        return self._asker.may_save_broken(self.display(broken.file), faults)
+
+    def _may_overwrite(self, files: Sequence[str]) -> bool:
+        looks = map(self.on_disk.look, files)
+        changed = [self.display(look.file) for look in looks if look.changed and not look.gone]
+        return not changed or self._asker.may_overwrite(_listed(changed))
+
+    def _comments_may_go(self, path: Path) -> bool:
+        document = self._session.blueprint.document
+        if not leaves_comments(document, path):
+            return True
+        return self._asker.may_leave_comments(self._name, form_words(path, document))
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Names as one says them: a, b and c."""
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
 def samples() -> tuple[Path, ...]:

@@ -51,8 +51,8 @@ class MenuRow(QWidget):
         self.badge.set_tokens(tokens)
         self._title.set_tokens(tokens)
 
-    def show_title(self, name: str, edited: bool) -> None:
-        """The file's name, and whether there are unsaved changes."""
+    def show_title(self, name: str, edited: str) -> None:
+        """The file's name, and what has unsaved changes; empty for nothing."""
         self._title.show_name(name, edited)
         self._place()
 
@@ -95,22 +95,25 @@ class _Title(QWidget):
         super().__init__(parent)
         self._name = label("", "heading")
         self._dot = QLabel()
-        self._edited = label("edited", "second")
+        self._edited = label("", "second")
         self.setLayout(row(self._name, self._dot, self._edited, spacing=6))
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     @property
     def words(self) -> str:
-        return self._name.text() + (" edited" if not self._edited.isHidden() else "")
+        return self._name.text() + (
+            f" {self._edited.text()}" if not self._edited.isHidden() else ""
+        )
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._dot.setPixmap(pixmap("dot", tokens.acc, tokens.win, 16, self.devicePixelRatioF()))
 
-    def show_name(self, name: str, edited: bool) -> None:
+    def show_name(self, name: str, edited: str) -> None:
         self._name.setText(name)
-        self._dot.setVisible(edited)
-        self._edited.setVisible(edited)
-        self.setAccessibleName(f"{name}, edited" if edited else name)
+        self._edited.setText(edited)
+        self._dot.setVisible(bool(edited))
+        self._edited.setVisible(bool(edited))
+        self.setAccessibleName(f"{name}, {edited}" if edited else name)
 
 
 class Badge(QWidget):

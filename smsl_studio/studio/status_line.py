@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import PurePath
+
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.smsl.forms import WORDS
 from smsl_studio.studio.controls import row, rule
 from smsl_studio.studio.theme import STATUS_LINE
 from smsl_studio.studio.words import counted
@@ -39,7 +43,7 @@ class StatusLine(QStatusBar):
         self.messageChanged.connect(lambda *_: self._show_parts())
 
     def show_blueprint(self, blueprint: Blueprint) -> None:
-        """How much there is, and how it is written."""
+        """How much there is."""
         words = (
             counted(len(blueprint), "State Branch", "State Branches"),
             counted(blueprint.state_count, "state"),
@@ -47,17 +51,21 @@ class StatusLine(QStatusBar):
         )
         for part, said in zip(self.counts, words, strict=False):
             part.setText(said)
-        bom = " with BOM" if blueprint.document.text.startswith("\ufeff") else ""
-        ends = ", CRLF" if blueprint.document.newline == "\r\n" else ""
-        self.form.setText(f"{blueprint.document.form.upper()}, UTF-8{bom}{ends}")
 
     def show_findings(self, said: str) -> None:
         """What the findings come to, or that they are being looked for."""
         self.counts[3].setText(said)
 
-    def show_place(self, line: int, column: int) -> None:
-        """Where the selected element is written."""
-        self.place.setText(f"Line {line}, column {column}")
+    def show_place(self, blueprint: Blueprint, address: Address) -> None:
+        """Where an element is written, and how; another file than the blueprint's own is named."""
+        home = blueprint.home(address.branch)
+        place = home.place(address.path if address.branch else ())
+        where = f"line {place.line}, column {place.column}"
+        other = "" if home is blueprint.document else f"{PurePath(home.file).name}, "
+        self.place.setText(f"{other}{where}" if other else where.capitalize())
+        bom = " with BOM" if home.text.startswith("\ufeff") else ""
+        ends = {"\r\n": ", CRLF", "\r": ", CR"}.get(home.newline, "")
+        self.form.setText(f"{WORDS[home.form]}, UTF-8{bom}{ends}")
 
     def show_caret(self, line: int, column: int) -> None:
         """Where the caret stands in the source."""

@@ -1,18 +1,25 @@
-"""Tidings of the inspection: everything in the window that shows findings hears of them here."""
+"""Tidings of the inspection: everything in the window that shows findings hears of them here.
+
+A text that does not read has no findings; its faults are told in their place.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from pathlib import PurePath
 from typing import Protocol
 
 from PySide6.QtCore import QObject
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding
+from smsl_studio.studio.broken import Broken
 from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.panels.findings import Findings
+from smsl_studio.studio.session import Session
 from smsl_studio.studio.status_line import StatusLine
-from smsl_studio.studio.words import tally, worst
+from smsl_studio.studio.words import faults_of, tally, worst
 
 
 class Marked(Protocol):
@@ -26,6 +33,7 @@ class Tidings(QObject):
 
     def __init__(
         self,
+        session: Session,
         inspector: Inspector,
         findings: Findings,
         editor: CanvasEditor,
@@ -35,10 +43,13 @@ class Tidings(QObject):
         parent: QObject,
     ) -> None:
         super().__init__(parent)
+        self._session = session
         self._findings, self._editor, self._line = findings, editor, line
         self._marked, self._then = tuple(marked), then
         inspector.started.connect(self._checking)
         inspector.found.connect(self._found)
+        session.broken_changed.connect(self._broken)
+        self._inspector = inspector
 
     def forget(self) -> None:
         """Another file was opened: what was found in the last one says nothing about it."""
@@ -48,6 +59,17 @@ class Tidings(QObject):
         self._editor.set_findings({})
         self._line.show_findings("checking")
 
+    def _broken(self) -> None:
+        broken = self._session.broken
+        self._findings.set_broken(broken)
+        self._editor.canvas.show_banner(shown_beside(broken, self._session.blueprint))
+        if broken is not None:
+            self._line.show_findings(faults_of(broken))
+        elif self._inspector.current:
+            self._line.show_findings(tally(self._inspector.findings) or "no findings")
+        else:
+            self._line.show_findings("checking")
+
     def _checking(self) -> None:
         self._findings.set_checking()
 
@@ -55,5 +77,16 @@ class Tidings(QObject):
         for part in (self._findings, *self._marked):
             part.set_findings(findings)
         self._editor.set_findings(worst(findings))
-        self._line.show_findings(tally(findings) or "no findings")
+        if self._session.broken is None:
+            self._line.show_findings(tally(findings) or "no findings")
         self._then()
+
+
+def shown_beside(broken: Broken | None, blueprint: Blueprint) -> str:
+    """What the canvas says of the drawing beside a text that does not read."""
+    if broken is None:
+        return ""
+    name = PurePath(broken.file).name
+    if not len(blueprint):
+        return f"The text of {name} does not read, and nothing of it can be drawn."
+    return f"The text of {name} does not read. Drawn is what could be read of it."

@@ -123,7 +123,7 @@ class Window(QMainWindow):
         self.command_palette = Palette(self.session, actions, tokens, self)
         marked = (self.outline, self.library, self.source, self.fix_card)
         self.tidings = Tidings(
-            self.inspector, self.findings, self.editor, self.status_line, marked,
+            self.session, self.inspector, self.findings, self.editor, self.status_line, marked,
             actions.refresh, self,
         )  # fmt: skip
 
@@ -138,6 +138,8 @@ class Window(QMainWindow):
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
             signal.connect(lambda *_: actions.refresh())
         session.opened.connect(self.tidings.forget)
+        session.blueprint_changed.connect(lambda *_: self._show_title())
+        session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_what_moved)
         self.files.settling.connect(self.settle)
@@ -148,10 +150,10 @@ class Window(QMainWindow):
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)
         )
         self.fix_card.fix_wanted.connect(self.findings.fix)
-        self.canvas.context_wanted.connect(self._open_context_menu)
-        self.docks.changed.connect(actions.refresh)
         self.outline.fact_wanted.connect(self.show_fact)
         self.properties.file.ask_file = Dialogs(self).file_to_open
+        self.canvas.context_wanted.connect(self._open_context_menu)
+        self.docks.changed.connect(actions.refresh)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
         self.run_pane.run_exists.connect(self._run_exists)
@@ -197,13 +199,13 @@ class Window(QMainWindow):
         """The name of the file that is shown."""
         return self.files.name
 
-    def stop_run(self) -> None:
-        self.run_pane.stop()
     def show_fact(self, branch: str, digit: int) -> None:
         """Show what a fact means in the properties."""
         self.docks.show_tab("Properties")
         self.properties.show_fact(branch, digit)
 
+    def stop_run(self) -> None:
+        self.run_pane.stop()
 
     def warn(self, words: str) -> None:
         """Say something that went wrong."""
@@ -237,9 +239,9 @@ class Window(QMainWindow):
         """What the installed plugins offer; those that did not load are named."""
         self._loaded = loaded
         self.library.set_offers(offers(loaded, self.session.blueprint))
+        self.properties.set_plugins(loaded)
         if loaded.faults:
             self.toast.warn(str(loaded.faults[0]))
-        self.properties.set_plugins(loaded)
 
     def _show_blueprint(self) -> None:
         self.library.set_offers(offers(self._loaded, self.session.blueprint))
@@ -248,15 +250,19 @@ class Window(QMainWindow):
 
     def _show_place(self) -> None:
         session = self.session
-        chosen = session.selection[:1]
-        below = chosen[0].path if chosen else ((session.branch,) if session.branch else ())
-        place = session.blueprint.document.place(below)
-        self.status_line.show_place(place.line, place.column)
+        chosen = next(iter(session.selection), Address(session.branch))
+        self.status_line.show_place(session.blueprint, chosen)
+
+    def _show_broken(self) -> None:
+        """A text that does not read is repaired in the source, where its faults are marked."""
+        if self.session.broken is not None and self._mode == "draw":
+            self.show_tab("Source")
+        self._show_title()
 
     def _show_title(self) -> None:
-        name, edited = self.files.name, self.session.edited
-        self.menu_row.show_title(name, edited)
-        self.setWindowTitle(f"{name}{' (edited)' if edited else ''} · SMSL Studio")
+        title = self.files.title
+        self.menu_row.show_title(title.name, title.edited)
+        self.setWindowTitle(f"{title} · SMSL Studio")
 
     def _say_what_moved(self, before: Blueprint, after: Blueprint) -> None:
         words = goal_moved(before, after)
@@ -272,6 +278,9 @@ class Window(QMainWindow):
         """What is still being typed counts: leaving a field takes it over, then one goes on."""
         self.source.settle()
         field = self.focusWidget()
+        if isinstance(field, Box):
+            field.clearFocus()
+            field.setFocus()
         if isinstance(field, QLineEdit):
             at = field.cursorPosition()
             field.clearFocus()
@@ -279,9 +288,6 @@ class Window(QMainWindow):
                 field.setFocus()
                 field.setCursorPosition(at)
 
-        if isinstance(field, Box):
-            field.clearFocus()
-            field.setFocus()
     def _run_exists(self, exists: bool) -> None:
         self.mode_bar.show_stop(exists)
         self._stop_key.listen(exists)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.studio.broken import Broken
 
 
 def counted(number: int, one: str, many: str = "") -> str:
@@ -25,6 +26,11 @@ def tally(findings: Iterable[Finding]) -> str:
         )
     )
     return ", ".join(counted(number, word) for number, word in parts if number)
+
+
+def faults_of(broken: Broken) -> str:
+    """How many faults a text has that does not read."""
+    return f"{counted(len(broken.error.faults), 'fault')} in the text"
 
 
 def worst(findings: Iterable[Finding]) -> dict[Address, str]:

@@ -105,16 +105,16 @@ def test_save_as_asks_in_a_dialog_and_goes_on_there(sit: Sit, tmp_path: Path) ->
     assert person.window.canvas.overlays.breadcrumb.words[0] == "other.json"
 
 
-def test_a_broken_file_is_said_with_its_place_and_nothing_is_lost(
+def test_what_is_no_text_is_said_and_nothing_is_lost(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    broken = tmp_path / "broken.json"
-    broken.write_text('{\n  "SB1": {\n    "State_0": {"Op": }\n  }\n}\n')
+    picture = tmp_path / "picture.json"
+    picture.write_bytes(b"{\n\xff")
     person = sit(copy_of("hfsm.json", tmp_path))
-    monkeypatch.setattr(Dialogs, "file_to_open", lambda *_: broken)
+    monkeypatch.setattr(Dialogs, "file_to_open", lambda *_: picture)
     person.ctrl(Key.Key_O)
     said = person.window.toast.words
-    assert "broken.json:3:23" in said
+    assert "picture.json:2:1" in said
     assert person.blueprint == sample("hfsm.json")
     assert person.window.menu_row.title == "hfsm.json"
 

@@ -35,10 +35,10 @@ def test_files_and_mode_are_read_from_the_command_line(monkeypatch: pytest.Monke
 def test_a_file_that_cannot_be_read_leaves_an_empty_window_that_says_why(
     qapp: QApplication, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    path = tmp_path / "broken.json"
-    path.write_text('{"SB1": [}')
+    path = tmp_path / "picture.json"
+    path.write_bytes(b"\x89PNG\r\n\x1a\n")
     window = app.make_window(Windows(qapp, Settings()), str(path))
-    assert "broken.json:1:10" in window.toast.words
+    assert "picture.json:1:1" in window.toast.words
     assert list(window.session.blueprint.branches) == ["SB1"]
     window.close()
     window.deleteLater()

@@ -10,12 +10,16 @@ from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.studio.broken import Broken
 from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.panels.finding_rows import FindingsView
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.words import counted
+from smsl_studio.studio.words import capital, counted, faults_of
+
+MOST = 6
+"""So many faults of a text are told here; the source marks all of them."""
 
 
 class Findings(Panel):
@@ -29,6 +33,7 @@ class Findings(Panel):
         super().__init__("Findings", parent)
         self._session, self._rules = session, rules
         self._findings: tuple[Finding, ...] = ()
+        self._broken: Broken | None = None
         self.summary: QLabel = label("Not checked yet", "small")
         self.fix_all_button = QPushButton("Fix all")
         self.fix_all_button.setProperty("role", "soft")
@@ -38,6 +43,7 @@ class Findings(Panel):
         self.empty: QLabel = label("", "hint")
         self.empty.setContentsMargins(16, 12, 16, 12)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.empty.setTextFormat(Qt.TextFormat.PlainText)
         self._pages = QStackedWidget()
         self._pages.addWidget(self.empty)
         self._pages.addWidget(self.list)
@@ -60,6 +66,8 @@ class Findings(Panel):
 
     def set_checking(self) -> None:
         """The blueprint has changed: what stands here is being checked again."""
+        if self._broken is not None:
+            return
         self.summary.setText("Checking")
         if not self._findings:
             self.empty.setText("Not checked yet. The findings come in a moment.")
@@ -73,9 +81,24 @@ class Findings(Panel):
         self.count_changed.emit(0)
         self.set_checking()
 
+    def set_broken(self, broken: Broken | None) -> None:
+        """The text does not read, or reads again: its faults stand in place of findings."""
+        self._broken = broken
+        if broken is None:
+            self.set_findings(self._findings)
+            self.set_checking()
+            return
+        self._pages.setCurrentWidget(self.empty)
+        self.empty.setText(_told(broken))
+        self.summary.setText("Not checked")
+        self.fix_all_button.hide()
+        self.count_changed.emit(len(broken.error.faults))
+
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Show the findings of the blueprint as it is now."""
         self._findings = tuple(sorted(findings, key=_gravest_first))
+        if self._broken is not None:
+            return
         self.list.show_findings(self._findings)
         errors = sum(f.severity is Severity.ERROR for f in findings)
         self.summary.setText(
@@ -131,6 +154,18 @@ class Findings(Panel):
     def _jump(self, index: QModelIndex) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
         self._session.jump(finding.address)
+
+
+def _told(broken: Broken) -> str:
+    """The faults of a text, line by line."""
+    faults = broken.error.faults
+    lines = [f"{faults_of(broken)}. What is drawn is checked when it reads again."]
+    for fault in faults[:MOST]:
+        place = f"Line {fault.place.line}, column {fault.place.column}: " if fault.place else ""
+        lines.append(f"{place}{capital(fault.sentence)} {fault.advice}".rstrip())
+    if len(faults) > MOST:
+        lines.append(f"and {counted(len(faults) - MOST, 'more fault', 'more faults')}")
+    return "\n".join(lines)
 
 
 def _gravest_first(finding: Finding) -> int:

@@ -1,0 +1,129 @@
+"""What a journal says: the texts of a window that are not on the disk, and where they belong.
+
+The file is a line that names the format, a line of JSON, and the bytes of the texts, each with its
+length and SHA-256. Whoever reads one believes nothing of it: a journal may be cut, mixed up or
+made by somebody else.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from hashlib import sha256
+from typing import Any
+
+from smsl_studio.errors import ReadError
+
+MAGIC = b"SMSL Studio journal 1\n"
+HEAD, TEXTS, NAME = 4 << 20, 10_000, 4096
+"""So many bytes, texts, and characters of a name are read; a window writes far less."""
+
+
+@dataclass(frozen=True)
+class Kept:
+    """One text that is not on the disk. ``saved`` is the digest of what was; empty for nothing."""
+
+    file: str
+    text: str
+    saved: str = ""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """The unsaved work of one window.
+
+    ``path`` is where its blueprint belongs, empty where it was never saved. ``file`` is the name
+    of the blueprint's own text among ``texts`` and in its imports. ``changes`` counts what was
+    done in the window, ``when`` is the local time of the last of it.
+    """
+
+    name: str
+    path: str
+    file: str
+    when: str
+    changes: int
+    texts: tuple[Kept, ...]
+
+
+def encode(entry: Entry) -> bytes:
+    """The bytes of a journal."""
+    bodies = [kept.text.encode("utf-8", "surrogatepass") for kept in entry.texts]
+    head = {
+        "name": entry.name,
+        "path": entry.path,
+        "file": entry.file,
+        "when": entry.when,
+        "changes": entry.changes,
+        "texts": [
+            {
+                "file": kept.file,
+                "saved": kept.saved,
+                "bytes": len(body),
+                "sha256": sha256(body).hexdigest(),
+            }
+            for kept, body in zip(entry.texts, bodies, strict=True)
+        ],
+    }
+    return b"".join([MAGIC, json.dumps(head).encode("ascii"), b"\n", *bodies])
+
+
+def decode(raw: bytes) -> Entry:
+    """What a journal says; ReadError where it is none, or not whole."""
+    if not raw.startswith(MAGIC):
+        raise _no("it does not begin as one")
+    end = raw.find(b"\n", len(MAGIC), len(MAGIC) + HEAD)
+    if end < 0:
+        raise _no("its head is cut off")
+    head = _head(raw[len(MAGIC) : end])
+    listed = head.get("texts")
+    if not isinstance(listed, list) or not 0 < len(listed) <= TEXTS:
+        raise _no("it lists no texts")
+    changes = head.get("changes")
+    if type(changes) is not int or changes < 0:
+        raise _no("its changes are not counted")
+    texts, rest = [], memoryview(raw)[end + 1 :]
+    for item in listed:
+        if not isinstance(item, dict):
+            raise _no("one of its texts is not described")
+        kept, rest = _kept(item, rest)
+        texts.append(kept)
+    if len(rest):
+        raise _no("it holds more than it says")
+    words = {key: _word(head, key) for key in ("name", "path", "file", "when")}
+    return Entry(**words, changes=changes, texts=tuple(texts))
+
+
+def _head(line: bytes) -> dict[str, Any]:
+    try:
+        head = json.loads(line)
+    except (ValueError, RecursionError):
+        raise _no("its head cannot be read") from None
+    if not isinstance(head, dict):
+        raise _no("its head is no object")
+    return head
+
+
+def _kept(item: dict[str, Any], rest: memoryview) -> tuple[Kept, memoryview]:
+    length = item.get("bytes")
+    if type(length) is not int or not 0 <= length <= len(rest):
+        raise _no("one of its texts is cut off")
+    body = bytes(rest[:length])
+    if sha256(body).hexdigest() != item.get("sha256"):
+        raise _no("one of its texts was damaged")
+    try:
+        text = body.decode("utf-8", "surrogatepass")
+    except UnicodeDecodeError:
+        raise _no("one of its texts is no text") from None
+    kept = Kept(_word(item, "file"), text, _word(item, "saved"))
+    return kept, rest[length:]
+
+
+def _word(table: dict[str, Any], key: str) -> str:
+    value = table.get(key)
+    if not isinstance(value, str) or len(value) > NAME or "\0" in value:
+        raise _no(f"its {key} is no name")
+    return value
+
+
+def _no(why: str) -> ReadError:
+    return ReadError(f"the journal cannot be read: {why}", advice="Nothing can be recovered of it.")

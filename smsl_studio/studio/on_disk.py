@@ -1,0 +1,68 @@
+"""What stands on the disk, file by file, as far as the window has seen it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from smsl_studio.errors import ReadError
+from smsl_studio.smsl.files import read_text
+
+
+@dataclass(frozen=True)
+class Look:
+    """A file as it is now, compared with what the window has seen of it.
+
+    ``text`` is what stands there, None where nothing is there (``gone``) or it is no text.
+    """
+
+    file: str
+    text: str | None
+    changed: bool
+    gone: bool = False
+
+
+class OnDisk:
+    """Remembers every text that was read or saved, by the name of its document."""
+
+    def __init__(self) -> None:
+        self._seen: dict[str, str | None] = {}
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(tuple(self._seen))
+
+    def __contains__(self, file: str) -> bool:
+        return file in self._seen
+
+    def forget(self) -> None:
+        """Another blueprint was opened."""
+        self._seen.clear()
+
+    def saw(self, file: str, text: str | None) -> None:
+        """This text stands in the file, or nothing does."""
+        self._seen[file] = text
+
+    def saw_if_new(self, texts: Mapping[str, str]) -> None:
+        """Files that nobody knew were read a moment ago, so this is what stands in them."""
+        for file, text in texts.items():
+            self._seen.setdefault(file, text)
+
+    def text(self, file: str) -> str | None:
+        """What stands in a file; None where nothing does, or nothing is known."""
+        return self._seen.get(file)
+
+    def differing(self, texts: Mapping[str, str]) -> tuple[str, ...]:
+        """The files in which another text stands than these."""
+        return tuple(file for file, text in texts.items() if self._seen.get(file) != text)
+
+    def look(self, file: str) -> Look:
+        """Look at a file again."""
+        try:
+            now: str | None = read_text(file)
+        except ReadError:
+            now = None
+        before = self._seen.get(file)
+        gone = now is None and not Path(file).is_file()
+        changed = now != before if now is not None or gone else True
+        return Look(file, now, changed, gone)
