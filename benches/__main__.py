@@ -1,6 +1,7 @@
 """Run the benches: ``./dev bench`` for all, ``./dev bench load start`` for some.
 
-``--write`` puts the table into docs/benches.md together with the command that made it.
+``--write`` puts the table into docs/benches.md together with the command that made it. ``--all``
+has those that would take minutes (fuzz) do everything, and not a share.
 """
 
 from __future__ import annotations
@@ -14,15 +15,16 @@ from pathlib import Path
 
 from benches.row import Row
 
-BENCHES = ("load", "inspect", "dispatch", "start", "canvas", "physics", "saving")
+BENCHES = ("load", "inspect", "dispatch", "start", "canvas", "physics", "saving", "fuzz")
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
 
-def rows(names: list[str]) -> Iterator[tuple[str, Row]]:
+def rows(names: list[str], everything: bool) -> Iterator[tuple[str, Row]]:
     """The rows of the named benches, each as soon as it is measured."""
     for name in names:
         module = importlib.import_module(f"benches.{name}")
-        for row in module.rows():
+        make = getattr(module, "all_rows", module.rows) if everything else module.rows
+        for row in make():
             yield name, row
 
 
@@ -51,12 +53,13 @@ def main(arguments: list[str]) -> int:
         return 2
     print(HEAD, flush=True)
     lines = []
-    for name, row in rows(wanted):
+    everything = "--all" in arguments
+    for name, row in rows(wanted, everything):
         lines.append(line(name, row))
         print(lines[-1], flush=True)
     if "--write" in arguments:
         machine = f"Python {platform.python_version()}, {os.cpu_count()} cores, {sys.platform}"
-        command = " ".join(["./dev bench", *wanted, "--write"])
+        command = " ".join(["./dev bench", *wanted, *["--all"] * everything, "--write"])
         text = (
             f"# Benches\n\nMade by `{command}` on {machine}. Ratios travel between machines, "
             f"times do not.\n\n{READING}\n\n{HEAD}\n" + "\n".join(lines) + "\n"

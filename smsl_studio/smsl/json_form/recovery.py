@@ -90,7 +90,8 @@ class Recovery(Brackets):
             elif self._ends_before(frame, token):
                 pending = frame.comma
                 self._missing_closer(frame, token, "" if pending else ",")
-                self._frames[-1].expects, self._frames[-1].comma = "key", pending
+                self._frames[-1].comma = pending
+                self._expect_another()
             else:
                 self._begin_member(frame, self._take())
         elif kind in ("}", "]") and self._is_extra(frame, token):
@@ -111,6 +112,11 @@ class Recovery(Brackets):
             frame.expects = "value"
         else:
             self._remove(self._take())
+
+    def _expect_another(self) -> None:
+        """What is open now goes on, with a name or an element, as if a comma had been there."""
+        frame = self._frames[-1]
+        frame.expects = "key" if frame.token.kind == "{" else "item"
 
     def _begin_member(self, frame: Frame, token: Token) -> None:
         if token.kind != TEXT:
@@ -242,7 +248,7 @@ class Recovery(Brackets):
                 self._missing_closer(frame, token, ",")
             else:
                 self._missing_comma(frame, token)
-            self._frames[-1].expects = "key"
+            self._expect_another()
         elif kind in ("{", "[") and self._excess >= 0:
             words = f"a comma and a name are missing before {kind}"
             self._fault(token, words, 'Write , "Name": before it.')
