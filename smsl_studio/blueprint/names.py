@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
-from itertools import product
+from collections.abc import Container, Iterator
+from itertools import count, islice, product
+from string import ascii_lowercase
 
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -15,7 +16,7 @@ _LONGEST = 64
 
 def fresh_branch_name(blueprint: Blueprint) -> str:
     """``SB1``, ``SB2``...: the first that is free."""
-    return _numbered("SB", blueprint.branches)
+    return next(numbered("SB", blueprint.branches))
 
 
 def fresh_state_name(branch: StateBranch) -> str:
@@ -25,21 +26,39 @@ def fresh_state_name(branch: StateBranch) -> str:
     """
     if not branch.table:
         return "State" + "0" * min(branch.header.num_facts or 1, _LONGEST)
+    return next(fresh_state_names(branch))
+
+
+def fresh_state_names(branch: StateBranch) -> Iterator[str]:
+    """All free names in that manner, for an SB that has states."""
     shape = branch.shape
     if shape.opaque or shape.width == 0:
-        return _numbered("State", branch.table)
+        yield from numbered("State", branch.table)
+        return
     last = next(reversed(branch.table))
     prefix = last[: len(last) - len(fact_string(last, shape.written))]
     values = sorted({value for column in branch.alphabet for value in column})
     if set(values) <= {"0", "1"}:
         values = ["0", "1"]
-    for tries, digits in enumerate(product(values, repeat=shape.num_facts)):
+    for digits in islice(product(values, repeat=shape.num_facts), _TRIES + len(branch.table)):
         name = prefix + "".join(digits)
         if name not in branch.table:
-            return name
-        if tries >= _TRIES:
-            break
-    return _numbered(prefix, branch.table)
+            yield name
+    # Every combination is taken: another value for the last fact keeps the names of one length.
+    for value in _more_values(shape.width, values):
+        for digits in islice(product(values, repeat=shape.num_facts - 1), _TRIES):
+            name = prefix + "".join(digits) + value
+            if name not in branch.table:
+                yield name
+    yield from numbered(prefix, branch.table)
+
+
+def _more_values(width: int, values: list[str]) -> Iterator[str]:
+    """Values of a fact of this width that do not occur yet."""
+    numbers = (f"{number:0{width}}" for number in range(10 ** min(width, 3)))
+    yield from (value for value in numbers if value not in values)
+    letters = (letter * width for letter in ascii_lowercase)
+    yield from (value for value in letters if value not in values)
 
 
 def fresh_operation_name(branch: StateBranch, state: str) -> str:
@@ -53,11 +72,21 @@ def fresh_operation_name(branch: StateBranch, state: str) -> str:
     for letter in "ABCDEFGHIJKLMNOPQRSTUVWXYZ":
         if plain + letter not in taken:
             return plain + letter
-    return _numbered(plain, taken)
+    return next(numbered(plain, taken))
 
 
-def _numbered(prefix: str, taken: Container[str]) -> str:
-    number = 1
-    while f"{prefix}{number}" in taken:
-        number += 1
-    return f"{prefix}{number}"
+def like(name: str, taken: Container[str]) -> str:
+    """The name itself where it is free, else with the next free number: ``SB1``, ``SB2``."""
+    if name not in taken:
+        return name
+    stem = name.rstrip("0123456789")
+    width = len(name) - len(stem)
+    if width == 0 or width >= _LONGEST:
+        return next(numbered(name, taken, 2))
+    names = (f"{stem}{n:0{width}}" for n in count(int(name[len(stem) :]) + 1))
+    return next(free for free in names if free not in taken)
+
+
+def numbered(prefix: str, taken: Container[str], first: int = 1) -> Iterator[str]:
+    """The prefix with every number that makes a free name."""
+    return (f"{prefix}{n}" for n in count(first) if f"{prefix}{n}" not in taken)

@@ -5,6 +5,7 @@ has changed. ``after.document`` always agrees with the meaning of ``after``.
 """
 
 from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
+from smsl_studio.blueprint.editing.copying import cut, excerpt
 from smsl_studio.blueprint.editing.headers import attach_sub, detach_sub, set_header
 from smsl_studio.blueprint.editing.imports import set_imports
 from smsl_studio.blueprint.editing.moving import reorder, retarget
@@ -15,6 +16,7 @@ from smsl_studio.blueprint.editing.notes import (
     set_layout,
     set_note,
 )
+from smsl_studio.blueprint.editing.pasting import duplicate, paste
 from smsl_studio.blueprint.editing.removing import delete
 from smsl_studio.blueprint.editing.renaming import rename
 
@@ -24,9 +26,13 @@ __all__ = [
     "add_state",
     "attach_sub",
     "change_notes",
+    "cut",
     "delete",
     "detach_sub",
+    "duplicate",
+    "excerpt",
     "keep_last",
+    "paste",
     "rename",
     "reorder",
     "retarget",

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_key
-from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
 
@@ -36,50 +37,57 @@ def rename(
 
 
 def _rename_branch(draft: Draft, old: str, new: str) -> None:
-    before = draft.before
+    before, names = draft.before, {old: new}
     for branch in before:
         if any(sub == old for sub, _ in branch.header.sub_sbs):
             header = draft.header(branch.name)
-            header["SUB_SBS"] = _renamed_key(header["SUB_SBS"], old, new)
-        _rename_in_notes(draft, branch, old, new)
+            header["SUB_SBS"] = renamed_subs(header["SUB_SBS"], names)
+        notes = branch.fields.get("_operations")
+        renamed = renamed_requires(notes, names)
+        if renamed != notes:
+            draft.at(branch.name)["_operations"] = renamed
     for document in before.documents:
         hazards = document.values.get("_hazards")
         if isinstance(hazards, list):
-            renamed = [_renamed_hazard(item, old, new) for item in hazards]
+            renamed = [_renamed_hazard(item, names) for item in hazards]
             if renamed != hazards:
                 draft.file(document)["_hazards"] = renamed
     rename_key(draft.file(before.home(old)), old, new)
 
 
-def _rename_in_notes(draft: Draft, branch: StateBranch, old: str, new: str) -> None:
-    """Let every ``requires`` of an SB's operations follow."""
-    table = branch.fields.get("_operations")
-    for key, note in table.items() if isinstance(table, dict) else ():
-        if isinstance(note, dict) and isinstance(note.get("requires"), dict):
-            requires = _renamed_facts(note["requires"], old, new)
-            if requires != note["requires"]:
-                draft.at(branch.name, "_operations")[key] = {**note, "requires": requires}
-
-
-def _renamed_key(value: Json, old: str, new: str) -> Json:
+def renamed_subs(value: Json, names: Mapping[str, str]) -> Json:
+    """SUB_SBS (a map or a list of maps) with other names for some SBs."""
     if isinstance(value, list):
-        return [_renamed_key(item, old, new) for item in value]
-    return {new if key == old else key: inner for key, inner in value.items()}
+        return [renamed_subs(item, names) for item in value]
+    if not isinstance(value, dict):
+        return value
+    return {names.get(key, key): inner for key, inner in value.items()}
 
 
-def _renamed_hazard(hazard: Json, old: str, new: str) -> Json:
+def renamed_requires(notes: Json, names: Mapping[str, str]) -> Json:
+    """``_operations`` with other names for some SBs in every ``requires``."""
+    if not isinstance(notes, dict):
+        return notes
+    renamed = dict(notes)
+    for key, note in notes.items():
+        if isinstance(note, dict) and isinstance(note.get("requires"), dict):
+            renamed[key] = {**note, "requires": _renamed_facts(note["requires"], names)}
+    return renamed
+
+
+def _renamed_hazard(hazard: Json, names: Mapping[str, str]) -> Json:
     if isinstance(hazard, dict) and isinstance(hazard.get("facts"), dict):
-        return {**hazard, "facts": _renamed_facts(hazard["facts"], old, new)}
+        return {**hazard, "facts": _renamed_facts(hazard["facts"], names)}
     return hazard
 
 
-def _renamed_facts(facts: dict[str, Json], old: str, new: str) -> dict[str, Json]:
-    return {_renamed_fact(key, old, new): value for key, value in facts.items()}
+def _renamed_facts(facts: dict[str, Json], names: Mapping[str, str]) -> dict[str, Json]:
+    return {_renamed_fact(key, names): value for key, value in facts.items()}
 
 
-def _renamed_fact(text: str, old: str, new: str) -> str:
+def _renamed_fact(text: str, names: Mapping[str, str]) -> str:
     fact = split_fact(text)
-    return fact_text(new, fact[1]) if fact and fact[0] == old else text
+    return fact_text(names[fact[0]], fact[1]) if fact and fact[0] in names else text
 
 
 def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
