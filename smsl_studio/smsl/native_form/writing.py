@@ -2,150 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
-from smsl_studio.errors import ConvertError
-from smsl_studio.smsl.document import Path
-from smsl_studio.smsl.native_form.json_values import one_line
-from smsl_studio.smsl.native_form.lines import NAME_KEYS, BadValue, line_at, read_value
-from smsl_studio.smsl.native_form.tokens import is_bare, spelled
-
-Json = Any
-UNIT = "    "
+from smsl_studio.smsl.native_form.style import CANONICAL, values_text
 
 
-def write(values: Mapping[str, Json]) -> str:
+def write(values: Mapping[str, Any]) -> str:
     """Values as a new text in the canonical layout; ConvertError for what has no spelling.
 
     A HEADER with nothing in it is left out: it says as much as none.
     """
-    pieces: list[str] = []
-    branches = [key for key in values if not key.startswith("_")]
-    line_before = False
-    for key, value in values.items():
-        if key.startswith("_"):
-            pieces.append(f"{field_line(key, value)}\n")
-            line_before = True
-            continue
-        if line_before:
-            pieces.append("\n")
-        line_before = False
-        pieces.append(branch_text(key, value))
-        pieces.append(",\n" if key != branches[-1] else "\n")
-    return "".join(pieces)
-
-
-def branch_text(name: str, value: Json) -> str:
-    """A State Branch, from its { to its }."""
-    must_be_map((name,), value, "a State Branch")
-    lines = [f"{UNIT}# NAME: {spelled(name)}"]
-    lines += [f"{UNIT}{line}" for line in _header_lines(name, value.get("HEADER", {}))]
-    states = [key for key in value if not key.startswith("_") and key != "HEADER"]
-    for key, inner in value.items():
-        if key == "HEADER":
-            continue
-        if key.startswith("_"):
-            lines.append(f"{UNIT}{field_line(key, inner)}")
-            continue
-        if key == states[0] and len(lines) > 1:
-            lines.append("")
-        lines.append(f"{UNIT}{_state(name, key, inner)}{',' if key != states[-1] else ''}")
-    return "\n".join(["{", *lines, "}"])
-
-
-def _header_lines(name: str, header: Json) -> Iterator[str]:
-    must_be_map((name, "HEADER"), header, "a HEADER")
-    for key, value in header.items():
-        yield header_line(name, key, value)
-
-
-def _state(branch: str, name: str, value: Json) -> str:
-    must_be_map((branch, name), value, "a state")
-    if not value:
-        return f"{spelled(name)}: [ ]"
-    edges = [key for key in value if not key.startswith("_")]
-    if len(value) == 1 and edges:
-        return f"{spelled(name)}: [{edge_text(branch, name, edges[0], value[edges[0]])}]"
-    lines = [f"{spelled(name)}: ["]
-    for key, inner in value.items():
-        if key.startswith("_"):
-            lines.append(f"{UNIT}{field_line(key, inner)}")
-        else:
-            comma = "," if key != edges[-1] else ""
-            lines.append(f"{UNIT}{edge_text(branch, name, key, inner)}{comma}")
-    return f"\n{UNIT}".join([*lines, "]"])
-
-
-def edge_text(branch: str, state: str, name: str, target: Json, arrow: str = " -> ") -> str:
-    """An operation; ConvertError where its target is no text."""
-    if type(target) is not str:
-        raise no_spelling((branch, state, name), "its target is not the name of a state")
-    return f"{spelled(name)}{arrow}{spelled(target)}"
-
-
-def field_line(key: str, value: Json, inside: str = "") -> str:
-    """``# _KEY: json``; with ``HEADER.`` before the key for a field of the header."""
-    return f"# {inside}{spelled(key)}: {one_line(value)}"
-
-
-def header_line(branch: str, key: str, value: Json) -> str:
-    """A header key and its value as a line."""
-    return f"# {header_key(key)}: {header_value(branch, key, value)}"
-
-
-def header_key(key: str) -> str:
-    """A header key as it is written."""
-    if key.startswith("_") or key == "NAME":
-        return f"HEADER.{spelled(key)}"
-    return f'"{key}"' if key.startswith("HEADER.") and is_bare(key) else spelled(key)
-
-
-def header_value(branch: str, key: str, value: Json) -> str:
-    """The value of a header key as it is written; ConvertError where it cannot be."""
-    if key.startswith("_"):
-        return one_line(value)
-    if key in NAME_KEYS and not isinstance(value, dict | list):
-        if type(value) is not str:
-            raise no_spelling((branch, "HEADER", key), "its value is not the name of a state")
-        return spelled(value)
-    if key == "SUB_SBS" and isinstance(value, dict) and all(type(v) is int for v in value.values()):
-        return map_text(value)
-    if isinstance(value, str) and _reads_as_itself(key, value):
-        return value
-    return one_line(value)
-
-
-def map_text(value: Mapping[str, int]) -> str:
-    """A map of numbers in round brackets."""
-    inner = ", ".join(f"{spelled(key)}: {number}" for key, number in value.items())
-    return f"({inner})" if inner else "( )"
-
-
-def _reads_as_itself(key: str, text: str) -> bool:
-    """Whether a text may stand there without quotes."""
-    if not text or not text.isprintable() or text[0] in '"({[':
-        return False
-    line = line_at(f"# {header_key(key)}: {text}", 0)
-    if line is None:
-        return False
-    try:
-        found = read_value(f"# {header_key(key)}: {text}", line, 3).value
-    except BadValue:
-        return False
-    return type(found) is str and found == text
-
-
-def must_be_map(path: Path, value: Json, what: str) -> None:
-    """ConvertError where a value that has to be a map is none."""
-    if not isinstance(value, dict):
-        raise no_spelling(path, f"it is not {what}")
-
-
-def no_spelling(path: Path, why: str) -> ConvertError:
-    """What the native form cannot hold, by its path."""
-    where = "/".join(part.replace("~", "~0").replace("/", "~1") for part in path)
-    return ConvertError(
-        f"{where} cannot be written in the native form: {why}",
-        advice="Change it first, or stay with the JSON form.",
-    )
+    return values_text(values, CANONICAL)
