@@ -1,46 +1,64 @@
-"""Loading 59,049 states and 177,144 operations: text to Blueprint, against what parses less."""
+"""Loading large files, bytes to index, against readers that do less.
+
+Ours reads the values, looks for keys that are written twice and for targets that are no states, and
+numbers states and targets. ``orjson`` and ``json`` only make the values, ``pydantic`` checks their
+types, ``networkx`` is given every edge, ``pysmsl`` is the reference reader (it opens the file, and
+runs once, in a process of its own, with a limit). Times are of one process; memory is of a process
+for each reader: its peak less its size before, in which the bytes of the file are counted.
+"""
 
 from __future__ import annotations
 
-import json
+import tempfile
 from collections.abc import Iterator
 from functools import partial
+from pathlib import Path
 
-import networkx as nx
-import orjson
-
+from benches.loaders import alone, loader
 from benches.row import Row, median_ms
-from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.blueprint.writing import values_of
-from smsl_studio.generate.rules import hanoi
-from smsl_studio.graph.build import graph_of
-from smsl_studio.smsl.json_form import parse_json, write_json
+from smsl_studio.generate.rules import Values, hanoi_values, level_values
+from smsl_studio.smsl.json_form import write_json
+
+PEERS = ("orjson", "json", "pydantic", "networkx")
+LIMIT = 600.0
+"""Seconds after which the reference reader is given up."""
 
 
 def rows() -> Iterator[Row]:
-    """Hanoi with 8 and with 10 disks."""
-    for disks in (8, 10):
-        text = write_json(values_of(hanoi(disks)))
-        raw = text.encode()
+    """Hanoi with 8 and with 10 disks, and three levels of 100,352 operations."""
+    with tempfile.TemporaryDirectory() as folder:
+        yield from _file("Hanoi 8", hanoi_values(8), Path(folder))
+        yield from _file("Hanoi 10", hanoi_values(10), Path(folder))
+        yield from _file("three levels", level_values(), Path(folder))
 
-        def ours(text: str = text) -> object:
-            return read_blueprint(parse_json(text, "bench.json"))
 
-        def with_arrays(text: str = text) -> object:
-            return [graph_of(branch) for branch in read_blueprint(parse_json(text, "bench.json"))]
+def _file(work: str, values: Values, folder: Path) -> Iterator[Row]:
+    edges = sum(
+        len(found) for states in values.values() for key, found in states.items() if key != "HEADER"
+    )
+    file = folder / f"{work}.json"
+    file.write_text(write_json(values), encoding="utf-8")
+    raw = file.read_bytes()
+    slow = alone(file, "pysmsl", LIMIT)
+    times, sizes = {}, {}
+    for name in ("ours", *PEERS):
+        runs = 3 if name == "networkx" else 7
+        times[name] = median_ms(partial(loader(name, str(file)), raw), runs=runs)
+        found = alone(file, name, LIMIT)
+        sizes[name] = found[1] / edges if found else 0.0
+    if slow is not None:
+        times["pysmsl"], sizes["pysmsl"] = slow[0], slow[1] / edges
+    what = f"{work}, {edges:,} operations"
+    yield _row(f"{what}: read, check, index", times, "ms", "at most 4x orjson")
+    yield _row(f"{what}: in multiples of orjson", _multiples(times), "x")
+    yield _row(f"{what}: peak memory", sizes, "bytes an edge", "at most 350")
+    yield _row(f"{what}: memory in multiples of orjson", _multiples(sizes), "x")
 
-        def into_networkx(raw: bytes = raw) -> object:
-            graph: nx.MultiDiGraph[str] = nx.MultiDiGraph()
-            for states in orjson.loads(raw).values():
-                for source, operations in states.items():
-                    for name, target in operations.items():
-                        graph.add_edge(source, target, key=name)
-            return graph
 
-        others = (
-            ("orjson.loads", median_ms(partial(orjson.loads, raw))),
-            ("json.loads", median_ms(partial(json.loads, text))),
-            ("networkx", median_ms(into_networkx, runs=3)),
-        )
-        yield Row(f"read Hanoi {disks}", median_ms(ours), "ms", others)
-        yield Row(f"read Hanoi {disks}, integer arrays", median_ms(with_arrays), "ms", others)
+def _row(work: str, found: dict[str, float], unit: str, bound: str = "") -> Row:
+    others = tuple((name, figure) for name, figure in found.items() if name != "ours")
+    return Row(work, found["ours"], unit, others, bound)
+
+
+def _multiples(found: dict[str, float]) -> dict[str, float]:
+    return {name: figure / found["orjson"] for name, figure in found.items()}

@@ -7,7 +7,8 @@ example the paper prints, and the size of the procedure that benches turn up.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
@@ -60,6 +61,28 @@ def hanoi(disks: int) -> Blueprint:
     """The Towers of Hanoi as a blueprint; UsageError for a number of disks that makes no sense."""
     text = write_json(hanoi_values(disks))
     return read_blueprint(parse_json(text, f"hanoi-{disks}.json"))
+
+
+def switch_moves(facts: Facts) -> Iterator[tuple[str, Facts]]:
+    """Every switch may be turned, one at a time; ``Op_2`` turns switch 2."""
+    for digit, value in enumerate(facts):
+        turned = "1" if value == "0" else "0"
+        yield f"Op_{digit + 1}", (*facts[:digit], turned, *facts[digit + 1 :])
+
+
+def level_values(switches: Sequence[int] = (12, 12, 8)) -> Values:
+    """SBs of independent switches, each the sub-SB under digit 1 of the one before.
+
+    By default three levels with 100,352 operations: what a large file with sub-SBs costs.
+    """
+    values: Values = {}
+    for level, count in enumerate(switches):
+        states = itertools.product("01", repeat=count)
+        values |= branch_values(f"Level{level + 1}", states, switch_moves)
+    for level in range(1, len(switches)):
+        header: dict[str, Any] = values[f"Level{level}"]["HEADER"]
+        header["SUB_SBS"] = {f"Level{level + 1}": 1}
+    return values
 
 
 def _state(facts: Facts) -> str:
