@@ -6,6 +6,7 @@ The functions here are the doors of a form; see ``forms.Form``.
 from smsl_studio.smsl.json_form.limits import MAX_DEPTH
 from smsl_studio.smsl.json_form.reading import parse, recover, write
 from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
+from smsl_studio.smsl.json_form.tidying import tidy
 
 parse_json, write_json = parse, write
 """The names under which those call them who want this form and no other."""
@@ -17,6 +18,7 @@ __all__ = [
     "parse_json",
     "reconcile",
     "recover",
+    "tidy",
     "write",
     "write_json",
 ]

@@ -111,6 +111,11 @@ def read_value(text: str, line: Line, depth: int) -> Value:
     return _scalar(raw, line) or _text(raw, line)
 
 
+def is_map(raw: str) -> bool:
+    """Whether a value is a map in round brackets, and not a text that begins with one."""
+    return _MAP.fullmatch(raw) is not None
+
+
 def entries(text: str, start: int) -> Iterator[Member]:
     """The members of the map in round brackets that opens at ``start``, known to be valid."""
     match = _MAP.match(text, start)
