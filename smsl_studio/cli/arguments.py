@@ -24,6 +24,7 @@ class Command:
 COMMANDS = {
     "open": Command("opening", "open the window, on files if any are named"),
     "check": Command("checking", "inspect blueprints: every finding with its place"),
+    "fmt": Command("formatting", "lay files out canonically, comments and _ fields kept"),
     "convert": Command("converting", "write a blueprint in another form: .json, .smsl, .yaml"),
     "diff": Command("comparing", "compare two blueprints by what they mean; layout apart"),
     "render": Command("rendering", "draw a picture of a blueprint: SVG, PNG or PDF"),

@@ -23,12 +23,16 @@ class Output:
         self._colours = stream.isatty() and not os.environ.get("NO_COLOR")
 
     def line(self, text: str) -> None:
-        """One line, or several in one text; it is on its way when this returns.
+        """One line, or several in one text; it is on its way when this returns."""
+        self.text(f"{text}\n")
+
+    def text(self, text: str) -> None:
+        """A text as it is.
 
         SaveError where it cannot be written; BrokenPipeError where nobody reads it any more.
         """
         try:
-            self._stream.write(f"{text}\n")
+            self._stream.write(text)
             self._stream.flush()
         except BrokenPipeError:
             raise

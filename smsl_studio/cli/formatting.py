@@ -1,0 +1,67 @@
+"""``fmt``: the canonical layout. Exit status 1 where ``--check`` finds another."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.cli.arguments import Parser, add_format
+from smsl_studio.cli.output import Output, note, one_line, report
+from smsl_studio.cli.reading import read_argument
+from smsl_studio.errors import StudioError, UsageError
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.files import save_document
+from smsl_studio.smsl.forms import form_named
+
+STDIN = "-"
+
+
+def add_arguments(parser: Parser) -> None:
+    parser.add_argument(
+        "files",
+        nargs="+",
+        metavar="FILE",
+        help="a blueprint; - is standard input, and goes to standard output",
+    )
+    parser.add_argument(
+        "--check", action="store_true", help="write nothing; name the files that would change"
+    )
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    as_json = options.format == "json"
+    if as_json and not options.check and STDIN in options.files:
+        raise UsageError(
+            "what - is laid out to goes to standard output, where the report would stand, too",
+            advice="Leave out --format json, or name a file.",
+        )
+    status = 0
+    reports = []
+    for file in options.files:
+        try:
+            document = read_argument(file).document
+            tidied = form_named(document.form).tidy(document)
+            changed = tidied.text != document.text
+            if not options.check:
+                _write(file, document, tidied, out)
+        except StudioError as error:
+            report(error, "smsl-studio fmt")
+            status = 2
+            continue
+        reports.append({"file": document.file, "changed": changed})
+        if options.check and changed:
+            status = max(status, 1)
+            if not as_json:
+                out.line(one_line(document.file))
+    if as_json:
+        out.json({"files": reports})
+    return status
+
+
+def _write(file: str, document: Document, tidied: Document, out: Output) -> None:
+    """Standard input goes on to standard output; a file is saved where it changes."""
+    if file == STDIN:
+        out.text(tidied.text)
+    elif tidied.text != document.text:
+        save_document(tidied, file)
+        note(f"{one_line(file)}: laid out anew")
