@@ -1,0 +1,269 @@
+"""One blueprint in three written forms: the same values, meaning and digests, whichever way."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from smsl_studio.blueprint.digests import digests
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.errors import ConvertError
+from smsl_studio.shipped import samples_dir
+from smsl_studio.smsl.converting import convert
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.files import read_document
+from smsl_studio.smsl.forms import form_named
+from smsl_studio.smsl.json_form import parse_json, write_json
+from smsl_studio.smsl.splicing import reconcile
+from tests.smsl.texts import NOTES
+
+FORMS = ("json", "smsl", "yaml")
+SAMPLES = sorted(path for path in samples_dir().iterdir() if path.suffix in (".json", ".smsl"))
+Json = dict[str, Any]
+
+
+def to(document: Document, form: str) -> Document:
+    return convert(document, form, f"x.{form}").document
+
+
+def must_mean_the_same(one: Document, other: Document) -> None:
+    before, after = read_blueprint(one), read_blueprint(other)
+    assert before == after
+    assert digests(before) == digests(after)
+
+
+def in_order(values: Json) -> Any:
+    """The values with the order of their names, and ``_`` fields in any order.
+
+    A HEADER that says nothing is as good as none: the native form has no word for it.
+    """
+    said = [(k, v) for k, v in values.items() if k != "HEADER" or v]
+    named = [(k, v) for k, v in said if not k.startswith("_")]
+    inner = [(k, in_order(v) if isinstance(v, dict) and k != "HEADER" else v) for k, v in named]
+    return inner, {k: v for k, v in values.items() if k.startswith("_")}
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.name)
+def test_a_sample_goes_through_all_forms_and_back(path: Path) -> None:
+    document = read_document(path)
+    there = to(to(to(document, "smsl"), "yaml"), "json")
+    must_mean_the_same(document, there)
+    assert in_order(dict(there.values)) == in_order(dict(document.values))
+    native = to(there, "smsl")
+    assert native.text == to(to(native, "json"), "smsl").text, "converting settles"
+
+
+@pytest.mark.parametrize("path", SAMPLES, ids=lambda path: path.name)
+def test_a_sample_in_its_own_form_keeps_its_bytes(path: Path) -> None:
+    document = read_document(path)
+    for form in FORMS:
+        once = to(document, form)
+        assert to(once, form).text == once.text
+        assert form_named(form).parse(once.text, "x").text == once.text
+    assert to(document, document.form).encoded() == path.read_bytes()
+
+
+WILD = [
+    "move-star-chess-to-block-0",
+    "a->b",
+    "->",
+    "-",
+    "-a",
+    "#x",
+    "a #x",
+    "two words",
+    " a space ",
+    "状态",
+    "حالة",
+    "a\u202eb",
+    "🧠",
+    '"quoted"',
+    "it's",
+    "back\\slash",
+    "line\nline",
+    "tab\there",
+    "a:b",
+    "a: b",
+    "a:",
+    "//x",
+    "a//b",
+    "a/b~c",
+    "[x]",
+    "{x}",
+    "(x)",
+    "a,b",
+    "on",
+    "No",
+    "010",
+    "12:30",
+    "1.0",
+    "~",
+    "null",
+    "2001-01-01",
+    "&a",
+    "*a",
+    "!a",
+    "|",
+    ">",
+    "%a",
+    "@a",
+    "`a`",
+    "?",
+    "? a",
+    "- a",
+    "---",
+    "...",
+    "<<",
+    "=",
+    "{",
+    "a\x85b",
+    "a\u2028b",
+    "a\x00b",
+    "\ufeffa",
+    "a\u00a0b",
+    "e\u0301",
+    "HEADER.x",
+    "NAME",
+    "INITIAL",
+    "x" * 10_000,
+    "状" * 10_000,
+]
+
+
+def named(name: str) -> Json:
+    """A blueprint in which everything that has a name has this one."""
+    return {
+        name: {
+            "HEADER": {"INITIAL": name, "ACTIVATING": name, "SUB_SBS": {"SB2": 0}},
+            name: {name: name, "other": name},
+            "State1": {name: "State1"},
+            "_operations": {"other": {"title": name}},
+        },
+        "SB2": {name: {}, "_facts": {"0": {"name": name}}},
+    }
+
+
+@pytest.mark.parametrize("name", WILD, ids=lambda name: ascii(name[:12]))
+def test_names_in_the_wild_go_through_every_form(name: str) -> None:
+    document = parse_json(write_json(named(name)), "x.json")
+    for order in (FORMS, ("yaml", "smsl", "json")):
+        there = document
+        for form in order:
+            there = to(there, form)
+            must_mean_the_same(document, there)
+        assert in_order(dict(to(there, "json").values)) == in_order(dict(document.values))
+
+
+@pytest.mark.parametrize("name", WILD[:20], ids=lambda name: ascii(name[:12]))
+def test_a_name_in_the_wild_has_its_place_in_every_form(name: str) -> None:
+    document = parse_json(write_json(named(name)), "x.json")
+    for form in FORMS:
+        there = to(document, form)
+        for path in ((name,), (name, name), (name, name, name), ("SB2", name)):
+            member = there.member(path)
+            assert member.key == name
+            line = there.place(path).line
+            assert there.text[: member.key_start].count("\n") + 1 == line
+
+
+NAMES = st.one_of(
+    st.sampled_from(["State0", "State1", "a->b", "on", "#x", "//", "a b", "é", "0"]),
+    st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=5),
+).filter(lambda name: not name.startswith("_") and name != "HEADER")
+FIELDS = st.dictionaries(st.sampled_from(["_c", "_layout", "_ x", "_é"]), NOTES, max_size=2)
+NUMBERS = st.integers(-(10**20), 10**20) | st.floats(allow_nan=False, allow_infinity=False)
+STATES = st.builds(lambda a, b: {**a, **b}, FIELDS, st.dictionaries(NAMES, NAMES, max_size=3))
+HEADERS = st.builds(
+    lambda known, fields: {**known, **fields},
+    st.fixed_dictionaries(
+        {"NUM_FACTS": st.integers(1, 3)},
+        optional={
+            "INITIAL": NAMES,
+            "ACTIVATING": NAMES,
+            "SUB_SBS": st.dictionaries(NAMES, st.integers(0, 9), max_size=2)
+            | st.lists(st.dictionaries(NAMES, st.integers(0, 3), min_size=1, max_size=1)),
+            "OTHER": NOTES | NUMBERS | NAMES,
+            "other key": NAMES,
+        },
+    ),
+    FIELDS,
+)
+BRANCHES = st.builds(
+    lambda fields, header, states: {**fields, "HEADER": header, **states},
+    FIELDS,
+    HEADERS,
+    st.dictionaries(NAMES, STATES, max_size=3),
+)
+FILES = st.builds(lambda a, b: {**a, **b}, FIELDS, st.dictionaries(NAMES, BRANCHES, max_size=3))
+
+
+@settings(max_examples=120)
+@given(FILES, st.permutations(FORMS))
+def test_any_blueprint_goes_through_every_form(values: Json, order: list[str]) -> None:
+    document = parse_json(write_json(values), "x.json")
+    there = document
+    for form in order:
+        there = to(there, form)
+        assert form_named(form).write(there.values) == there.text
+    must_mean_the_same(document, there)
+    assert in_order(dict(to(there, "json").values)) == in_order(values)
+
+
+@settings(max_examples=60)
+@given(FILES, FILES, st.sampled_from(FORMS))
+def test_an_edit_reads_the_same_in_every_form(old: Json, new: Json, form: str) -> None:
+    document = to(parse_json(write_json(old), "x.json"), form)
+    wanted = parse_json(write_json(new), "x.json")
+    edited = reconcile(document, new)
+    must_mean_the_same(wanted, edited)
+    must_mean_the_same(wanted, form_named(form).parse(edited.text, "x"))
+
+
+COMMENTED = """\
+// the file
+{
+    // the name
+    # NAME: SB1
+    # INITIAL: State0  // the header
+    // a state
+    State0: [  // its line
+        go -> State1,  // an edge
+        // a field
+        # _note: "// no comment"
+        stay -> State0
+        // the end of a state
+    ],
+    State1: [ ]
+    // the end of an SB
+}
+// the end
+"""
+
+
+def test_comments_go_along_between_the_forms_that_have_them() -> None:
+    document = form_named("smsl").parse(COMMENTED, "x.smsl")
+    yaml = to(document, "yaml")
+    back = to(yaml, "smsl")
+    words = sorted(line.partition("//")[2].strip() for line in COMMENTED.splitlines())
+    for text, mark in ((yaml.text, "# "), (back.text, "// ")):
+        for said in filter(None, words):
+            assert said == 'no comment"' or f"{mark}{said}\n" in text
+    assert to(to(back, "yaml"), "smsl").text == back.text
+    left = convert(document, "json", "x.json")
+    assert left.comments_left == COMMENTED.count("//") - 1
+    assert convert(left.document, "yaml", "x.yaml").comments_left == 0
+
+
+def test_what_is_written_twice_is_not_thrown_away() -> None:
+    text = '{"SB": {"S": {"a": "S", "a": "T"}, "T": {}}}'
+    document = parse_json(text, "x.json")
+    assert to(document, "json").text == text
+    for form in ("smsl", "yaml"):
+        with pytest.raises(ConvertError, match="written 2 times") as caught:
+            convert(document, form, "x")
+        assert str(caught.value.place) == "x.json:1:25"
+        assert caught.value.advice
