@@ -8,7 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import Difference
 from smsl_studio.blueprint.comparing.signs import Signs, signs_of
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.aligned import changed_pairs, places_of
 from smsl_studio.picture.colours import LIGHT, Colours
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.panel import EDGE, Panel, panel_of
@@ -28,27 +28,14 @@ def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[Pa
     """The words first, then a panel for each SB that changed."""
     signs = signs_of(difference)
     panels = [_in_words(difference, colours)]
-    for before, after in _branches(difference, signs):
+    for before, after in changed_pairs(difference):
+        places = places_of(difference, before, after)
         sides = [
-            _side(difference.before, before, "before", signs[0], colours, difference, after),
-            _side(difference.after, after, "after", signs[1], colours, difference, ""),
+            _side(difference.before, before, "before", signs[0], colours, places[0]),
+            _side(difference.after, after, "after", signs[1], colours, places[1]),
         ]
         panels.append(_beside([side for side in sides if side is not None]))
     return panels
-
-
-def _branches(difference: Difference, signs: tuple[Signs, Signs]) -> Iterator[tuple[str, str]]:
-    """The names of every SB that changed, on both sides; empty where it is not there."""
-    touched = [{address.branch for address in side.by_address} for side in signs]
-    for name in difference.after.branches:
-        old = next((o for o, new in difference.branches.items() if new == name), name)
-        if name in touched[1] or old in touched[0]:
-            yield old if old in difference.before.branches else "", name
-    for name in difference.before.branches:
-        if name in touched[0] and difference.branches.get(name, name) not in (
-            difference.after.branches
-        ):
-            yield name, ""
 
 
 def _side(
@@ -57,8 +44,7 @@ def _side(
     word: str,
     signs: Signs,
     colours: Colours,
-    difference: Difference,
-    other: str,
+    places: Mapping[str, Point],
 ) -> Panel | None:
     if not name:
         return None
@@ -68,18 +54,8 @@ def _side(
     }
     edges = range(len(picture.operations))
     operations = {e: sign for e in edges if (sign := signs.of(picture.address(e)))}
-    former = _as_on(difference, name, other) if other else {}
-    positions = place_states(blueprint[name], former)
-    figure = Figure(picture, positions, frozenset(operations))
+    figure = Figure(picture, places, frozenset(operations))
     return panel_of(figure, name, word, colours, states, operations)
-
-
-def _as_on(difference: Difference, before: str, after: str) -> Mapping[str, Point]:
-    """The states of the earlier side where the later one has them."""
-    renamed = difference.states.get(before, {})
-    places = place_states(difference.after[after])
-    found = {name: renamed.get(name, name) for name in difference.before[before].table}
-    return {name: places[new] for name, new in found.items() if new in places}
 
 
 def _beside(panels: list[Panel]) -> Panel:

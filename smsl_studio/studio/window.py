@@ -18,6 +18,7 @@ from smsl_studio.studio.body import Body
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.commands import all_actions
+from smsl_studio.studio.compare.comparing import Comparing
 from smsl_studio.studio.context_menu import context_menu
 from smsl_studio.studio.dialogs import Dialogs
 from smsl_studio.studio.docks import Docks
@@ -93,6 +94,8 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
+        ask = Dialogs(self).file_to_open
+        self.comparing = Comparing(session, self.files, ask, tokens, self)
         self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
         self.docks = Docks(self, self.outline, self.library)
         self.docks.right_tabs.add("Properties", self.properties)
@@ -103,7 +106,7 @@ class Window(QMainWindow):
     def _build_actions(self) -> None:
         table = all_actions(
             self, self.session, self.files, self.drawing, self.findings, self.docks,
-            self.run_pane, self._windows,
+            self.run_pane, self._windows, self.comparing,
         )  # fmt: skip
         self.actions_table = Actions(table, self, self.tokens, self.settle)
 
@@ -144,6 +147,9 @@ class Window(QMainWindow):
         session.blueprint_changed.connect(self._say_what_moved)
         self.files.settling.connect(self.settle)
         self.files.refused.connect(self.toast.refuse)
+        self.comparing.refused.connect(self.toast.refuse)
+        self.comparing.element_shown.connect(lambda _: self.set_mode("draw"))
+        self.comparing.element_shown.connect(self.canvas.reveal)
         self.files.said.connect(self.toast.say)
         self.files.changed.connect(self._show_title)
         self.findings.count_changed.connect(
@@ -154,6 +160,7 @@ class Window(QMainWindow):
         self.properties.file.ask_file = Dialogs(self).file_to_open
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.docks.changed.connect(actions.refresh)
+        self.comparing.changed.connect(actions.refresh)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
         self.run_pane.run_exists.connect(self._run_exists)
@@ -190,7 +197,8 @@ class Window(QMainWindow):
         self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
-        for part in (self.canvas, self.run_pane, *panels, *frame, self.actions_table):
+        others = (self.run_pane, self.comparing, self.actions_table)
+        for part in (self.canvas, *panels, *frame, *others):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
 

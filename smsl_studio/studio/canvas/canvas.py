@@ -74,6 +74,8 @@ class Canvas(Stage):
     """A mouse button went down on the canvas."""
     delete_wanted = Signal()
     """Del: the selection shall go."""
+    verb_wanted = Signal(str)
+    """A key asks for an action of the window by its id: copy, cut, paste, duplicate, find."""
     hover_changed = Signal(object)
     """Address under the pointer, or None."""
 

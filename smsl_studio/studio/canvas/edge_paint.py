@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from smsl_studio.picture.shape import EdgeShape, Floats
+from smsl_studio.studio.canvas.change_signs import change_colours, change_dashes, draw_change
 from smsl_studio.studio.canvas.ink import (
     NO_BRUSH,
     NO_PEN,
@@ -42,6 +43,8 @@ class EdgeLook:
     risky: bool = False
     possible: bool = False
     finding: str = ""
+    change: str = ""
+    """What a comparison tells: ``+``, ``-`` or ``~``."""
     hovered: bool = False
     dimmed: bool = False
 
@@ -51,7 +54,7 @@ class EdgeLook:
         return bool(
             (self.selected or self.out or self.hovered or self.finding or self.possible)
             or (self.running is not None or self.trail or self.planned)
-            or (self.pruned or self.held_back or self.risky)
+            or (self.pruned or self.held_back or self.risky or self.change)
         )
 
 
@@ -65,12 +68,15 @@ class EdgeText:
     text: str
     kind: str = ""
     mono: bool = False
+    sign: str = ""
+    """The sign of a comparison that stands in front of it."""
 
 
 def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
     """The size of a label with its mark, in mark pixels."""
     type_ = ink.mono_label if text.mono else ink.label
-    width = type_.width(text.text) + (MARK_WIDTH if text.kind else 0.0) + 8.0
+    marks = MARK_WIDTH * (bool(text.kind) + bool(text.sign))
+    width = type_.width(text.text) + marks + 8.0
     return width, LABEL_HEIGHT if not text.mono else 14.0
 
 
@@ -126,6 +132,9 @@ def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tup
     tokens = ink.tokens
     if look.finding == "E":
         return tokens.bad, 2.4, ()
+    if look.change:
+        wide = 3.0 if look.selected else 2.2
+        return change_colours(look.change, tokens)[0], wide, change_dashes(look.change)
     if look.trail:
         return tokens.acc, 2.4, ()
     if look.pruned:
@@ -217,9 +226,14 @@ def paint_label(
         or look.running is not None
     )
     colour = tokens.acc if lit else tokens.risk if look.risky else tokens.tx2
+    if look.change:
+        colour = change_colours(look.change, tokens)[0]
     if look.dimmed and not look.lit:
         colour = tokens.tx3
     x = left + 4.0
+    if text.sign:
+        draw_change(painter, x + 5.0, centre.y(), 5.5, text.sign, tokens)
+        x += MARK_WIDTH
     if text.kind:
         draw_sub_mark(painter, x + 4.5, centre.y(), text.kind, tokens.acc, tokens.canvas)
         x += MARK_WIDTH

@@ -20,6 +20,14 @@ ARROWS = {
     Key.Key_Up: (0.0, -1.0),
     Key.Key_Down: (0.0, 1.0),
 }
+VERBS = {
+    Key.Key_C: "copy",
+    Key.Key_X: "cut",
+    Key.Key_V: "paste",
+    Key.Key_D: "duplicate",
+    Key.Key_F: "find",
+}
+"""What Ctrl and a key ask of the window while the canvas has the focus."""
 PAN_STEP = 64.0
 
 
@@ -34,6 +42,9 @@ def press(canvas: Canvas, event: QKeyEvent) -> bool:
         return True
     if modifiers == Modifier.ControlModifier and key == Key.Key_A:
         select_all(canvas)
+        return True
+    if modifiers == Modifier.ControlModifier and key in VERBS and canvas.editing:
+        canvas.verb_wanted.emit(VERBS[key])
         return True
     if modifiers:
         return False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
@@ -93,7 +93,7 @@ def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]
 def _says_more(look: EdgeLook) -> bool:
     """Whether a label tells more than that its edge is selected, possible or on a way."""
     marked = look.pruned or look.held_back or look.risky or look.hovered
-    return marked or bool(look.finding) or look.running is not None
+    return marked or bool(look.finding or look.change) or look.running is not None
 
 
 def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel | None:
@@ -111,7 +111,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         return _pill(sheet, edge, shape, taken, view)
     if look.pruned or look.held_back or look.risky:
         if look.pruned:
-            text = EdgeText(f"{text.text} pruned", text.kind, text.mono)
+            text = replace(text, text=f"{text.text} pruned")
         return _first(sheet, edge, text, _near_sign(sheet, text, shape), taken, False)
     if sheet.compact and (look.trail or look.planned or look.possible):
         # Short lines would vanish below their label: it stands beside them.
@@ -148,7 +148,7 @@ def lit_boxes(sheet: Sheet) -> list[Rect]:
 def _plain(sheet: Sheet, edge: int) -> LitLabel | None:
     """A label on its line, also one that hides while its edge is not lit."""
     look, rect = sheet.edge_look(edge), sheet.geometry.label(edge)
-    if rect is None and not (look.selected or look.hovered):
+    if rect is None and not (look.selected or look.hovered or look.change):
         return None
     return LitLabel(edge, sheet.text(edge), rect or sheet.geometry.fallback(edge))
 

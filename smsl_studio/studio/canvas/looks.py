@@ -71,6 +71,8 @@ class Looks:
             self._light_out(marks.selection[0], edges)
         for address, letter in marks.findings.items():
             self._note(address, "finding", letter, nodes, edges)
+        for address, sign in marks.changes.items():
+            self._note(address, "change", sign, nodes, edges)
         if marks.dimmed:
             self._near(nodes, edges)
         self._nodes = {

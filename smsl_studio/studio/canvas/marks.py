@@ -17,7 +17,8 @@ class Marks:
     ``running_words`` stands beside it ("2.9 of 4.9 s"). ``findings`` give the worst severity
     letter (E, W, I) of an address. ``facts`` give what was sensed of a state's digit: ``agrees``,
     ``differs``, ``unknown`` or ``transit``. ``goals`` are named below their node. ``dimmed`` says
-    that everything no mark speaks of steps back, as in a run.
+    that everything no mark speaks of steps back, as in a run. ``changes`` give the sign of what a
+    comparison tells of an address: ``+`` added, ``-`` removed, ``~`` changed.
     """
 
     selection: tuple[Address, ...] = ()
@@ -35,5 +36,6 @@ class Marks:
     """Operations that can be asked for now: they keep their colour where the rest is dimmed."""
     findings: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     facts: Mapping[tuple[str, int], str] = field(default_factory=lambda: MappingProxyType({}))
+    changes: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     goals: frozenset[str] = frozenset()
     dimmed: bool = False

@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE
 from smsl_studio.picture.picture import Chip, Face
+from smsl_studio.studio.canvas.change_signs import change_colours, change_dashes, draw_change
 from smsl_studio.studio.canvas.ink import (
     NO_BRUSH,
     NO_PEN,
@@ -43,12 +44,20 @@ class NodeLook:
     near: bool = False
     """Whether an operation that is lit touches it, so that it does not step back."""
     finding: str = ""
+    change: str = ""
+    """What a comparison tells: ``+``, ``-`` or ``~``."""
     facts: tuple[tuple[int, str], ...] = field(default=())
 
     @property
     def lit(self) -> bool:
         """Whether the node never falls below compact."""
-        return self.selected or self.active or self.visited or self.next or bool(self.finding)
+        return (
+            self.selected
+            or self.active
+            or self.visited
+            or self.next
+            or bool(self.finding or self.change)
+        )
 
 
 PLAIN = NodeLook()
@@ -110,6 +119,8 @@ def paint_node(
     if look.finding:
         size = 13.0 if compact else 15.0
         draw_finding(painter, rect.right() - 1, rect.top() + 1, size, look.finding, ink.tokens)
+    elif look.change:
+        draw_change(painter, rect.right() - 2, rect.top() + 2, 7.0, look.change, ink.tokens)
 
 
 def paint_goal(painter: QPainter, x: float, top: float, ink: Ink) -> None:
@@ -149,6 +160,10 @@ def _body(painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: I
     if look.active:
         painter.setPen(NO_PEN)
         painter.setBrush(tokens.acc)
+    elif look.change:
+        line, fill = change_colours(look.change, tokens)
+        painter.setPen(pen(line, 2.2, change_dashes(look.change)))
+        painter.setBrush(fill)
     elif look.visited:
         painter.setPen(pen(tokens.acc, 1.6))
         painter.setBrush(tokens.accs)

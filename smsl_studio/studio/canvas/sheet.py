@@ -200,9 +200,9 @@ class Sheet:
             label = self.picture.label(edge)
             found = EdgeText(label, self.picture.kind(edge))
             self._texts[edge] = found
-        if self.compact and len(found.text) <= 4:
-            return EdgeText(found.text, found.kind, mono=True)
-        return found
+        sign = self.looks.edge(edge).change
+        mono = self.compact and len(found.text) <= 4
+        return EdgeText(found.text, found.kind, mono, sign) if mono or sign else found
 
     def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
         text = self.text(edge)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.commands.blueprint import blueprint_actions
+from smsl_studio.studio.commands.compare import compare_actions
 from smsl_studio.studio.commands.edit import edit_actions
 from smsl_studio.studio.commands.files import file_actions
 from smsl_studio.studio.commands.help import help_actions
@@ -11,6 +12,7 @@ from smsl_studio.studio.commands.run import run_actions
 from smsl_studio.studio.commands.samples import sample_actions
 from smsl_studio.studio.commands.shell import Shell, Transport
 from smsl_studio.studio.commands.view import view_actions
+from smsl_studio.studio.compare.comparing import Comparing
 from smsl_studio.studio.docks import Docks
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files import Files
@@ -30,6 +32,7 @@ def all_actions(
     docks: Docks,
     run: Transport,
     windows: Windows,
+    comparing: Comparing,
 ) -> tuple[Action, ...]:
     """Every row, menu by menu."""
     return (
@@ -38,6 +41,7 @@ def all_actions(
         *edit_actions(session, drawing, shell),
         *view_actions(drawing, docks, windows, shell),
         *blueprint_actions(drawing, findings, shell),
+        *compare_actions(comparing),
         *run_actions(run, windows, shell),
         *help_actions(shell),
     )

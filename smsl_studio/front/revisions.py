@@ -1,0 +1,119 @@
+"""The versions of a file that git keeps: which commits touched it, and what it was in each.
+
+git itself is asked, in a child process that cannot ask back; what is odd about a file's name, its
+repository or this machine ends in one sentence.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from smsl_studio.errors import ReadError
+
+MOST = 500
+"""So many commits are listed at most, the latest ones."""
+_PATIENCE = 20.0
+_LARGEST = 256 * 1024 * 1024
+_SAFE = ("--no-pager", "--literal-pathspecs", "-c", "core.quotePath=false", "-c",
+         "core.fsmonitor=false", "-c", "log.showSignature=false")  # fmt: skip
+_BEGIN, _PART = "\x02", "\x1f"
+
+
+@dataclass(frozen=True)
+class Revision:
+    """One commit that touched a file; ``name`` is what the file was called in it."""
+
+    commit: str
+    when: str
+    author: str
+    subject: str
+    name: str
+
+    @property
+    def short(self) -> str:
+        return self.commit[:9]
+
+
+def revisions(file: Path) -> tuple[Revision, ...]:
+    """The commits that touched a file, the latest first; renames are followed.
+
+    ReadError where there is no git, no repository, or no commit that has the file.
+    """
+    form = f"%x02%H{_PART}%aI{_PART}%an{_PART}%s"
+    told = _git(
+        file, "log", "--follow", "-z", "--name-only", f"--max-count={MOST}", f"--format={form}",
+        "--", file.name,
+    )  # fmt: skip
+    found = tuple(
+        one for one in map(_revision, told.decode("utf-8", "replace").split(_BEGIN)) if one
+    )
+    if not found:
+        raise ReadError(
+            f"no commit has {file.name} yet", advice="Commit it first, or compare with a file."
+        )
+    return found
+
+
+def bytes_at(file: Path, revision: Revision) -> bytes:
+    """What stood in a file at a revision; ReadError where it was not there."""
+    thing = f"{revision.commit}:{revision.name}"
+    size = _git(file, "cat-file", "-s", thing)
+    if not size.strip().isdigit() or int(size) > _LARGEST:
+        raise ReadError(f"{file.name} is too large in {revision.short}")
+    return _git(file, "cat-file", "blob", thing)
+
+
+def _revision(text: str) -> Revision | None:
+    head, _, names = text.partition("\0")
+    parts = head.split(_PART, 3)
+    name = names.strip("\n\0").partition("\0")[0]
+    if len(parts) != 4 or not name:
+        return None
+    commit, when, author, subject = parts
+    return Revision(commit, when, author, subject, name)
+
+
+def _git(file: Path, *arguments: str) -> bytes:
+    folder = file.parent
+    quiet = {"GIT_TERMINAL_PROMPT": "0", "GIT_OPTIONAL_LOCKS": "0", "LC_ALL": "C"}
+    kept = {k: v for k, v in os.environ.items() if k not in ("GIT_DIR", "GIT_WORK_TREE")}
+    try:
+        done = subprocess.run(
+            ["git", *_SAFE, *arguments],
+            cwd=folder,
+            env=kept | quiet,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            timeout=_PATIENCE,
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        raise ReadError(
+            "git does not answer", advice="Try again, or compare with a file."
+        ) from None
+    except (OSError, ValueError) as error:
+        if isinstance(error, FileNotFoundError) and folder.is_dir():
+            raise ReadError(
+                "git is not installed here", advice="Install git, or compare with a file."
+            ) from None
+        reason = getattr(error, "strerror", None) or error
+        raise ReadError(
+            f"{folder} cannot be looked at: {reason}", advice="Save the file first."
+        ) from None
+    if done.returncode:
+        raise _refusal(file, done.stderr.decode("utf-8", "replace"))
+    return done.stdout
+
+
+def _refusal(file: Path, said: str) -> ReadError:
+    words = said.strip().removeprefix("fatal: ").splitlines()
+    if "not a git repository" in said:
+        return ReadError(
+            f"{file.name} is in no git repository", advice="Compare with a file instead."
+        )
+    if "does not have any commits" in said or "bad default revision" in said:
+        return ReadError(f"no commit has {file.name} yet", advice="Commit it first.")
+    return ReadError(f"git cannot tell: {words[0] if words else 'it gave no reason'}")

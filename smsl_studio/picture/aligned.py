@@ -1,0 +1,41 @@
+"""Where both sides of a difference are drawn: a state that is on both stands at one place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from smsl_studio.blueprint.comparing import Difference
+from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.shape import Point
+
+
+def branch_pairs(difference: Difference) -> Iterator[tuple[str, str]]:
+    """Every SB by its names before and after; the empty text where it is not there."""
+    old = {new: name for name, new in difference.branches.items()}
+    for name in difference.after.branches:
+        before = old.get(name, name)
+        yield before if before in difference.before.branches else "", name
+    for name in difference.before.branches:
+        if difference.branches.get(name, name) not in difference.after.branches:
+            yield name, ""
+
+
+def changed_pairs(difference: Difference) -> list[tuple[str, str]]:
+    """Those of the SBs about which the difference says something."""
+    before = {change.before.branch for change in difference.changes if change.before}
+    after = {change.after.branch for change in difference.changes if change.after}
+    after |= {address.branch for address in difference.moved}
+    return [pair for pair in branch_pairs(difference) if pair[0] in before or pair[1] in after]
+
+
+def places_of(
+    difference: Difference, before: str, after: str
+) -> tuple[Mapping[str, Point], Mapping[str, Point]]:
+    """The places of the states of an SB on both sides; what the files say comes first."""
+    later = place_states(difference.after[after]) if after else {}
+    if not before:
+        return {}, later
+    renamed = difference.states.get(before, {})
+    names = {name: renamed.get(name, name) for name in difference.before[before].table}
+    former = {name: later[new] for name, new in names.items() if new in later}
+    return place_states(difference.before[before], former), later

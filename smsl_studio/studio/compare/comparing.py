@@ -1,0 +1,160 @@
+"""Comparing: which version to compare with, and the window that shows the difference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparing import compare
+from smsl_studio.errors import AddressError, StudioError
+from smsl_studio.front.revisions import Revision, revisions
+from smsl_studio.studio.compare.dialog import CompareDialog
+from smsl_studio.studio.compare.revision_dialog import RevisionDialog
+from smsl_studio.studio.compare.versions import Version, as_saved, at_revision, in_file
+from smsl_studio.studio.files import Files
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import Tokens
+
+
+class Comparing(QObject):
+    """Shows what changed from another version to the blueprint as it is drawn now.
+
+    ``ask_file`` asks for a file, beginning in a folder. While the compare view is open it follows
+    every edit.
+    """
+
+    refused = Signal(object)
+    """A StudioError: the other version cannot be had or read."""
+    element_shown = Signal(object)
+    """The address of a changed element that was selected in the drawing, to be seen there."""
+    changed = Signal()
+    """The compare view was opened or closed."""
+
+    def __init__(
+        self,
+        session: Session,
+        files: Files,
+        ask_file: Callable[[Path], Path | None],
+        tokens: Tokens,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._files, self.ask_file = session, files, ask_file
+        self._tokens, self._window = tokens, parent
+        self._version: Version | None = None
+        self._dialog: CompareDialog | None = None
+        session.blueprint_changed.connect(lambda *_: self._refresh())
+        session.broken_changed.connect(self._refresh)
+        session.opened.connect(self.close)
+
+    @property
+    def dialog(self) -> CompareDialog | None:
+        """The compare view, while it is open."""
+        return self._dialog
+
+    @property
+    def is_open(self) -> bool:
+        return self._dialog is not None
+
+    @property
+    def can_use_saved(self) -> bool:
+        return self._files.path is not None
+
+    def with_file(self) -> None:
+        """Ask for a file and compare with what it holds."""
+        self._files.settling.emit()
+        folder = self._files.path.parent if self._files.path else Path.cwd()
+        path = self.ask_file(folder)
+        if path is not None:
+            self._compare(lambda: in_file(path))
+
+    def with_saved(self) -> None:
+        """Compare with what was last saved or read."""
+        self._files.settling.emit()
+        file = self._session.blueprint.file
+        self._compare(lambda: as_saved(self._files.on_disk.text(file), file, self._files.name))
+
+    def with_revision(self) -> None:
+        """Ask which commit, and compare with the file as it was in it."""
+        self._files.settling.emit()
+        path = self._files.path
+        if path is None:
+            return
+        try:
+            found = revisions(path)
+        except StudioError as error:
+            self.refused.emit(error)
+            return
+        asking = RevisionDialog(path.name, found, self._tokens, self._window)
+        asking.chosen.connect(lambda revision: self._with(path, revision))
+        asking.open()
+
+    def next_change(self) -> None:
+        if self._dialog is not None:
+            self._dialog.show_next()
+
+    def previous_change(self) -> None:
+        if self._dialog is not None:
+            self._dialog.show_previous()
+
+    def close(self) -> None:
+        """Another file was opened: what was compared is gone."""
+        if self._dialog is not None:
+            self._dialog.close()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        if self._dialog is not None:
+            self._dialog.set_tokens(tokens)
+
+    def _with(self, path: Path, revision: Revision) -> None:
+        self._compare(lambda: at_revision(path, revision))
+
+    def _compare(self, version: Callable[[], Version]) -> None:
+        try:
+            self._version = version()
+        except StudioError as error:
+            self.refused.emit(error)
+            return
+        if self._dialog is not None:
+            self._dialog.close()
+        self._dialog = CompareDialog(self._tokens, self._window)
+        self._dialog.element_wanted.connect(self._show_element)
+        self._dialog.finished.connect(self._closed)
+        self._refresh()
+        self._dialog.show()
+        self.changed.emit()
+
+    def _refresh(self) -> None:
+        if self._dialog is None or self._version is None:
+            return
+        session, name = self._session, self._files.name
+        words = f"{name}, as it is drawn"
+        if session.broken is not None:
+            words = f"{name}, as it last could be read"
+        difference = compare(self._version.blueprint, session.blueprint)
+        self._dialog.show_difference(difference, self._version.words, words)
+
+    def _closed(self) -> None:
+        if self.sender() is self._dialog:
+            self._dialog = self._version = None
+            self.changed.emit()
+
+    def _show_element(self, address: Address) -> None:
+        """The element in the drawing, or the nearest thing above it that is still there."""
+        wanted: Address | None = address
+        while wanted is not None:
+            try:
+                found = self._session.blueprint.resolve(wanted)
+            except AddressError:
+                wanted = wanted.parent
+                continue
+            self._session.show_branch(found.branch)
+            self._session.select((found,) if found.state else ())
+            self.element_shown.emit(found)
+            self._window.activateWindow()
+            return

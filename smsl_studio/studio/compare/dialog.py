@@ -1,0 +1,242 @@
+"""The compare view: both sides, linked, over the list of what changed."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QPushButton,
+    QSplitter,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparing import Difference
+from smsl_studio.blueprint.comparing.signs import signs_of
+from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
+from smsl_studio.studio.actions import key_words
+from smsl_studio.studio.compare.change_rows import rows_of
+from smsl_studio.studio.compare.linking import Link
+from smsl_studio.studio.compare.side import Side
+from smsl_studio.studio.controls import Combo, Elided, row
+from smsl_studio.studio.icons import icon
+from smsl_studio.studio.rows import LINE, RowsView
+from smsl_studio.studio.theme import Tokens
+
+NEXT_KEYS, PREVIOUS_KEYS = "F7", "Shift+F7"
+SIZE = (1200, 760)
+CHOICE = 220
+Pair = tuple[str, str]
+
+
+class CompareDialog(QDialog):
+    """Non-modal: one works on beside it. Esc closes it, and it remembers nothing."""
+
+    element_wanted = Signal(object)
+    """The address of an element that shall be shown in the drawing."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
+        self.setWindowTitle("Compare")
+        self._difference: Difference | None = None
+        self._pairs: list[Pair] = []
+        self._shown: Pair | None = None
+        self._build(tokens)
+        self._link = Link(self.before.canvas, self.after.canvas, self)
+        self.set_tokens(tokens)
+        self.resize(*SIZE)
+
+    # Building.
+
+    def _build(self, tokens: Tokens) -> None:
+        self.before, self.after = Side(tokens, "Before"), Side(tokens, "After")
+        self._words = Elided()
+        self.branches = Combo()
+        self.branches.setAccessibleName("State Branch")
+        self.branches.setMinimumWidth(CHOICE)
+        self.branches.activated.connect(self._branch_chosen)
+        self.previous = self._tool("Previous change", PREVIOUS_KEYS, self.show_previous)
+        self.next = self._tool("Next change", NEXT_KEYS, self.show_next)
+        self.fit = self._tool("Fit everything", "F", lambda: self._link.fit())
+        self.jump = QPushButton("Show in the drawing")
+        self.jump.setAutoDefault(False)
+        self.jump.clicked.connect(self._jump)
+        self.changes = RowsView(tokens, self)
+        self.changes.setAccessibleName("Changes")
+        self.changes.selectionModel().currentChanged.connect(self._row_chosen)
+        self.changes.activated.connect(lambda _: self._jump())
+        for side in (self.before, self.after):
+            side.clicked.connect(self._clicked)
+        top = row(self._words, self.branches, self.fit, self.previous, self.next, self.jump)
+        top.setContentsMargins(14, 8, 14, 8)
+        sides = QSplitter(Qt.Orientation.Horizontal)
+        sides.addWidget(self.before)
+        sides.addWidget(self.after)
+        sides.setSizes([600, 600])
+        sides.setChildrenCollapsible(False)
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.addWidget(sides)
+        split.addWidget(self.changes)
+        split.setSizes([500, 220])
+        split.setStretchFactor(0, 1)
+        split.setChildrenCollapsible(False)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addLayout(top)
+        whole.addWidget(split, 1)
+
+    def _tool(self, words: str, keys: str, call: object) -> QToolButton:
+        made = QToolButton()
+        made.setToolTip(f"{words} ({key_words(keys)})")
+        made.setAccessibleName(words)
+        made.clicked.connect(call)
+        QShortcut(QKeySequence(keys), self, activated=call)  # type: ignore[call-overload]
+        return made
+
+    # What is shown.
+
+    def show_difference(self, difference: Difference, before: str, after: str) -> None:
+        """Show what changed between two versions; where one looked stays, if it is still there."""
+        first = self._difference is None
+        self._difference = difference
+        self._signs = signs_of(difference)
+        self._words.setText(difference.words)
+        self._words.setToolTip(difference.words)
+        self.before.show_version(before)
+        self.after.show_version(after)
+        self.setWindowTitle(f"Compare {before} with {after}")
+        changed = changed_pairs(difference)
+        self._pairs = [*changed, *(p for p in branch_pairs(difference) if p not in changed)]
+        self.branches.clear()
+        for pair in self._pairs:
+            same = "" if pair in changed else "  (no difference)"
+            self.branches.addItem(f"{_name(pair)}{same}")
+        self.branches.setVisible(len(self._pairs) > 1)
+        self.changes.show_rows(rows_of(difference))
+        for button in (self.next, self.previous):
+            button.setEnabled(bool(difference.changes or difference.moved))
+        kept = self._shown if self._shown in self._pairs else next(iter(self._pairs), None)
+        self._shown = None
+        if kept is not None:
+            self._show_pair(kept, fit=first)
+        self._light()
+
+    @property
+    def summary(self) -> str:
+        """The difference in one sentence, as it stands at the top."""
+        return self._words.text()
+
+    def _show_pair(self, pair: Pair, fit: bool = True) -> None:
+        if pair == self._shown or self._difference is None:
+            return
+        self._shown = pair
+        self.branches.setCurrentIndex(self._pairs.index(pair))
+        difference = self._difference
+        places = places_of(difference, *pair)
+        for side, blueprint, name, where, signs in (
+            (self.before, difference.before, pair[0], places[0], self._signs[0]),
+            (self.after, difference.after, pair[1], places[1], self._signs[1]),
+        ):
+            side.show_branch(blueprint, name, where, signs.by_address)
+        if fit:
+            self._link.fit()
+
+    def _branch_chosen(self, number: int) -> None:
+        self.changes.setCurrentIndex(QModelIndex())
+        self._show_pair(self._pairs[number])
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+        for side in (self.before, self.after):
+            side.canvas.set_tokens(tokens)
+        self.changes.set_tokens(tokens)
+        self.previous.setIcon(icon("chevron-up", tokens))
+        self.next.setIcon(icon("chevron-down", tokens))
+        self.fit.setIcon(icon("fit", tokens))
+
+    # Going from change to change.
+
+    @property
+    def current(self) -> tuple[Address | None, Address | None] | None:
+        """What the chosen row is about, before and after."""
+        index = self.changes.currentIndex()
+        found = index.data(Qt.ItemDataRole.UserRole) if index.isValid() else None
+        payload: tuple[Address | None, Address | None] | None = found.payload if found else None
+        return payload
+
+    def show_next(self) -> None:
+        """Go to the next change, after the last one to the first."""
+        self._step(1)
+
+    def show_previous(self) -> None:
+        """Go to the change before."""
+        self._step(-1)
+
+    def _step(self, by: int) -> None:
+        rows = self.changes.rows.rows
+        numbers = [at for at, one in enumerate(rows) if one.kind == LINE]
+        if not numbers:
+            return
+        now = self.changes.currentIndex().row()
+        at = numbers.index(now) + by if now in numbers else (0 if by > 0 else -1)
+        self.changes.setCurrentIndex(self.changes.rows.index(numbers[at % len(numbers)]))
+
+    def _row_chosen(self) -> None:
+        chosen = self.current
+        if chosen is not None:
+            pair = next((p for p in self._pairs if _belongs(p, chosen)), None)
+            if pair is not None:
+                self._show_pair(pair)
+        self._light()
+
+    def _light(self) -> None:
+        before, after = self.current or (None, None)
+        self.before.light(before)
+        self.after.light(after)
+        # What came or went is on one side only; the other one follows.
+        for side, address in ((self.after, after), (self.before, before)):
+            if address is not None and side.has(address):
+                side.canvas.reveal(address)
+                break
+        self.jump.setEnabled(after is not None or before is not None)
+
+    def _clicked(self, address: Address) -> None:
+        """Choose the row that is about what was clicked."""
+        place = 0 if self.sender() is self.before else 1
+        for at, one in enumerate(self.changes.rows.rows):
+            if one.payload and one.payload[place] == address:
+                self.changes.setCurrentIndex(self.changes.rows.index(at))
+                return
+
+    def _jump(self) -> None:
+        before, after = self.current or (None, None)
+        wanted = after or before
+        if wanted is not None:
+            self.element_wanted.emit(wanted)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._link.fit()
+        if not self.changes.currentIndex().isValid():
+            self.show_next()
+        self.changes.setFocus()
+
+
+def _name(pair: Pair) -> str:
+    before, after = pair
+    if before and after and before != after:
+        return f"{before} → {after}"
+    return after or before
+
+
+def _belongs(pair: Pair, chosen: tuple[Address | None, Address | None]) -> bool:
+    before, after = chosen
+    if after is not None:
+        return pair[1] == after.branch
+    return before is not None and pair[0] == before.branch

@@ -1,0 +1,82 @@
+"""The versions of a file that git keeps, also where its name, or there is no git at all, is odd."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from smsl_studio.errors import ReadError
+from smsl_studio.front.revisions import bytes_at, revisions
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for name in [name for name in os.environ if name.startswith("GIT_")]:
+        monkeypatch.delenv(name)
+    for who in ("AUTHOR", "COMMITTER"):
+        monkeypatch.setenv(f"GIT_{who}_NAME", "Ada")
+        monkeypatch.setenv(f"GIT_{who}_EMAIL", "ada@example.org")
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
+    monkeypatch.setenv("GIT_CONFIG_NOSYSTEM", "1")
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+    return tmp_path
+
+
+def git(folder: Path, *arguments: str) -> None:
+    subprocess.run(["git", *arguments], cwd=folder, check=True, capture_output=True, timeout=60)
+
+
+def commit(folder: Path, path: Path, text: str, subject: str) -> None:
+    path.write_text(text)
+    git(folder, "add", "-A")
+    git(folder, "commit", "-q", "-m", subject)
+
+
+@pytest.mark.parametrize("name", ["plan.json", "-rf é '\"$(x)\n*.json", ":(top)a b.json"])
+def test_every_commit_that_touched_the_file_the_latest_first(folder: Path, name: str) -> None:
+    git(folder, "init", "-q")
+    path = folder / name
+    commit(folder, path, "one", "First")
+    commit(folder, folder / "other", "x", "Something else")
+    commit(folder, path, "two", "Second: 'quoted' é")
+    found = revisions(path)
+    assert [one.subject for one in found] == ["Second: 'quoted' é", "First"]
+    assert {one.author for one in found} == {"Ada"}
+    assert [bytes_at(path, one) for one in found] == [b"two", b"one"]
+
+
+def test_a_file_is_followed_through_renames_and_from_a_folder_below(folder: Path) -> None:
+    git(folder, "init", "-q")
+    below = folder / "below"
+    below.mkdir()
+    old, new = folder / "old.json", below / "new.json"
+    commit(folder, old, "a\nb\nc\nd\n", "First")
+    old.rename(new)
+    git(folder, "add", "-A")
+    git(folder, "commit", "-q", "-m", "Renamed")
+    found = revisions(new)
+    assert [one.name for one in found] == ["below/new.json", "old.json"]
+    assert bytes_at(new, found[1]) == b"a\nb\nc\nd\n"
+
+
+def test_what_is_not_there_is_one_sentence(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = folder / "plan.json"
+    path.write_text("{}")
+    with pytest.raises(ReadError, match="in no git repository"):
+        revisions(path)
+    git(folder, "init", "-q")
+    with pytest.raises(ReadError, match=r"no commit has plan\.json yet"):
+        revisions(path)
+    commit(folder, folder / "other", "x", "Other")
+    git(folder, "rm", "-q", "--cached", "plan.json")
+    git(folder, "commit", "-q", "--amend", "-m", "Other")
+    with pytest.raises(ReadError, match=r"no commit has plan\.json yet"):
+        revisions(path)
+    with pytest.raises(ReadError, match="cannot be looked at"):
+        revisions(folder / "nowhere" / "plan.json")
+    monkeypatch.setenv("PATH", str(folder))
+    with pytest.raises(ReadError, match="git is not installed here"):
+        revisions(path)

@@ -1,0 +1,165 @@
+"""Comparing: with a file, with what was saved, with a commit; going through the changes."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.blueprint import editing as edit
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.compare.dialog import CompareDialog
+from smsl_studio.studio.compare.revision_dialog import RevisionDialog
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+
+def asked(person: Person, action: str) -> CompareDialog:
+    """Choose an action of the menu; the compare view it opened."""
+    person.window.actions_table[action].trigger()
+    dialog = person.window.comparing.dialog
+    assert dialog is not None
+    person.qtbot.waitExposed(dialog)
+    dialog.activateWindow()
+    person.qtbot.waitUntil(dialog.isActiveWindow)
+    return dialog
+
+
+def at(tmp_path: Path, name: str) -> Path:
+    path = tmp_path / name
+    path.write_bytes((SAMPLES / name).read_bytes())
+    return path
+
+
+def press(dialog: CompareDialog, key: Qt.Key, shift: bool = False) -> None:
+    held = Qt.KeyboardModifier.ShiftModifier if shift else Qt.KeyboardModifier.NoModifier
+    QTest.keyClick(dialog, key, held)
+    QApplication.processEvents()
+
+
+def test_the_corrected_file_against_the_printed_one(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hanoi-corrected.json"))
+    person.window.comparing.ask_file = lambda folder: SAMPLES / "hanoi.json"
+    dialog = asked(person, "compare_file")
+    rows = [row.text for row in dialog.changes.rows.rows]
+    assert [text.split()[2] for text in rows] == ["Op_1c", "Op_2b"]
+    before, after = dialog.before.canvas, dialog.after.canvas
+    assert set(before.marks.changes) == {
+        Address("SB1", "State_cbb", "Op_1c"), Address("SB1", "State_cbc", "Op_2b"),
+    }  # fmt: skip
+    assert set(after.marks.changes.values()) == {"~"}
+    assert before.marks.selection == (Address("SB1", "State_cbb", "Op_1c"),)
+    assert after.marks.selection == (Address("SB1", "State_cbb", "Op_1b"),)
+    press(dialog, Qt.Key.Key_F7)
+    assert after.marks.selection == (Address("SB1", "State_cbc", "Op_2a"),)
+    press(dialog, Qt.Key.Key_F7)
+    assert after.marks.selection == (Address("SB1", "State_cbb", "Op_1b"),)
+    press(dialog, Qt.Key.Key_F7, shift=True)
+    assert after.marks.selection == (Address("SB1", "State_cbc", "Op_2a"),)
+    person.click(dialog.jump)
+    assert person.window.session.selection == (Address("SB1", "State_cbc", "Op_2a"),)
+    dialog.activateWindow()
+    press(dialog, Qt.Key.Key_Escape)
+    assert person.window.comparing.dialog is None
+
+
+def test_both_sides_look_at_the_same_place(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hanoi-corrected.json"))
+    person.window.comparing.ask_file = lambda folder: SAMPLES / "hanoi.json"
+    dialog = asked(person, "compare_file")
+    before, after = dialog.before.canvas, dialog.after.canvas
+    before.zoom_to(1.4)
+    assert after.zoom == before.zoom
+    after.camera.pan(120.0, 60.0)
+    apart = before.camera.centre - after.camera.centre
+    assert abs(apart.x()) < 2.0
+    assert abs(apart.y()) < 2.0
+    press(dialog, Qt.Key.Key_F)
+    assert before.zoom == after.zoom < 1.4
+    person.windows.set_theme("dark")
+    assert before.tokens.dark
+    assert after.tokens.dark
+    person.windows.set_theme("light")
+
+
+def test_the_view_follows_edits_against_what_was_saved(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    session = person.window.session
+    dialog = asked(person, "compare_saved")
+    assert dialog.windowTitle() == "Compare hfsm.json, as saved with hfsm.json, as it is drawn"
+    assert dialog.changes.rows.rows == ()
+    assert not dialog.next.isEnabled()
+    session.edit("Move", lambda b: edit.set_layout(b, "SB1", {"State000": (5.0, 5.0)}))
+    assert dialog.summary == "Layout only: 1 state was moved."
+    session.edit("Add", lambda b: edit.add_state(b, "SB2", "State2"))
+    assert "1 added" in dialog.summary
+    assert dialog.after.canvas.sheet is not None
+    person.choose(dialog.branches, "SB2")
+    assert Address("SB2", "State2") in dialog.after.canvas.marks.changes
+    assert dialog.after.canvas.rect_of(Address("SB2", "State2")) is not None
+    while session.history.canUndo():
+        session.history.undo()
+    assert dialog.summary == "No difference."
+
+
+def test_a_text_that_does_not_read_is_compared_as_it_last_did(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    session = person.window.session
+    text = session.blueprint.document.text
+    session.write("Type", text.replace('"State000"', '"State', 1))
+    assert session.broken is not None
+    dialog = asked(person, "compare_saved")
+    assert "as it last could be read" in dialog.windowTitle()
+    assert dialog.summary == "No difference."
+
+
+def test_a_commit_is_chosen_and_compared(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+) -> None:
+    for who in ("AUTHOR", "COMMITTER"):
+        monkeypatch.setenv(f"GIT_{who}_NAME", "Ada")
+        monkeypatch.setenv(f"GIT_{who}_EMAIL", "ada@example.org")
+    monkeypatch.setenv("GIT_CONFIG_GLOBAL", os.devnull)
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+    path = tmp_path / "plan.json"
+
+    def git(*arguments: str) -> None:
+        subprocess.run(["git", *arguments], cwd=tmp_path, check=True, capture_output=True)
+
+    path.write_text(json.dumps({"S": {"A": {"go": "B"}, "B": {}}}))
+    person = sit(path)
+    person.window.actions_table["compare_revision"].trigger()
+    assert "in no git repository" in person.window.toast.words
+    git("init", "-q")
+    git("add", "plan.json")
+    git("commit", "-q", "-m", "Draw the plan")
+    path.write_text(json.dumps({"S": {"A": {"walk": "B"}, "B": {}}}))
+    git("commit", "-q", "-a", "-m", "Walk instead")
+    person.window.actions_table["compare_revision"].trigger()
+    asking = person.window.findChild(RevisionDialog)
+    assert asking is not None
+    QTest.keyClicks(asking.search, "draw")
+    assert [row.text for row in asking.rows.rows.rows] == ["Draw the plan"]
+    QTest.keyClick(asking.search, Qt.Key.Key_Return)
+    dialog = person.window.comparing.dialog
+    assert dialog is not None
+    # The window still shows the plan as it was opened.
+    assert dialog.summary == "No difference."
+    assert " at " in dialog.windowTitle()
+    dialog.close()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_without_a_file_there_is_nothing_saved_to_compare_with(sit: Sit) -> None:
+    actions = sit().window.actions_table
+    assert not actions["compare_saved"].isEnabled()
+    assert not actions["compare_revision"].isEnabled()
+    assert not actions["next_change"].isEnabled()
+    assert actions["compare_file"].isEnabled()
