@@ -15,6 +15,9 @@ from PySide6.QtWidgets import QApplication
 from smsl_studio.library.loading import discover
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.canvas import accessible_tree
+from smsl_studio.studio.journal.offer import RecoveryOffer
+from smsl_studio.studio.journal.place import folder_of
+from smsl_studio.studio.journal.recovering import Left, left_behind
 from smsl_studio.studio.recovery import crash_hook
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of
@@ -28,7 +31,8 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     settings = Settings()
     dress(application, tokens_of(settings.theme, application))
     windows = Windows(application, settings)
-    shown = [make_window(windows, path, mode) for path in paths or [""]]
+    first, *_ = [make_window(windows, path, mode) for path in paths or [""]]
+    QTimer.singleShot(0, first, lambda: offer_recovery(windows, first))
     sys.excepthook = crash_hook(windows.keep, windows.warn)
     stop = _let_interrupts_through(application)
     known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
@@ -39,8 +43,6 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
         return application.exec()
     finally:
         stop.stop()
-        # Not before: a window that is let go of while it is being closed takes Qt along.
-        shown.clear()
         sys.excepthook = sys.__excepthook__
         for end, handler in zip(ends, before, strict=True):
             signal.signal(end, handler or signal.SIG_DFL)
@@ -68,6 +70,21 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     if mode != "draw":
         window.set_mode(mode)
     return window
+
+
+def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
+    """Offer what windows have left behind that did not close; None where there is nothing."""
+    left = left_behind(folder_of(windows.settings.folder))
+    if not left:
+        return None
+
+    def recover(one: Left) -> bool:
+        (window if window.safety.untouched else make_window(windows)).safety.recover(one)
+        return True
+
+    offer = RecoveryOffer(left, recover, None, window)
+    offer.open()
+    return offer
 
 
 def main(argv: Sequence[str]) -> int:

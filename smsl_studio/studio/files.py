@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal, Protocol
@@ -92,12 +92,17 @@ class Files(QObject):
     @property
     def unsaved(self) -> tuple[str, ...]:
         """The files, the blueprint's own first, of which another text stands on the disk."""
-        texts, own = self._session.texts, self._session.blueprint.file
+        return self.unsaved_of(self._session.texts)
+
+    def unsaved_of(self, texts: Mapping[str, str]) -> tuple[str, ...]:
+        """The files of which the disk holds other texts than these."""
+        own = self._session.blueprint.file
         found = self.on_disk.differing(texts)
         if self.path is not None:
             return found
         others = tuple(file for file in found if file != own)
-        return (own, *others) if self._session.edited else others
+        fresh = self._session.edited or texts[own] != self._session.texts[own]
+        return (own, *others) if fresh else others
 
     @property
     def edited(self) -> bool:

@@ -48,7 +48,9 @@ class Tidings(QObject):
         self._marked, self._then = tuple(marked), then
         inspector.started.connect(self._checking)
         inspector.found.connect(self._found)
+        session.opened.connect(self._opened)
         session.broken_changed.connect(self._broken)
+        self._salvaged: Blueprint | None = None
         self._inspector = inspector
 
     def forget(self) -> None:
@@ -59,16 +61,30 @@ class Tidings(QObject):
         self._editor.set_findings({})
         self._line.show_findings("checking")
 
+    def _opened(self) -> None:
+        """Of a file that was opened broken, the blueprint is what could be read of it."""
+        self._salvaged = self._session.blueprint if self._session.broken is not None else None
+
     def _broken(self) -> None:
         broken = self._session.broken
         self._findings.set_broken(broken)
-        self._editor.canvas.show_banner(shown_beside(broken, self._session.blueprint))
+        self._editor.canvas.show_banner(self._said(broken))
         if broken is not None:
             self._line.show_findings(faults_of(broken))
         elif self._inspector.current:
             self._line.show_findings(tally(self._inspector.findings) or "no findings")
         else:
             self._line.show_findings("checking")
+
+    def _said(self, broken: Broken | None) -> str:
+        """What the canvas says of the drawing beside a text that does not read."""
+        if broken is None:
+            return ""
+        shown = self._session.blueprint
+        drawn = "Drawn is the last one that read."
+        if shown is self._salvaged:
+            drawn = "Drawn is what could be read." if len(shown) else "Nothing of it can be drawn."
+        return f"The text of {PurePath(broken.file).name} does not read. {drawn}"
 
     def _checking(self) -> None:
         self._findings.set_checking()
@@ -80,13 +96,3 @@ class Tidings(QObject):
         if self._session.broken is None:
             self._line.show_findings(tally(findings) or "no findings")
         self._then()
-
-
-def shown_beside(broken: Broken | None, blueprint: Blueprint) -> str:
-    """What the canvas says of the drawing beside a text that does not read."""
-    if broken is None:
-        return ""
-    name = PurePath(broken.file).name
-    if not len(blueprint):
-        return f"The text of {name} does not read, and nothing of it can be drawn."
-    return f"The text of {name} does not read. Drawn is what could be read of it."

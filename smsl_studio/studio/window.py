@@ -40,6 +40,7 @@ from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
 from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs
 from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.status_line import StatusLine
@@ -94,6 +95,7 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
+        self.safety = Safety(session, self.files, self.source, self.toast, self._settings, self)
         ask = Dialogs(self).file_to_open
         self.comparing = Comparing(session, self.files, ask, tokens, self)
         self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
@@ -342,6 +344,7 @@ class Window(QMainWindow):
         if not self.files.may_leave():
             event.ignore()
             return
+        self.safety.close()
         self._settings.store("window", self.saveGeometry())
         if self._mode == "draw":
             self._settings.store("panels/draw", self.docks.save())

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Protocol
 
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.studio.recovery import keep_work
+from smsl_studio.studio.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of
@@ -22,6 +21,8 @@ class Shown(Protocol):
 
     @property
     def session(self) -> Session: ...
+    @property
+    def safety(self) -> Safety: ...
     @property
     def name(self) -> str: ...
     def wear(self, tokens: Tokens) -> None: ...
@@ -37,6 +38,7 @@ class Windows(QObject):
         super().__init__()
         self.application, self.settings = application, settings
         self._open: list[Shown] = []
+        self._closed: list[Shown] = []
         # A method, not a lambda: it is let go of with this object.
         application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
@@ -50,6 +52,8 @@ class Windows(QObject):
         """The window was closed."""
         if window in self._open:
             self._open.remove(window)
+            # A window that is let go of while it is being closed takes Qt along.
+            self._closed.append(window)
 
     @property
     def theme(self) -> str:
@@ -82,20 +86,19 @@ class Windows(QObject):
         for window in self:
             window.warn(words)
 
-    def keep(self) -> list[Path]:
-        """Keep the unsaved work of every window beside; where it went."""
-        edited = (window for window in self if window.session.edited)
-        kept = (keep_work(w.session, w.name, self.settings.folder) for w in edited)
-        return [path for path in kept if path is not None]
+    def keep(self) -> bool:
+        """Write the journal of every window now; whether one of them holds unsaved work."""
+        kept = [window.safety.journal.flush() for window in self]
+        return any(kept)
 
     def leave(self) -> None:
         """Close without a question: the session or the terminal ends. Unsaved work is kept."""
         for window in self:
             # Closing takes over what is being typed: by then it would be asked about.
             window.settle()
-        for path in self.keep():
-            print(f"smsl-studio: unsaved work was kept in {path}", file=sys.stderr)
-        for window in self:
+            if window.safety.journal.leave_behind():
+                said = f"unsaved work in {window.name} is kept, and offered at the next start"
+                print(f"smsl-studio: {said}", file=sys.stderr)
             window.session.history.setClean()
         self.application.quit()
 

@@ -39,6 +39,7 @@ def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
         return Person(window, qtbot, windows)
 
     yield open_on
+    shown += [window for window in windows if isinstance(window, Window) and window not in shown]
     for window in shown:
         window.session.history.setClean()
         window.close()

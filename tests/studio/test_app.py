@@ -13,6 +13,8 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio import app
+from smsl_studio.studio.journal.place import folder_of
+from smsl_studio.studio.journal.recovering import left_behind
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.windows import Windows
 
@@ -82,9 +84,10 @@ def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
     monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
     windows.leave()
     assert not window.isVisible()
-    (kept,) = (windows.settings.folder / "recovered").glob("hfsm-*.json")
-    assert "State011" in kept.read_text("utf-8")
-    assert "Half typed" in kept.read_text("utf-8")
-    assert str(kept) in capsys.readouterr().err
+    (left,) = left_behind(folder_of(windows.settings.folder))
+    assert "State011" in left.entry.texts[0].text
+    assert "Half typed" in left.entry.texts[0].text
+    assert "unsaved work in hfsm.json is kept" in capsys.readouterr().err
+    left.drop()
     window.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)

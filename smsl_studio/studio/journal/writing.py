@@ -86,6 +86,7 @@ class Journal(QObject):
             if not kept:
                 self._place.remove()
             self._place.let_go()
+            self._place = None
         return kept
 
     def _end(self) -> None:

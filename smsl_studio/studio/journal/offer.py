@@ -1,0 +1,148 @@
+"""The offer to recover: what windows have left behind, each with what it would bring back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QDialog,
+    QFrame,
+    QHBoxLayout,
+    QPushButton,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.studio.controls import Elided, label, row, rule
+from smsl_studio.studio.journal.recovering import Left
+from smsl_studio.studio.journal.restoring import brings
+from smsl_studio.studio.words import counted
+
+WIDTH, TALLEST = 620, 520
+Act = Callable[[Left], bool]
+
+
+class RecoveryOffer(QDialog):
+    """One row for each journal. What is neither recovered nor discarded is offered again.
+
+    ``recover`` and ``compare`` are what the buttons do; False where it could not be done.
+    """
+
+    def __init__(
+        self, left: Sequence[Left], recover: Act, compare: Act | None, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Recover unsaved work")
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setFixedWidth(WIDTH)
+        self._waiting = list(left)
+        self.rows = {id(one): _Row(one, compare is not None) for one in left}
+        column = QVBoxLayout()
+        column.setContentsMargins(20, 4, 20, 4)
+        column.setSpacing(0)
+        for number, one in enumerate(left):
+            shown = self.rows[id(one)]
+            if number:
+                column.addWidget(rule())
+            column.addWidget(shown)
+            shown.recover.clicked.connect(lambda _=False, one=one: self._do(recover, one))
+            shown.discard.clicked.connect(lambda _=False, one=one: self._do(_drop, one))
+            if compare is not None:
+                shown.compare.clicked.connect(lambda _=False, one=one: compare(one))
+        column.addStretch(1)
+        self._build(column, len(left))
+        self.finished.connect(self._later)
+
+    def row_of(self, left: Left) -> _Row:
+        """The row of a journal."""
+        return self.rows[id(left)]
+
+    def _build(self, column: QVBoxLayout, number: int) -> None:
+        inner = QWidget()
+        inner.setLayout(column)
+        area = QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setWidget(inner)
+        area.setMinimumHeight(min(inner.sizeHint().height() + 4, TALLEST))
+        said = label(
+            f"SMSL Studio ended with unsaved work in {counted(number, 'window')}. "
+            "What is recovered opens as unsaved changes; the files stay as they are.",
+            "second",
+        )
+        said.setWordWrap(True)
+        said.setContentsMargins(20, 18, 20, 6)
+        later = QPushButton("Decide later")
+        later.clicked.connect(self.reject)
+        foot = QHBoxLayout()
+        foot.setContentsMargins(20, 8, 20, 16)
+        foot.addStretch(1)
+        foot.addWidget(later)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.addWidget(said)
+        whole.addWidget(area, 1)
+        whole.addLayout(foot)
+
+    def _do(self, act: Act, left: Left) -> None:
+        if left not in self._waiting or not act(left):
+            return
+        self._waiting.remove(left)
+        self.row_of(left).done()
+        if not self._waiting:
+            self.accept()
+
+    def _later(self) -> None:
+        for left in self._waiting:
+            left.keep()
+        self._waiting.clear()
+
+
+class _Row(QWidget):
+    """What was kept of one window, and what can be done with it."""
+
+    def __init__(self, left: Left, comparable: bool) -> None:
+        super().__init__()
+        entry = left.entry
+        self.setAccessibleName(f"Unsaved work in {entry.name}")
+        self.name = label(entry.name, "heading")
+        folder = Elided(str(Path(entry.path).parent) if entry.path else "never saved")
+        self.brings = label(brings(entry), "second")
+        self.brings.setWordWrap(True)
+        self.when = label(f"Last change {_day(entry.when)}", "small")
+        self.recover = QPushButton("Recover")
+        self.recover.setProperty("role", "primary")
+        self.compare = QPushButton("Show difference")
+        self.discard = QPushButton("Discard")
+        self.compare.setVisible(comparable)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 12, 0, 12)
+        column.setSpacing(4)
+        column.addLayout(row(self.name, folder, None))
+        column.addWidget(self.brings)
+        column.addWidget(self.when)
+        column.addSpacing(4)
+        column.addLayout(row(self.recover, self.compare, self.discard, None))
+
+    def done(self) -> None:
+        """It was decided."""
+        for button in (self.recover, self.compare, self.discard):
+            button.setEnabled(False)
+
+
+def _drop(left: Left) -> bool:
+    left.drop()
+    return True
+
+
+def _day(when: str) -> str:
+    """A time as people say it; what is no time is said as it is."""
+    try:
+        return f"{datetime.fromisoformat(when):%d %B %Y, %H:%M:%S}".lstrip("0")
+    except ValueError:
+        return when

@@ -1,0 +1,76 @@
+"""Working without fear: the window's journal, and what an earlier window has left behind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from smsl_studio.studio.files import UNTITLED, Files
+from smsl_studio.studio.journal.entry import Kept
+from smsl_studio.studio.journal.keeping import Unsaved
+from smsl_studio.studio.journal.place import folder_of
+from smsl_studio.studio.journal.recovering import Left
+from smsl_studio.studio.journal.restoring import keep_text, restore
+from smsl_studio.studio.journal.writing import Journal
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.toast import Toast
+
+
+class Safety(QObject):
+    """Keeps the journal of one window up to date, and shows what another one kept."""
+
+    def __init__(
+        self,
+        session: Session,
+        files: Files,
+        source: Source,
+        toast: Toast,
+        settings: Settings,
+        window: QObject,
+    ) -> None:
+        super().__init__(window)
+        self._session, self._files, self._toast = session, files, toast
+        self._home = settings.folder
+        unsaved = Unsaved(session, files, lambda: source.pending)
+        self.journal = Journal(unsaved, folder_of(self._home), self)
+        self.journal.failed.connect(toast.warn)
+        for signal in (session.blueprint_changed, session.broken_changed, session.edited_changed,
+                       files.changed, source.editor.typed):  # fmt: skip
+            signal.connect(lambda *_: self.journal.changed())
+
+    @property
+    def untouched(self) -> bool:
+        """Whether nothing was opened or drawn here, so that something else can take its place."""
+        files, session = self._files, self._session
+        return files.path is None and files.name == UNTITLED and not session.edited
+
+    def recover(self, left: Left) -> None:
+        """Show what a window has left behind; it is given up when this one keeps it."""
+        lost = restore(left.entry, self._files, self._session)
+        self.journal.flush()
+        safe = [self._put_aside(kept) for kept in lost]
+        if all(safe):
+            left.drop()
+        else:
+            left.keep()
+
+    def close(self) -> None:
+        """The window closes; its work is saved, or given up by the person."""
+        self.journal.close()
+
+    def _put_aside(self, kept: Kept) -> bool:
+        """Keep a text that belongs nowhere any more; whether that went well."""
+        name = Path(kept.file).name
+        try:
+            where = keep_text(kept, self._home)
+        except OSError as error:
+            self._toast.warn(f"The unsaved text of {name} cannot be put aside: {error.strerror}.")
+            return False
+        self._toast.warn(
+            f"{name} is no file of {self._files.name} any more. "
+            f"Its unsaved text was put into {where}."
+        )
+        return True
