@@ -101,7 +101,12 @@ class Row:
             if kept[index]:
                 continue
             at_foot = index == len(left) - 1
-            heads[index + 1] = _joined(heads[index], heads[index + 1], index == 0, at_foot)
+            gone, behind = heads[index], heads[index + 1]
+            if at_foot and self.outermost and not has_break(behind):
+                behind = gone[: max(0, _last_break(gone))] + behind
+            else:
+                behind = _joined(gone, behind, index == 0, at_foot)
+            heads[index + 1] = behind
             del heads[index]
             del left[index]
         self.slots = left
