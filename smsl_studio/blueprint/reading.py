@@ -6,7 +6,7 @@ the wrong kind. Everything else opens and is reported by inspection.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import partial
 from itertools import chain
 from typing import Any, cast
@@ -17,6 +17,8 @@ from smsl_studio.smsl.document import Document, Path
 
 Json = Any
 HEADER = "HEADER"
+LONGEST_NAME = 10_000
+"""So many characters a name may have: it is drawn, listed and sought in many places."""
 Wrong = tuple[Path, str, Json]
 """Where something of the wrong kind stands, what should stand there, and what does."""
 
@@ -84,7 +86,9 @@ def _read(
             continue
         if former and name in former.branches and former.home(name).values.get(name) is value:
             branches[name] = former.branches[name]
-        elif name and type(value) is dict:
+        elif not _is_name(name):
+            wrong.append(((name,), "a name", value))
+        elif type(value) is dict:
             branches[name] = _branch(name, value, wrong)
         else:
             wrong.append(((name,), "a State Branch", value))
@@ -105,11 +109,21 @@ def _branch(name: str, value: dict[str, Json], wrong: list[Wrong]) -> StateBranc
     state_fields: dict[str, dict[str, Json]] = {}
     states = {}
     for state, operations in table.items():
-        if state and type(operations) is dict:
+        if not _is_name(state):
+            wrong.append(((name, state), "a name", operations))
+        elif type(operations) is dict:
             states[state] = _operations((name, state), operations, state_fields, wrong)
         else:
             wrong.append(((name, state), "a state", operations))
     return StateBranch(name, states, header, fields, state_fields)
+
+
+def _is_name(key: str) -> bool:
+    return 0 < len(key) <= LONGEST_NAME
+
+
+def _are_names(lengths: Collection[int]) -> bool:
+    return not lengths or (min(lengths) > 0 and max(lengths) <= LONGEST_NAME)
 
 
 def _is_plain(table: Mapping[str, Json]) -> bool:
@@ -117,11 +131,12 @@ def _is_plain(table: Mapping[str, Json]) -> bool:
 
     Asked of whole tables, in the interpreter's own loops, because nearly all are.
     """
-    if not set(map(type, table.values())) <= {dict} or "" in table:
+    lengths = set(map(len, table))
+    if not set(map(type, table.values())) <= {dict} or not _are_names(lengths):
         return False
     states = cast("list[dict[str, Json]]", list(table.values()))
     names = set(chain.from_iterable(states))
-    if "" in names or any(name[0] == "_" for name in names):
+    if any(name[:1] == "_" for name in names) or not _are_names(set(map(len, names))):
         return False
     targets = chain.from_iterable(map(dict.values, states))
     return set(map(type, targets)) <= {str}
@@ -138,7 +153,9 @@ def _operations(
     for key, target in value.items():
         if key[:1] == "_":
             state_fields.setdefault(path[-1], {})[key] = target
-        elif type(target) is str and key:
+        elif not _is_name(key):
+            wrong.append(((*path, key), "a name", target))
+        elif type(target) is str:
             found[key] = target
         else:
             wrong.append(((*path, key), "a target", target))

@@ -16,7 +16,8 @@ Json = Any
 MOST = 100
 """So many wrong kinds of one document are told."""
 
-A_BRANCH, A_HEADER, A_STATE, A_TARGET = "a State Branch", "a HEADER", "a state", "a target"
+A_BRANCH, A_STATE, A_TARGET, A_NAME = "a State Branch", "a state", "a target", "a name"
+_BY_DEPTH = ("a State Branch", "a state", "an operation")
 
 
 def refused(document: Document, wrong: Sequence[tuple[Path, str, Json]]) -> ReadError:
@@ -54,10 +55,12 @@ def _is_header(name: str) -> bool:
 def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
     """What is wrong, and what to do."""
     name = path[-1]
-    if not name:
-        operation = 'Write the operation as "Operation": "TargetState".'
-        advice = operation if what == A_TARGET else "Give it a name."
-        return f"{'an operation' if what == A_TARGET else what} has no name", advice
+    if what == A_NAME:
+        element = _BY_DEPTH[len(path) - 1]
+        if not name:
+            return f"{element} has no name", "Give it a name."
+        sentence = f"the name of {element} has {len(name):,} characters"
+        return sentence, "Give it a shorter name: 10,000 characters are the most."
     if what == A_TARGET:
         sentence = f"the target of {name!r} is {kind_of(value)}, not the name of a state"
         if _is_header(path[-2]):

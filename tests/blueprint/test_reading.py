@@ -107,6 +107,24 @@ def test_what_cannot_be_a_blueprint_is_refused_at_its_key(
     assert words in error.sentence
 
 
+@pytest.mark.parametrize(
+    ("text", "column", "element"),
+    [
+        ('{"%s": {}}', 2, "a State Branch"),
+        ('{"A": {"%s": {}}}', 8, "a state"),
+        ('{"A": {"S": {"%s": "S"}}}', 14, "an operation"),
+        ('{"A": {"S": {"_": 1, "%s": "S"}}}', 22, "an operation"),
+    ],
+)
+def test_a_name_may_have_ten_thousand_characters(text: str, column: int, element: str) -> None:
+    assert read(text % ("ü" * 10_000))
+    error = refusal(text % ("ü" * 10_001))
+    assert error.sentence == f"the name of {element} has 10,001 characters"
+    assert error.place == Place("f.json", 1, column)
+    salvaged = salvage(parse_json(text % ("ü" * 10_001), "f.json"))
+    assert "ü" not in str(values_of(salvaged))
+
+
 def test_all_wrong_kinds_are_told_at_once_in_the_order_of_the_text() -> None:
     text = """{"version": 1,
  "A": {"header": {"NUM_FACTS": 3}, "S": {"o": 7, "p": [], "_q": 1}, "T": []},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import isfinite
 
-MAX_CHARACTERS = 256 * 1024 * 1024
+MAX_CHARACTERS = 64 * 1024 * 1024
 MAX_DEPTH = 64
 MAX_DIGITS = 4000
 MAX_FAULTS = 100

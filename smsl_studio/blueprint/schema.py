@@ -1,0 +1,212 @@
+"""JSON Schema of the JSON form, made from the model, so that any editor completes and checks it.
+
+The notes are described by their own types (``annotations``); around them stands what ``reading``
+accepts. What inspection finds (targets that are no states, say) is beyond a schema.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from smsl_studio.blueprint.annotations import Binding, FactNote, Hazard, OperationNote, StateNote
+from smsl_studio.blueprint.reading import LONGEST_NAME
+
+Json = Any
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+NOTES = (FactNote, StateNote, OperationNote, Binding, Hazard)
+
+WORDS: dict[str, dict[str, str]] = {
+    "FactNote": {
+        "": "What a fact is and where it comes from.",
+        "name": "Its plain name, such as tool attached.",
+        "values": "What each of its values means.",
+        "on": "The value that counts as on, where a sub-SB expands the fact.",
+        "failure": "Values that mean a failure.",
+        "critical": "Whether the procedure depends on it.",
+        "sensors": "The sensors it is read by.",
+        "unit": "The unit of what the sensors read.",
+        "predicate": "How the reading becomes a value: a predicate or a threshold.",
+        "aggregation": "How several sensors become one fact.",
+        "k": "How many sensors must agree, where the aggregation is k_of_n.",
+        "max_age": "Seconds after which a reading counts as unknown.",
+    },
+    "StateNote": {
+        "": "What a state is called, and whether it is safe.",
+        "title": "Its plain title.",
+        "note": "Anything worth knowing about it.",
+        "safe": "Whether the procedure may rest here.",
+        "facts": "Its fact values, where its name does not carry them.",
+    },
+    "OperationNote": {
+        "": "How an operation is carried out, by name or by State/Operation.",
+        "title": "Its plain title.",
+        "cost": "What it costs a route; 1 where nothing is said.",
+        "risk": "How risky it is.",
+        "actor": "Who carries it out.",
+        "confirm": "Who must confirm it first.",
+        "duration": "How many seconds it takes.",
+        "timeout": "Seconds after which it counts as failed.",
+        "stop": "What a stop does to it: abort, hold or finish.",
+        "repeatable": "Whether it may be tried again after a failure.",
+        "requires": 'Facts of any SB that must hold first: "SB/digit": value.',
+        "subs": "drive moves the sub-SBs first; load brings their facts about itself.",
+        "binding": "The library function it is bound to.",
+    },
+    "Binding": {
+        "": "A function of the operation library, with its arguments.",
+        "function": "The function's name, such as plugin.function.",
+        "arguments": "What it is called with.",
+    },
+    "Hazard": {
+        "": "Facts that must never hold together.",
+        "name": "What the hazard is called.",
+        "facts": 'The facts: "SB/digit": value.',
+    },
+}
+"""What an editor says of each word; the empty one is about the note itself."""
+
+HEADER = {
+    "type": "object",
+    "description": "What holds for the whole State Branch.",
+    "properties": {
+        "INITIAL": {
+            "type": ["string", "null"],
+            "minLength": 1,
+            "description": "The state it starts in; the first listed, where nothing is said.",
+        },
+        "ACTIVATING": {
+            "type": ["string", "null"],
+            "minLength": 1,
+            "description": "The state in which it counts as done; the last listed by default.",
+        },
+        "NUM_FACTS": {
+            "type": ["integer", "null"],
+            "minimum": 1,
+            "description": "How many facts a state's name carries; it divides the fact string.",
+        },
+        "NUM_STATES": {
+            "type": ["integer", "null"],
+            "minimum": 0,
+            "description": "How many states there are; only checked.",
+        },
+        "SUB_SBS": {
+            "description": "The sub-SBs, each with the digit it expands, counted from 0.",
+            "anyOf": [
+                {"$ref": "#/$defs/SubSBs"},
+                {"type": "array", "items": {"$ref": "#/$defs/SubSBs"}},
+                {"type": "null"},
+            ],
+        },
+    },
+}
+NAME = {"minLength": 1, "maxLength": LONGEST_NAME}
+SUB_SBS = {
+    "type": "object",
+    "patternProperties": {"^_": True},
+    "additionalProperties": {"type": "integer", "minimum": 0},
+}
+STATE = {
+    "type": "object",
+    "description": "A state: its operations, each with the state it leads to.",
+    "propertyNames": NAME,
+    "patternProperties": {"^_": True},
+    "additionalProperties": {"type": "string", "description": "The state it leads to."},
+}
+POINT = {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}
+
+
+def schema() -> Json:
+    """The schema as plain values."""
+    return {
+        "$schema": DIALECT,
+        "title": "SMSL blueprint",
+        "description": "State Branches by name; names that begin with _ are skipped by readers.",
+        "type": "object",
+        "propertyNames": NAME,
+        "properties": {
+            "_imports": {
+                "type": "array",
+                "items": {"type": "string", "minLength": 1},
+                "description": "Files whose State Branches belong to this blueprint.",
+            },
+            "_hazards": {
+                "type": "array",
+                "items": {"$ref": "#/$defs/Hazard"},
+                "description": "Combinations of facts that must never hold.",
+            },
+        },
+        "patternProperties": {"^_": True},
+        "additionalProperties": {"$ref": "#/$defs/StateBranch"},
+        "$defs": {
+            "StateBranch": _branch(),
+            "Header": HEADER,
+            "SubSBs": SUB_SBS,
+            "State": STATE,
+            **_notes(),
+        },
+    }
+
+
+def schema_text() -> str:
+    """The schema as the text of its file."""
+    return json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"
+
+
+def _branch() -> Json:
+    return {
+        "type": "object",
+        "description": "A State Branch: its header and its states.",
+        "propertyNames": NAME,
+        "properties": {
+            "HEADER": {"$ref": "#/$defs/Header"},
+            "_facts": {
+                **_table("FactNote", "What each fact is, by its digit, counted from 0."),
+                "propertyNames": {"pattern": "^[0-9]+$"},
+            },
+            "_states": _table("StateNote", "What each state is, by its name."),
+            "_operations": _table(
+                "OperationNote", "How operations are carried out, by name or State/Operation."
+            ),
+            "_layout": {
+                "type": "object",
+                "description": "Where each state is drawn.",
+                "additionalProperties": POINT,
+            },
+        },
+        "patternProperties": {"^_": True},
+        "additionalProperties": {"$ref": "#/$defs/State"},
+    }
+
+
+def _table(note: str, words: str) -> dict[str, Json]:
+    return {
+        "type": "object",
+        "description": words,
+        "additionalProperties": {"$ref": f"#/$defs/{note}"},
+    }
+
+
+def _notes() -> dict[str, Json]:
+    """The schemas of the notes, from their types, with the words of this file."""
+    from pydantic import TypeAdapter
+
+    adapters: list[Any] = [(note, "validation", TypeAdapter(note)) for note in NOTES]
+    _, made = TypeAdapter.json_schemas(adapters, ref_template="#/$defs/{model}")
+    return {name: _described(name, made["$defs"][name]) for name in WORDS}
+
+
+def _described(name: str, made: dict[str, Json]) -> dict[str, Json]:
+    words = WORDS[name]
+    properties = {
+        key: {"description": words[key], **{k: v for k, v in one.items() if k != "title"}}
+        for key, one in made["properties"].items()
+    }
+    return {
+        "type": "object",
+        "description": words[""],
+        "properties": properties,
+        "required": made.get("required", []),
+        "additionalProperties": False,
+    }
