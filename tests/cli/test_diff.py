@@ -41,6 +41,17 @@ def test_the_same_in_another_layout_is_no_difference(shell: Shell, tmp_path: Pat
     assert (answer.status, answer.out) == (0, "No difference.\n")
 
 
+@pytest.mark.parametrize("form", ["smsl", "yaml"])
+def test_the_form_makes_no_difference(form: str, shell: Shell, tmp_path: Path) -> None:
+    other = tmp_path / f"hanoi.{form}"
+    assert shell("convert", sample("hanoi"), "-o", str(other)).status == 0
+    answer = shell("diff", sample("hanoi"), str(other))
+    assert (answer.status, answer.out) == (0, "No difference.\n")
+    changed = shell("diff", str(other), sample("hanoi-corrected"))
+    assert changed.status == 1
+    assert f"hanoi.{form}:" in changed.out
+
+
 def test_moved_boxes_are_layout_only(shell: Shell, tmp_path: Path) -> None:
     values = json.loads(Path(sample("hanoi")).read_text())
     values["SB1"]["_layout"] = {"State_aaa": [10, 20]}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -77,6 +78,14 @@ def test_the_core_works_without_them(arguments: tuple[str, ...], says: str) -> N
     assert "Traceback" not in done.stderr
 
 
+def test_pictures_are_drawn_without_them(tmp_path: Path) -> None:
+    for form in ("svg", "png", "pdf"):
+        out = tmp_path / f"picture.{form}"
+        done = python(BLOCKER + COMMANDS, "render", sample("hfsm.json"), "-o", str(out))
+        assert (done.returncode, done.stderr) == (0, "")
+        assert out.stat().st_size > 1000
+
+
 def test_a_world_whose_engine_is_absent_is_told_and_not_thrown() -> None:
     done = python(BLOCKER + COMMANDS, "run", sample("hanoi-2.json"), "--world", "hanoi")
     assert done.returncode in (1, 2)
@@ -93,7 +102,7 @@ def test_without_qt_the_window_is_refused_with_a_reason() -> None:
 @pytest.mark.parametrize(
     ("code", "unwanted"),
     [
-        ("import smsl_studio", (*HEAVY, "scipy", "networkx", "numpy", "pydantic")),
+        ("import smsl_studio", (*HEAVY, "scipy", "networkx", "numpy", "pydantic", "typst")),
         ("from smsl_studio import read", (*HEAVY, "scipy", "networkx")),
         ("import smsl_studio.inspection.inspect", (*HEAVY, "scipy", "networkx", "pydantic")),
         ("import smsl_studio.__main__", (*HEAVY, "scipy", "networkx", "argparse", "pydantic")),

@@ -113,6 +113,8 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         if look.pruned:
             text = replace(text, text=f"{text.text} pruned")
         return _first(sheet, edge, text, _near_sign(sheet, text, shape), taken, False)
+    if sheet.compact and look.change:
+        return _first(sheet, edge, text, _clear_of_names(sheet, edge, text, shape), taken, True)
     if sheet.compact and (look.trail or look.planned or look.possible):
         # Short lines would vanish below their label: it stands beside them.
         size = _size(sheet, text)
@@ -129,6 +131,28 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
         return _first(sheet, edge, text, rects, taken, False) if rects else None
     return _plain(sheet, edge)
+
+
+def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
+    """Places beside a line, those that cover no name of an edge that is not lit first."""
+    size = _size(sheet, text)
+    rects = [
+        labels.outside(shape, shape.length * share, size, gap * sheet.unit, side)
+        for gap in (2.0, 12.0)
+        for side in (1, -1)
+        for share in (0.5, 0.3, 0.7)
+    ]
+    if sheet.level < Level.COMPACT:
+        return rects
+    near = sheet.edges_in(*_all_of(rects)).tolist()
+    names = [sheet.geometry.label(e) for e in near if e != edge and not sheet.looks.is_lit(e)]
+    return sorted(rects, key=lambda rect: sum(labels.meet(rect, n) for n in names if n))
+
+
+def _all_of(rects: list[Rect]) -> Rect:
+    """What all of these rectangles cover together."""
+    left, top, right, bottom = zip(*rects, strict=True)
+    return min(left), min(top), max(right), max(bottom)
 
 
 def lit_boxes(sheet: Sheet) -> list[Rect]:

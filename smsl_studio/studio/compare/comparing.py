@@ -93,6 +93,10 @@ class Comparing(QObject):
         asking.chosen.connect(lambda revision: self._with(path, revision))
         asking.open()
 
+    def with_version(self, version: Version) -> None:
+        """Compare with a version that is at hand."""
+        self._compare(lambda: version)
+
     def next_change(self) -> None:
         if self._dialog is not None:
             self._dialog.show_next()

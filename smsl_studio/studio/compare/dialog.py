@@ -29,6 +29,8 @@ from smsl_studio.studio.theme import Tokens
 NEXT_KEYS, PREVIOUS_KEYS = "F7", "Shift+F7"
 SIZE = (1200, 760)
 CHOICE = 220
+LIST = (96, 240)
+"""The list is at first as high as its rows, within these."""
 Pair = tuple[str, str]
 
 
@@ -79,10 +81,9 @@ class CompareDialog(QDialog):
         sides.addWidget(self.after)
         sides.setSizes([600, 600])
         sides.setChildrenCollapsible(False)
-        split = QSplitter(Qt.Orientation.Vertical)
+        split = self._split = QSplitter(Qt.Orientation.Vertical)
         split.addWidget(sides)
         split.addWidget(self.changes)
-        split.setSizes([500, 220])
         split.setStretchFactor(0, 1)
         split.setChildrenCollapsible(False)
         whole = QVBoxLayout(self)
@@ -222,6 +223,8 @@ class CompareDialog(QDialog):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        low = min(max(self.changes.height_of_all() + 8, LIST[0]), LIST[1])
+        self._split.setSizes([self._split.height() - low, low])
         self._link.fit()
         if not self.changes.currentIndex().isValid():
             self.show_next()
