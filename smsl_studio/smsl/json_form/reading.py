@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
-from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS, MAX_DEPTH
+from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS, MAX_DEPTH, too_large
 from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
 from smsl_studio.smsl.json_form.style import CANONICAL, render
@@ -58,7 +58,11 @@ def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
     body = text.removeprefix("\ufeff")
     try:
         values = json.loads(
-            body, object_pairs_hook=keep, parse_constant=_no_number, parse_float=_number
+            body,
+            object_pairs_hook=keep,
+            parse_constant=_no_number,
+            parse_float=_number,
+            parse_int=_whole_number,
         )
     except (ValueError, RecursionError):
         raise _refusal(text, file) from None
@@ -79,6 +83,12 @@ def write(values: Mapping[str, Any]) -> str:
 
 def _no_number(name: str) -> NoReturn:
     raise ValueError(name)
+
+
+def _whole_number(text: str) -> int:
+    if too_large(text):
+        raise ValueError(text)
+    return int(text)
 
 
 def _number(text: str) -> float:
