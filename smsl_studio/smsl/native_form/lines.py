@@ -31,6 +31,7 @@ _SCALAR = re.compile(
 _MAP = re.compile(rf"\((?:[\s,]*+{ENTRY.replace('(' + NAME, '(?:' + NAME)})*+[\s,]*+\)")
 _ENTRY = re.compile(ENTRY)
 _TRAIL = re.compile(r"[\s,]*+(?://.*)?", re.DOTALL)
+_BEFORE_BRACKET = re.compile(r"\s*+[{}\[\]#]")
 _COMMENT = re.compile(r"(?:^|(?<=\s))//")
 
 
@@ -160,6 +161,7 @@ def _name(raw: str, line: Line) -> Value:
     if match and _TRAIL.fullmatch(raw, match.end()):
         return Value(match[0], line.value_start + match.end())
     words = _without_comment(raw)
+    words = _BEFORE_BRACKET.split(words, maxsplit=1)[0] or words
     at, end = line.value_start, line.value_start + len(words)
     if not words:
         raise BadValue(

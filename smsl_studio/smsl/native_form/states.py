@@ -14,6 +14,7 @@ from smsl_studio.smsl.native_form.tokens import decoded, skip_gap, skip_separato
 Json = Any
 
 _NEXT_STATE = re.compile(rf"{tokens.NAME}{tokens.GAP}:{tokens.GAP}[\[{{]")
+_CLOSED = re.compile(r"[^\r\n\[\]{}:#]*+\]")
 _ARROW = re.compile(rf"{tokens.GAP}->")
 _NOT_ARROW = re.compile(r"(?:[=~\u2013\u2014]++|-\s++)?>|[=→⇒⟶➔]++>?|:|--?(?=\s)")
 
@@ -102,7 +103,7 @@ class StateReader:
             fix = TextFix("Write [", at, at + 1, "[")
             faults.add(at, at + 1, "the operations of a state stand in [ ]", advice, fix)
             return at + 1, "}"
-        if tokens.edge.match(text, at) or mark == "]":
+        if tokens.edge.match(text, at) or _CLOSED.match(text, at):
             fix = TextFix("Put [ before it", at, at, "[")
             faults.add(at, at + 1, f"[ is missing behind the state {key!r}", advice, fix)
             return at, "]"
