@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QApplication
 from smsl_studio.library.loading import discover
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.canvas import accessible_tree
-from smsl_studio.studio.journal.offer import RecoveryOffer
+from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
 from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left, left_behind
 from smsl_studio.studio.recovery import crash_hook
@@ -82,7 +82,10 @@ def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
         (window if window.safety.untouched else make_window(windows)).safety.recover(one)
         return True
 
-    offer = RecoveryOffer(left, recover, None, window)
+    def show_difference(one: Left) -> bool:
+        return difference_dialog(one.entry, window.tokens, offer)
+
+    offer = RecoveryOffer(left, recover, show_difference, window)
     offer.open()
     return offer
 

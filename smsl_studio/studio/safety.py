@@ -1,11 +1,13 @@
-"""Working without fear: the window's journal, and what an earlier window has left behind."""
+"""Working without fear: the journal, what an earlier window has left, what other programs do."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
+from smsl_studio.studio.change_bar import ChangeBar
 from smsl_studio.studio.files import UNTITLED, Files
 from smsl_studio.studio.journal.entry import Kept
 from smsl_studio.studio.journal.keeping import Unsaved
@@ -13,14 +15,16 @@ from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left
 from smsl_studio.studio.journal.restoring import keep_text, restore
 from smsl_studio.studio.journal.writing import Journal
+from smsl_studio.studio.outside import Compare, Outside
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.toast import Toast
 
 
 class Safety(QObject):
-    """Keeps the journal of one window up to date, and shows what another one kept."""
+    """Keeps the journal of one window, shows what another one kept, and watches the files."""
 
     def __init__(
         self,
@@ -29,7 +33,9 @@ class Safety(QObject):
         source: Source,
         toast: Toast,
         settings: Settings,
-        window: QObject,
+        compare: Compare,
+        tokens: Tokens,
+        window: QWidget,
     ) -> None:
         super().__init__(window)
         self._session, self._files, self._toast = session, files, toast
@@ -40,6 +46,31 @@ class Safety(QObject):
         for signal in (session.blueprint_changed, session.broken_changed, session.edited_changed,
                        files.changed, source.editor.typed):  # fmt: skip
             signal.connect(lambda *_: self.journal.changed())
+        self.bar = ChangeBar(tokens)
+        self.outside = Outside(session, files, self.bar, compare, self)
+        self.outside.said.connect(toast.say)
+        self.outside.warned.connect(toast.warn)
+        self.outside.refused.connect(toast.refuse)
+        window.installEventFilter(self)
+
+    def below(self, top: QWidget) -> QWidget:
+        """The top of the window, and below it the bar that asks about a changed file."""
+        both = QWidget()
+        column = QVBoxLayout(both)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(top)
+        column.addWidget(self.bar)
+        return both
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.bar.set_tokens(tokens)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Who comes back to the window may have come from another program."""
+        if event.type() == QEvent.Type.WindowActivate:
+            self.outside.look()
+        return super().eventFilter(watched, event)
 
     @property
     def untouched(self) -> bool:
@@ -59,6 +90,7 @@ class Safety(QObject):
 
     def close(self) -> None:
         """The window closes; its work is saved, or given up by the person."""
+        self.outside.stop()
         self.journal.close()
 
     def _put_aside(self, kept: Kept) -> bool:

@@ -95,7 +95,10 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
-        self.safety = Safety(session, self.files, self.source, self.toast, self._settings, self)
+        self.safety = Safety(
+            session, self.files, self.source, self.toast, self._settings,
+            self.comparing.with_version, tokens, self,
+        )  # fmt: skip
         ask = Dialogs(self).file_to_open
         self.comparing = Comparing(session, self.files, ask, tokens, self)
         self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
@@ -119,7 +122,7 @@ class Window(QMainWindow):
             "new": ("Open sample", partial(fill_samples, self.files)),
         }
         self.menu_row = MenuRow(actions, tokens, submenus)
-        self.setMenuWidget(self.menu_row)
+        self.setMenuWidget(self.safety.below(self.menu_row))
         self.mode_bar = ModeBar(actions, tokens)
         self.mode_bar.add_transport(self.run_pane.transport)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
@@ -199,7 +202,7 @@ class Window(QMainWindow):
         self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
-        others = (self.run_pane, self.comparing, self.actions_table)
+        others = (self.run_pane, self.comparing, self.safety, self.actions_table)
         for part in (self.canvas, *panels, *frame, *others):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()

@@ -17,9 +17,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.blueprint.comparing import compare as compared
+from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.controls import Elided, label, row, rule
+from smsl_studio.studio.journal.entry import Entry
 from smsl_studio.studio.journal.recovering import Left
-from smsl_studio.studio.journal.restoring import brings
+from smsl_studio.studio.journal.restoring import brings, sides
+from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
 
 WIDTH, TALLEST = 620, 520
@@ -32,15 +36,13 @@ class RecoveryOffer(QDialog):
     ``recover`` and ``compare`` are what the buttons do; False where it could not be done.
     """
 
-    def __init__(
-        self, left: Sequence[Left], recover: Act, compare: Act | None, parent: QWidget
-    ) -> None:
+    def __init__(self, left: Sequence[Left], recover: Act, compare: Act, parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle("Recover unsaved work")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setFixedWidth(WIDTH)
         self._waiting = list(left)
-        self.rows = {id(one): _Row(one, compare is not None) for one in left}
+        self.rows = {id(one): _Row(one) for one in left}
         column = QVBoxLayout()
         column.setContentsMargins(20, 4, 20, 4)
         column.setSpacing(0)
@@ -51,8 +53,7 @@ class RecoveryOffer(QDialog):
             column.addWidget(shown)
             shown.recover.clicked.connect(lambda _=False, one=one: self._do(recover, one))
             shown.discard.clicked.connect(lambda _=False, one=one: self._do(_drop, one))
-            if compare is not None:
-                shown.compare.clicked.connect(lambda _=False, one=one: compare(one))
+            shown.compare.clicked.connect(lambda _=False, one=one: compare(one))
         column.addStretch(1)
         self._build(column, len(left))
         self.finished.connect(self._later)
@@ -103,23 +104,38 @@ class RecoveryOffer(QDialog):
         self._waiting.clear()
 
 
+def difference_dialog(entry: Entry, tokens: Tokens, parent: QWidget) -> bool:
+    """Show what was kept beside what stands on the disk; False where one of them is nothing."""
+    both = sides(entry)
+    if not both.comparable or both.before is None:
+        return False
+    dialog = CompareDialog(tokens, parent)
+    dialog.jump.hide()
+    difference = compared(both.before.blueprint, both.after.blueprint)
+    words = f"{entry.name}, as it is on the disk", f"{entry.name}, as it would be recovered"
+    dialog.show_difference(difference, *words)
+    dialog.open()
+    return True
+
+
 class _Row(QWidget):
     """What was kept of one window, and what can be done with it."""
 
-    def __init__(self, left: Left, comparable: bool) -> None:
+    def __init__(self, left: Left) -> None:
         super().__init__()
         entry = left.entry
         self.setAccessibleName(f"Unsaved work in {entry.name}")
         self.name = label(entry.name, "heading")
         folder = Elided(str(Path(entry.path).parent) if entry.path else "never saved")
-        self.brings = label(brings(entry), "second")
+        told = brings(entry)
+        self.brings = label(told.words, "second")
         self.brings.setWordWrap(True)
         self.when = label(f"Last change {_day(entry.when)}", "small")
         self.recover = QPushButton("Recover")
         self.recover.setProperty("role", "primary")
         self.compare = QPushButton("Show difference")
         self.discard = QPushButton("Discard")
-        self.compare.setVisible(comparable)
+        self.compare.setEnabled(told.comparable)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 12, 0, 12)
         column.setSpacing(4)

@@ -33,6 +33,19 @@ class Sides:
     before: Opened | None
     after: Opened
 
+    @property
+    def comparable(self) -> bool:
+        """Whether both sides are blueprints."""
+        return self.before is not None and not (self.before.broken or self.after.broken)
+
+
+@dataclass(frozen=True)
+class Brings:
+    """What recovering would bring back, in words, and whether the sides can be compared."""
+
+    words: str
+    comparable: bool
+
 
 def sides(entry: Entry) -> Sides:
     """Both sides of a journal."""
@@ -54,18 +67,18 @@ def own_text(entry: Entry) -> Kept | None:
     return next((kept for kept in entry.texts if kept.file == entry.file), None)
 
 
-def brings(entry: Entry) -> str:
-    """What recovering would bring back, in words."""
+def brings(entry: Entry) -> Brings:
+    """What recovering would bring back."""
     if sum(len(kept.text) for kept in entry.texts) > LARGE:
         size = sum(len(kept.text) for kept in entry.texts) / (1 << 20)
-        return f"{counted(len(entry.texts), 'text')} of {size:.1f} MB"
+        return Brings(f"{counted(len(entry.texts), 'text')} of {size:.1f} MB", bool(entry.path))
     both = sides(entry)
     words = _changes(entry, both)
     if entry.path and both.before is None:
         words += " The file is no longer there."
     elif any(_moved_on(kept) for kept in entry.texts):
         words += " The file was changed on the disk since."
-    return words
+    return Brings(words, both.comparable)
 
 
 def restore(entry: Entry, files: Files, session: Session) -> list[Kept]:

@@ -1,0 +1,61 @@
+"""Watching files: tells that something may have happened to them, also where they are replaced.
+
+The system forgets a file that another one takes the place of, so the folders are watched as well,
+and every file is watched anew after each stir. What stirred, and whether it matters, is for others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+
+SETTLED = 150
+"""Milliseconds without a stir after which one looks: a program may write in several pieces."""
+
+
+class Watcher(QObject):
+    """Watches a set of files that may change."""
+
+    stirred = Signal()
+    """Something happened to a file or beside one, and a moment has passed since."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._system = QFileSystemWatcher(self)
+        self._system.fileChanged.connect(self._stir)
+        self._system.directoryChanged.connect(self._stir)
+        self._files: frozenset[Path] = frozenset()
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(SETTLED)
+        self._timer.timeout.connect(self._settled)
+
+    def watch(self, files: Iterable[Path]) -> None:
+        """Watch these files and no others."""
+        files = frozenset(files)
+        if files != self._files:
+            self._files = files
+            self._renew()
+
+    def stop(self) -> None:
+        """Watch nothing any more."""
+        self._timer.stop()
+        self.watch(())
+
+    def _stir(self) -> None:
+        self._timer.start()
+
+    def _settled(self) -> None:
+        self._renew()
+        self.stirred.emit()
+
+    def _renew(self) -> None:
+        wanted = {str(path) for path in self._files if path.is_file()}
+        wanted |= {str(path.parent) for path in self._files if path.parent.is_dir()}
+        present = {*self._system.files(), *self._system.directories()}
+        if present - wanted:
+            self._system.removePaths(sorted(present - wanted))
+        if wanted - present:
+            self._system.addPaths(sorted(wanted - present))
