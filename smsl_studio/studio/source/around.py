@@ -23,7 +23,7 @@ _TOKENS = {
 }
 HEADER = "HEADER"
 _BRACKET = re.compile(r"[{}\[\]]")
-_HEADER = re.compile(r"\s*#\s*([^:\s]+)\s*:\s*(.*?)\s*$")
+_HEADER = re.compile(r"\s*#[ \t]*([^:\s]*)(?:\s*:\s*(.*?))?\s*$")
 _INDENTED = re.compile(r"(\s*(?:- +)*)(.*)")
 
 
@@ -83,8 +83,8 @@ def around(lines: Sequence[str], at: int, column: int, form: str) -> Around:
 
 def _in_header(header: re.Match[str], path: tuple[str, ...], column: int) -> Around:
     """Around a place in a line that gives a header its value."""
-    key, value = header[1], header[2]
-    if column < header.start(2):
+    key, value = header[1], header[2] or ""
+    if header[2] is None or column < header.start(2):
         typed = key[: max(0, column - header.start(1))]
         return Around((*path[:1], HEADER), "", key, typed, *header.span(1), False)
     found = [one for one in tokens(value, "smsl") if _is_word(one) and one.text not in "()"]
@@ -190,7 +190,7 @@ def _native_name(lines: Sequence[str], first: int, last: int) -> str:
     for number in range(first, min(len(lines), max(last, first + 20) + 1)):
         header = _HEADER.search(lines[number].partition("{")[2] or lines[number])
         if header and header[1] == "NAME":
-            return unquoted(header[2])
+            return unquoted(header[2] or "")
     return ""
 
 

@@ -7,71 +7,68 @@ neither a keystroke nor an edit ever sets the whole text anew, and caret and scr
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
+from typing import Protocol
 
-from PySide6.QtCore import QPoint, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt, Signal
 from PySide6.QtGui import (
+    QContextMenuEvent,
     QFocusEvent,
+    QHelpEvent,
+    QKeyEvent,
     QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QResizeEvent,
     QTextCursor,
-    QWheelEvent,
 )
-from PySide6.QtWidgets import QPlainTextEdit, QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
-from smsl_studio.studio.source.colours import Colours
-from smsl_studio.studio.source.folds import Folds
-from smsl_studio.studio.source.gutter import Gutter
 from smsl_studio.studio.source.patches import Patch, common_prefix, common_suffix
 from smsl_studio.studio.source.sheet import Sheet
 from smsl_studio.studio.source.spelling import from_units, units
-from smsl_studio.studio.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.source.surface import Surface
+from smsl_studio.studio.theme import Tokens
 
-SIZE, SMALLEST, LARGEST = 12, 8, 32
 TOGETHER = 300
 """Patches from which on they are made as one."""
 
 
-class Editor(QPlainTextEdit):
+class Keys(Protocol):
+    """Who answers the keys of an editor before the text does."""
+
+    def takes(self, event: QKeyEvent) -> bool:
+        """Whether the key is for the text, whatever it means elsewhere in the window."""
+
+    def answer(self, event: QKeyEvent) -> bool:
+        """Do what the key asks for; False where it is an ordinary one."""
+
+    def typed(self, event: QKeyEvent) -> None:
+        """An ordinary key was typed."""
+
+
+class Editor(Surface):
     """The text itself. Lines and columns are those shown, from 0, counted in characters."""
 
-    typed = Signal(int)
-    """The text was changed by hand; in which line."""
+    starting = Signal()
+    """A command is about to change the text: what was typed before is a step of its own."""
+    typed = Signal(str)
+    """The text was changed by hand; the words for the step."""
     caret_moved = Signal()
     clicked = Signal(QPoint)
     """A click that marked nothing; where."""
     called = Signal(QPoint)
     """A click with Ctrl held: where what stands there is defined."""
+    menu_wanted = Signal(QPoint, QPoint)
+    """The context menu: where in the text, and where on the screen."""
     left = Signal()
     """The focus goes elsewhere."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.tokens = tokens
-        self.sheet = Sheet()
-        self.form = "json"
-        self._own, self._blocks, self._caret_line, self._size = False, 1, 0, SIZE
+        super().__init__(tokens, parent)
+        self._own, self._blocks = False, 1
+        self.keys: Keys | None = None
+        self.words_at: Callable[[int, int], str] = lambda line, column: ""
         self.setAccessibleName("Source text")
-        self.setUndoRedoEnabled(False)
-        self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        self.setFont(mono_font(SIZE))
-        self.document().setDocumentMargin(2)
-        self.folds = Folds(self)
-        self.colours = Colours(self, tokens)
-        self.gutter = Gutter(self)
         self.document().contentsChange.connect(self._contents_changed)
-        self.blockCountChanged.connect(self._place_gutter)
-        self.updateRequest.connect(self._scroll_gutter)
-        self.cursorPositionChanged.connect(self._keep_caret_out_of_folds)
         self.cursorPositionChanged.connect(self.caret_moved)
-
-    def set_tokens(self, tokens: Tokens) -> None:
-        self.tokens = tokens
-        self.colours.set_tokens(tokens)
-        self.viewport().update()
-        self.gutter.update()
 
     def set_writable(self, writable: bool) -> None:
         """Whether one may type; the text can always be marked and copied."""
@@ -86,11 +83,6 @@ class Editor(QPlainTextEdit):
             self.setTextInteractionFlags(flags)
 
     # The text.
-
-    def set_form(self, form: str) -> None:
-        """The written form of the text."""
-        self.form = form
-        self.colours.set_form(form)
 
     def load(self, text: str) -> None:
         """Show another text from its beginning."""
@@ -127,13 +119,18 @@ class Editor(QPlainTextEdit):
         cursor.insertText(after[head : len(after) - tail])
         self._own = False
 
-    def replace(self, start: int, end: int, part: str, caret: int | None = None) -> None:
+    def begin_command(self) -> None:
+        """What follows is no part of what was typed before."""
+        self.starting.emit()
+
+    def replace(
+        self, start: int, end: int, part: str, words: str, caret: int | None = None
+    ) -> None:
         """Replace, as if typed, what stands between two offsets; then put the caret somewhere."""
-        line = self.sheet.where(start)[0]
         self.apply([(start, end, part)])
         if caret is not None:
             self.set_caret(caret)
-        self.typed.emit(line)
+        self.typed.emit(words)
 
     def _contents_changed(self, position: int, _removed: int, added: int) -> None:
         document = self.document()
@@ -154,7 +151,7 @@ class Editor(QPlainTextEdit):
             lines.append(block.text())
             block = block.next()
         if self.sheet.typed(first, end - grown, lines, column):
-            self.typed.emit(first)
+            self.typed.emit(f"Type in line {self.sheet.line_of(first) + 1}")
 
     # Caret and places.
 
@@ -204,43 +201,6 @@ class Editor(QPlainTextEdit):
         if line not in rows[2 if rows[:1] != [0] else 0 : -2]:
             self.centerCursor()
 
-    def _position(self, offset: int) -> int:
-        line, column = self.sheet.where(offset)
-        block = self.document().findBlockByNumber(line)
-        return block.position() + units(block.text()[:column])
-
-    def _keep_caret_out_of_folds(self) -> None:
-        """The caret passes over a fold as over one line."""
-        line, before = self.textCursor().blockNumber(), self._caret_line
-        fold = self.folds.at(line)
-        if fold is not None:
-            down = before < fold.first and fold.last + 1 < self.blockCount()
-            block = self.document().findBlockByNumber(fold.last + 1 if down else fold.first - 1)
-            cursor = self.textCursor()
-            keep = QTextCursor.MoveMode.KeepAnchor if cursor.hasSelection() else None
-            cursor.setPosition(block.position(), keep or QTextCursor.MoveMode.MoveAnchor)
-            line = block.blockNumber()
-            self._caret_line = line
-            self.setTextCursor(cursor)
-        self._caret_line = line
-
-    # What is seen.
-
-    def rows(self) -> Iterator[tuple[int, float, float]]:
-        """The lines in view: number, top and height in pixels."""
-        block = self.firstVisibleBlock()
-        top = self.blockBoundingGeometry(block).translated(self.contentOffset()).top()
-        while block.isValid() and top <= self.viewport().height():
-            height = self.blockBoundingRect(block).height()
-            if block.isVisible():
-                yield block.blockNumber(), top, height
-                top += height
-            block = block.next()
-
-    def row_at(self, y: float) -> int | None:
-        """The line at a height in pixels."""
-        return next((line for line, top, high in self.rows() if top <= y < top + high), None)
-
     def place_at(self, at: QPoint) -> tuple[int, int] | None:
         """The line and column under a point; None where no text is."""
         cursor = self.cursorForPosition(at)
@@ -248,25 +208,59 @@ class Editor(QPlainTextEdit):
         below = self.row_at(at.y()) is None
         return None if below or (beyond and cursor.atBlockEnd()) else self.place_of(cursor)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        high = max(1, int(self.fontMetrics().height()))
-        self.colours.dress(self.firstVisibleBlock(), self.viewport().height() // high + 2)
-        super().paintEvent(event)
-        if self.folds.all:
-            self._paint_folds()
+    def _position(self, offset: int) -> int:
+        line, column = self.sheet.where(offset)
+        block = self.document().findBlockByNumber(line)
+        return block.position() + units(block.text()[:column])
 
-    def _paint_folds(self) -> None:
-        painter = QPainter(self.viewport())
-        painter.setFont(text_font(self._size))
-        for line, top, height in self.rows():
-            fold = self.folds.at(line)
-            if fold is not None:
-                band = QRectF(0, top, self.viewport().width(), height)
-                painter.fillRect(band, self.tokens.sunk)
-                painter.setPen(self.tokens.tx2)
-                words = self.folds.words(fold, self.sheet, self.form)
-                painter.drawText(band.adjusted(16, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, words)
-        painter.end()
+    # Keys, the clipboard, the pointer.
+
+    def event(self, event: QEvent) -> bool:
+        override = event.type() == QEvent.Type.ShortcutOverride
+        if override and self.keys and isinstance(event, QKeyEvent) and self.keys.takes(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self.keys is not None and self.keys.answer(event):
+            event.accept()
+            return
+        super().keyPressEvent(event)
+        if self.keys is not None:
+            self.keys.typed(event)
+
+    def viewportEvent(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            place = self.place_at(event.pos())
+            words = self.words_at(*place) if place else ""
+            QToolTip.showText(event.globalPos(), words, self.viewport())
+            return True
+        return super().viewportEvent(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        self.menu_wanted.emit(event.pos(), event.globalPos())
+
+    def createMimeDataFromSelection(self) -> QMimeData:
+        """What is marked, spelt as it stands in the file."""
+        start, end = self.marked
+        data = QMimeData()
+        data.setText(self.sheet.text[start:end].replace("\r\n", "\n"))
+        return data
+
+    def canInsertFromMimeData(self, source: QMimeData) -> bool:
+        """Text; files that are dropped are opened by the window."""
+        return source.hasText() and not any(url.isLocalFile() for url in source.urls())
+
+    def insertFromMimeData(self, source: QMimeData) -> None:
+        if self.isReadOnly():
+            return
+        start, end = self.marked
+        plain = source.text().replace("\r\n", "\n")
+        part = plain.replace("\n", self.sheet.newline)
+        words = f"Paste in line {self.sheet.line_of(self.sheet.where(start)[0]) + 1}"
+        self.replace(start, end, part, words, start + len(part))
+        self.ensureCursorVisible()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
@@ -285,32 +279,6 @@ class Editor(QPlainTextEdit):
         if event.button() is Qt.MouseButton.LeftButton and not self.textCursor().hasSelection():
             control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
             (self.called if control else self.clicked).emit(event.position().toPoint())
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            step = (event.angleDelta().y() > 0) - (event.angleDelta().y() < 0)
-            self._size = max(SMALLEST, min(LARGEST, self._size + step))
-            self.setFont(mono_font(self._size))
-            self._place_gutter()
-            event.accept()
-            return
-        super().wheelEvent(event)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._place_gutter()
-
-    def _place_gutter(self, _: int = 0) -> None:
-        wide = self.gutter.needed()
-        self.setViewportMargins(wide, 0, 0, 0)
-        inside = self.contentsRect()
-        self.gutter.setGeometry(QRect(inside.left(), inside.top(), wide + 3, inside.height()))
-
-    def _scroll_gutter(self, rect: QRect, down: int) -> None:
-        if down:
-            self.gutter.scroll(0, down)
-        else:
-            self.gutter.update(0, rect.y(), self.gutter.width(), rect.height())
 
 
 def _joined(text: str, patches: Sequence[Patch]) -> Patch:

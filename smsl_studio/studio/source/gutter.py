@@ -13,7 +13,7 @@ from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.source import regions
 
 if TYPE_CHECKING:
-    from smsl_studio.studio.source.editor import Editor
+    from smsl_studio.studio.source.surface import Surface
 
 LEFT, MARKS = 8, 22
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -33,7 +33,7 @@ class Gutter(QWidget):
     fixes_wanted = Signal(int)
     fold_wanted = Signal(int)
 
-    def __init__(self, editor: Editor) -> None:
+    def __init__(self, editor: Surface) -> None:
         super().__init__(editor)
         self._editor = editor
         self._under = -1

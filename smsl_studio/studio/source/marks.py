@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 
 from PySide6.QtGui import QColor, QTextCharFormat, QTextCursor, QTextFormat
@@ -13,14 +13,14 @@ from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.icons import severity_colour
 from smsl_studio.studio.source.around import tokens
 from smsl_studio.studio.source.editor import Editor
+from smsl_studio.studio.source.find import Match
 from smsl_studio.studio.source.gutter import Mark
 from smsl_studio.studio.source.sheet import Sheet
-from smsl_studio.studio.words import capital
+from smsl_studio.studio.words import capital, whole_sentence
 
 Selection = QTextEdit.ExtraSelection
 MANY = 400
 """Pieces that are underlined at most."""
-_WORD = re.compile(r"[^\s,:\[\]{}]+")
 
 
 def offset_of(sheet: Sheet, place: Place) -> int:
@@ -90,6 +90,15 @@ def of_faults(editor: Editor, faults: Sequence[ReadError]) -> Iterator[Selection
         yield wavy(editor, start, end, "E")
 
 
+def of_matches(editor: Editor, matches: Sequence[Match]) -> Iterator[Selection]:
+    """What was found, on another colour; of very many those in view and around."""
+    rows = [line for line, _, _ in editor.rows()] if len(matches) > MANY else []
+    first = editor.sheet.offset(rows[0], 0) if rows else 0
+    begin = bisect_left(matches, first, key=lambda one: one.start)
+    for match in matches[begin : begin + MANY]:
+        yield behind(editor, match.start, match.end, editor.tokens.risks)
+
+
 def by_line(
     sheet: Sheet, findings: Iterable[Finding], faults: Iterable[ReadError]
 ) -> dict[int, Mark]:
@@ -97,10 +106,11 @@ def by_line(
     found: dict[int, Mark] = {}
     for fault in faults:
         line = sheet.where(fault_span(sheet, fault)[0])[0]
-        _add(found, line, Mark("E", f"{capital(fault.sentence)}. {fault.advice}".strip()))
+        _add(found, line, Mark("E", f"{capital(fault.sentence)} {fault.advice}".strip()))
     for finding in sorted(findings, key=lambda one: "EWI".index(one.severity.value)):
         line = sheet.where(offset_of(sheet, finding.place))[0]
-        _add(found, line, Mark(finding.severity.value, capital(finding.message)))
+        words = f"{whole_sentence(finding)} {finding.advice}".strip()
+        _add(found, line, Mark(finding.severity.value, words))
     return found
 
 

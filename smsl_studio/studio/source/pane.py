@@ -8,26 +8,29 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from PySide6.QtCore import QPoint, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import ReadError
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.smsl.document import Document
 from smsl_studio.studio.broken import document_of
-from smsl_studio.studio.session import Broken, Session
+from smsl_studio.studio.session import Session
 from smsl_studio.studio.source import marks
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.source.elements import Elements
+from smsl_studio.studio.source.find_bar import FindBar
+from smsl_studio.studio.source.folding import Folding
+from smsl_studio.studio.source.keys import PaneKeys
+from smsl_studio.studio.source.marking import Marking
 from smsl_studio.studio.source.patches import patches
+from smsl_studio.studio.source.pointing import Pointing
+from smsl_studio.studio.source.popup import Popup
+from smsl_studio.studio.source.repairing import Repairing
 from smsl_studio.studio.source.strips import FaultStrip, FileRow, YamlStrip
 from smsl_studio.studio.source.typing import Typing
 from smsl_studio.studio.theme import Tokens
-
-MOST_BANDS = 4000
 
 
 class Source(QWidget):
@@ -40,14 +43,16 @@ class Source(QWidget):
         super().__init__(parent)
         self.setProperty("role", "panel")
         self._session, self._tokens = session, tokens
-        self._findings: tuple[Finding, ...] = ()
-        self._active: tuple[Address, ...] = ()
         self._agreed: set[str] = set()
         self._chosen: str | None = None
-        self._salvage: Blueprint | None = None
-        self._file, self._following = "", True
+        self._salvage = session.blueprint if session.broken else None
+        self._file = ""
         self.editor = Editor(tokens, self)
         self.files, self.yaml, self.faults = FileRow(), YamlStrip(), FaultStrip()
+        self.find_bar = FindBar(self.editor)
+        self.popup = Popup(self.editor, lambda: session.blueprint)
+        self.marking, self.pointing = Marking(self, session), Pointing(self, session)
+        self.folding, self.repairing = Folding(self.editor), Repairing(self, session)
         self.typing = Typing(session, lambda: self.editor.sheet.text, self)
         self._build()
         self._connect()
@@ -59,9 +64,11 @@ class Source(QWidget):
         column.setSpacing(0)
         column.addWidget(self.files)
         column.addWidget(self.yaml)
+        column.addWidget(self.find_bar)
         column.addWidget(self.editor, 1)
         column.addWidget(self.faults)
         self.setFocusProxy(self.editor)
+        self.editor.keys = PaneKeys(self, self.popup)
 
     def _connect(self) -> None:
         session, editor = self._session, self.editor
@@ -71,10 +78,11 @@ class Source(QWidget):
         session.selection_changed.connect(lambda *_: self._selection_changed())
         session.branch_changed.connect(lambda *_: self._branch_changed())
         session.settling.connect(self.settle)
-        editor.typed.connect(self._typed)
+        editor.typed.connect(self.typing.begin)
+        editor.starting.connect(self.settle)
         editor.caret_moved.connect(self._tell_caret)
         editor.left.connect(self.settle)
-        editor.clicked.connect(self.select_at)
+        self.find_bar.changed.connect(self.marking.mark)
         self.files.chosen.connect(self._choose_file)
         self.yaml.agreed.connect(self._agree)
         self.faults.show_wanted.connect(self.show_fault)
@@ -84,31 +92,43 @@ class Source(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         self.editor.set_tokens(tokens)
-        for strip in (self.yaml, self.faults):
+        for strip in (self.yaml, self.faults, self.find_bar, self.repairing.bulb):
             strip.set_tokens(tokens)
-        self.mark()
+        self.marking.mark()
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Underline what findings are about, and mark their lines."""
-        self._findings = tuple(findings)
-        self.mark()
+        self.marking.set_findings(findings)
+
+    def set_library(self, names: Iterable[str]) -> None:
+        """The operations that plugins offer by name; completion offers them too."""
+        self.popup.library = tuple(names)
 
     def set_active(self, addresses: Iterable[Address]) -> None:
         """Light the lines of what is active in a run."""
-        self._active = tuple(addresses)
-        self.mark()
+        self.marking.set_active(addresses)
 
     def settle(self) -> None:
         """Take over what was typed, if anything was."""
         if self.typing.pending:
             self.typing.settle()
             self._refresh()
-            self.mark()
+            self.marking.mark()
+
+    @property
+    def pending(self) -> dict[str, str]:
+        """What was typed and is not yet a step of the history, by its file."""
+        return {self.typing.file: self.editor.sheet.text} if self.typing.pending else {}
 
     @property
     def file(self) -> str:
         """The file whose text is shown."""
         return self._file
+
+    @property
+    def current(self) -> bool:
+        """Whether what is shown is the file that is to be shown."""
+        return self._file == self._wanted_file()
 
     @property
     def elements(self) -> Elements:
@@ -120,7 +140,9 @@ class Source(QWidget):
         """The lines (from 1) in which the selected elements are written."""
         self._refresh()
         sheet = self.editor.sheet
-        return tuple(sorted({sheet.line_of(line) + 1 for line in self._lines_of_selection()}))
+        return tuple(
+            sorted({sheet.line_of(line) + 1 for line in self.marking.lines_of_selection()})
+        )
 
     def show_fault(self) -> None:
         """Show the first place at which the text does not read."""
@@ -132,24 +154,32 @@ class Source(QWidget):
         self.editor.bring_into_view(self.editor.caret[0])
         self.editor.setFocus()
 
-    def show_lines_of(self, address: Address) -> None:
-        """Put the caret where an element is written."""
-        lines = self.elements.lines_of(address)
-        if lines is not None:
-            self.editor.reveal(lines.first)
+    def undo(self) -> None:
+        """Undo the last step, wherever it was made; what is being typed is one."""
+        self.settle()
+        self._session.history.undo()
+
+    def redo(self) -> None:
+        self.settle()
+        self._session.history.redo()
+
+    def leave(self, onwards: bool) -> None:
+        """Give the focus to what comes after the text, or before it."""
+        self.focusNextPrevChild(onwards)
 
     # Following the session.
 
     def _another_file(self) -> None:
         self.typing.forget()
         self._agreed.clear()
-        self._chosen, self._file, self._active = None, "", ()
+        self._chosen, self._file = None, ""
+        self.marking.active = ()
         self._salvage = self._session.blueprint if self._session.broken else None
 
     def _text_changed(self) -> None:
         if self.isVisible():
             self._refresh()
-            self.mark()
+            self.marking.mark()
 
     def _branch_changed(self) -> None:
         self._chosen = None
@@ -160,9 +190,9 @@ class Source(QWidget):
         if not self.isVisible():
             return
         self._refresh()
-        self.mark()
-        lines = self._lines_of_selection()
-        if self._following and lines and not self.editor.hasFocus():
+        self.marking.mark()
+        lines = self.marking.lines_of_selection()
+        if lines and not self.pointing.selecting and not self.editor.hasFocus():
             self.editor.reveal(min(lines))
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -218,12 +248,9 @@ class Source(QWidget):
         self.settle()
         self._chosen = file
         self._refresh()
-        self.mark()
+        self.marking.mark()
 
     # Typing.
-
-    def _typed(self, line: int) -> None:
-        self.typing.begin(f"Type in line {self.editor.sheet.line_of(line) + 1}")
 
     def _allow(self) -> None:
         """Which text may be typed in: not YAML unasked, and no other file than a broken one."""
@@ -244,72 +271,8 @@ class Source(QWidget):
         name = broken.file if broken and elsewhere else ""
         self.faults.show_faults(broken.error if broken else None, name, self._salvaged)
 
-    # Pointing.
-
-    def select_at(self, at: QPoint) -> None:
-        """Select the element that is written at a point."""
-        self.settle()
-        place = self.editor.place_of(self.editor.cursorForPosition(at))
-        address = self.elements.address_at(*place)
-        if address is None or address.branch not in self._session.blueprint.branches:
-            return
-        self._following = False
-        try:
-            self._session.show_branch(address.branch)
-            self._session.select((address,) if address.state else ())
-        finally:
-            self._following = True
-        self.mark()
-
     def _tell_caret(self) -> None:
         if self.editor.hasFocus():
             line, column = self.editor.caret
             self.caret_moved.emit(self.editor.sheet.line_of(line) + 1, column + 1)
-
-    # Marks.
-
-    def faults_here(self) -> tuple[ReadError, ...]:
-        """The faults of the text that is shown, as it is shown."""
-        broken = self._session.broken
-        here = broken is not None and broken.file == self._file
-        return broken.error.faults if broken and here and self._is(broken) else ()
-
-    def findings_here(self) -> tuple[Finding, ...]:
-        """The findings of the text that is shown, where it is the one that was inspected."""
-        if not self.elements.exact:
-            return ()
-        return tuple(one for one in self._findings if one.place.file == self._file)
-
-    def _is(self, broken: Broken) -> bool:
-        return broken.text == self.editor.sheet.text
-
-    def mark(self) -> None:
-        """Draw bands and wavy lines anew; while one types the old ones move with the text."""
-        if not self.isVisible() or self._file != self._wanted_file() or self.typing.pending:
-            return
-        editor, tokens = self.editor, self._tokens
-        findings, faults = self.findings_here(), self.faults_here()
-        selected, active = self._lines_of_selection(), self._lines_of(self._active)
-        editor.gutter.marks = marks.by_line(editor.sheet, findings, faults)
-        editor.gutter.banded, editor.gutter.active = frozenset(selected), frozenset(active)
-        editor.setExtraSelections([
-            *(marks.band(editor, line, tokens.accs) for line in sorted({*selected, *active})),
-            *marks.of_findings(editor, findings),
-            *marks.of_faults(editor, faults),
-        ])  # fmt: skip
-        editor.gutter.update()
-
-    def _lines_of_selection(self) -> set[int]:
-        return self._lines_of(self._session.selection)
-
-    def _lines_of(self, addresses: Sequence[Address]) -> set[int]:
-        found: set[int] = set()
-        blueprint: Blueprint = self._session.blueprint
-        here = [one for one in addresses[:50] if blueprint.home(one.branch).file == self._file]
-        elements = self.elements if here else None
-        for address in here:
-            lines = elements.lines_of(address) if elements else None
-            if lines is not None:
-                last = min(lines.last, lines.first + MOST_BANDS)
-                found.update(range(lines.first, last + 1))
-        return found
+            self.repairing.show_bulb()

@@ -26,7 +26,7 @@ class Sheet:
 
     def __init__(self, text: str = "") -> None:
         self.pieces: list[str] = cut(text)
-        self._newline = "\r\n" if "\r\n" in text else "\n"
+        self.newline = "\r\n" if "\r\n" in text else "\n"
         self._text: str | None = text
         self._starts: list[int] | None = None
         self._lines: list[int] | None = None
@@ -91,7 +91,7 @@ class Sheet:
         parts = new[head : len(new) - tail].split("\n")
         before, after = self.pieces[p][:start], self.pieces[q][end:]
         gone = before + "".join(self.pieces[p:q]) + self.pieces[q]
-        fresh = [part + self._newline for part in parts]
+        fresh = [part + self.newline for part in parts]
         fresh[-1] = parts[-1] + after
         fresh[0] = before + fresh[0]
         known = p - first

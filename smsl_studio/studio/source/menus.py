@@ -1,0 +1,96 @@
+"""The menus of the text: quick fixes (also behind the bulb), and what a right click offers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QApplication, QMenu, QToolButton
+
+from smsl_studio.studio.icons import icon
+from smsl_studio.studio.source.editor import Editor
+from smsl_studio.studio.source.repairs import Repair
+from smsl_studio.studio.theme import Tokens
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.source.pane import Source
+
+SIDE = 18
+
+
+class Bulb(QToolButton):
+    """Lies at the right end of the caret's line while something there can be fixed."""
+
+    def __init__(self, editor: Editor) -> None:
+        super().__init__(editor.viewport())
+        self._editor = editor
+        self.setProperty("role", "small")
+        self.setFixedSize(SIDE + 2, SIDE)
+        self.setAccessibleName("Quick fixes")
+        self.hide()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.setIcon(icon("bulb", tokens, colour=tokens.risk))
+
+    def show_for(self, repairs: Sequence[Repair]) -> None:
+        """Show it if there is something to fix, and say what."""
+        self.setVisible(bool(repairs))
+        if repairs:
+            self.setToolTip("\n".join((*(one.words for one in repairs), "(Ctrl+.)")))
+            row = self._editor.cursorRect()
+            left = self._editor.viewport().width() - self.width() - 4
+            self.move(left, row.center().y() - SIDE // 2)
+
+
+def repair_menu(pane: Source, repairs: Sequence[Repair]) -> QMenu:
+    """A menu of fixes."""
+    menu = _passing(pane)
+    _add_repairs(menu, repairs)
+    return menu
+
+
+def text_menu(pane: Source, repairs: Sequence[Repair], at: QPoint) -> QMenu:
+    """The menu at the pointer."""
+    editor, menu = pane.editor, _passing(pane)
+    _add_repairs(menu, repairs)
+    if repairs:
+        menu.addSeparator()
+    marked, free = editor.textCursor().hasSelection(), not editor.isReadOnly()
+    pasted = QApplication.clipboard().mimeData()
+    place = editor.place_of(editor.cursorForPosition(at))
+    leads = pane.elements.definition(*place) is not None
+    for words, call, enabled in (
+        ("Cut", editor.cut, marked and free),
+        ("Copy", editor.copy, marked),
+        ("Paste", editor.paste, free and editor.canInsertFromMimeData(pasted)),
+        ("Select all", editor.selectAll, True),
+        ("", None, False),
+        (
+            "Go to what this stands for",
+            lambda: pane.pointing.jump_from(*place),
+            leads,
+        ),
+        ("Fold", lambda: pane.folding.fold_line(place[0]), pane.folding.can_fold(place[0])),
+        ("Fold every State Branch", pane.folding.fold_all, True),
+        ("Unfold everything", pane.folding.unfold_all, bool(editor.folds.all)),
+        ("", None, False),
+        ("Find…", lambda: pane.find_bar.open_bar(False), True),
+        ("Replace…", lambda: pane.find_bar.open_bar(True), free),
+    ):
+        if call is None:
+            menu.addSeparator()
+        else:
+            menu.addAction(words, call).setEnabled(enabled)
+    return menu
+
+
+def _add_repairs(menu: QMenu, repairs: Sequence[Repair]) -> None:
+    for repair in repairs:
+        menu.addAction(repair.words, repair.apply)
+
+
+def _passing(pane: Source) -> QMenu:
+    menu = QMenu(pane)
+    menu.aboutToHide.connect(menu.deleteLater)
+    return menu

@@ -1,0 +1,90 @@
+"""Finding and replacing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from smsl_studio.studio.source.find import Match, Search, find, replaced
+from tests.studio.source.conftest import CTRL, HFSM, NONE, SHIFT, Writer
+
+At = Callable[..., Writer]
+
+
+def spans(text: str, search: Search) -> list[str]:
+    return [text[one.start : one.end] for one in find(text, search).matches]
+
+
+def test_plain_words_whole_words_case_and_expressions() -> None:
+    text = "Op op Op_1 𝛼op a-op"
+    assert spans(text, Search("op")) == ["Op", "op", "Op", "op", "op"]
+    assert spans(text, Search("op", case=True)) == ["op", "op", "op"]
+    assert spans(text, Search("op", whole=True)) == ["Op", "op"]
+    assert spans(text, Search(r"op_\d", regular=True)) == ["Op_1"]
+    assert spans("a.b", Search(".")) == ["."]
+    assert find(text, Search("")).matches == ()
+
+
+def test_what_is_no_expression_or_goes_astray_is_said() -> None:
+    assert "expression" in find("a", Search("(", regular=True)).fault
+    assert "too long" in find("a" * 60 + "b", Search("(a+)+$", regular=True)).fault
+    assert find("aaa", Search("x*", regular=True)).matches == ()
+
+
+def test_groups_stand_in_the_replacement() -> None:
+    match = find("State_12", Search(r"State_(\d)(\d)", regular=True)).matches[0]
+    assert replaced(match, r"S\2\1\\", Search("", regular=True)) == "S21\\"
+    assert replaced(Match(0, 1, ("a",)), r"\1", Search("")) == r"\1"
+
+
+def test_one_goes_from_place_to_place(at_text: At) -> None:
+    writer = at_text()
+    bar = writer.pane.find_bar
+    writer.key(Qt.Key.Key_F, CTRL)
+    assert bar.words.hasFocus()
+    QTest.keyClicks(bar.words, "state_0")
+    assert bar.count.text() == "1 of 3"
+    QTest.keyClick(bar.words, Qt.Key.Key_Return)
+    assert bar.count.text() == "2 of 3"
+    writer.pane.editor.setFocus()
+    writer.key(Qt.Key.Key_F3)
+    writer.key(Qt.Key.Key_F3)
+    assert bar.count.text() == "1 of 3"
+    writer.key(Qt.Key.Key_F3, SHIFT)
+    assert bar.count.text() == "3 of 3"
+    writer.key(Qt.Key.Key_Escape)
+    assert not bar.isVisible()
+    assert writer.pane.editor.hasFocus()
+
+
+def test_what_is_found_is_revealed_in_a_fold(at_text: At) -> None:
+    writer = at_text()
+    writer.pane.folding.fold_all()
+    writer.key(Qt.Key.Key_F, CTRL)
+    QTest.keyClicks(writer.pane.find_bar.words, "Back")
+    assert not writer.pane.editor.folds.all
+
+
+@pytest.mark.parametrize(("key", "held"), [(Qt.Key.Key_Return, NONE)])
+def test_replacing_one_and_all(at_text: At, key: Qt.Key, held: Qt.KeyboardModifier) -> None:
+    writer = at_text()
+    bar = writer.pane.find_bar
+    writer.key(Qt.Key.Key_H, CTRL)
+    bar.regular.setChecked(True)
+    QTest.keyClicks(bar.words, r"State_(\d)")
+    bar.other.setFocus()
+    QTest.keyClicks(bar.other, r"S_\1")
+    QTest.keyClick(bar.other, key, held)
+    assert writer.text.count("S_0") == 1
+    assert writer.text.index('"S_0"') == HFSM.index('"State_0"')
+    bar.every.click()
+    assert "State_" not in writer.text
+    assert writer.words == ["Replace", "Replace 6 places"]
+    assert writer.states() == ["S_0", "S_1", "S_2"]
+    writer.session.history.undo()
+    writer.session.history.undo()
+    assert writer.text == HFSM
+    assert writer.lines == HFSM.split("\n")

@@ -1,0 +1,70 @@
+"""Quick fixes of faults and findings, each one step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QMenu
+
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.inspection.inspect import inspect
+from smsl_studio.smsl.forms import form_named
+from smsl_studio.studio.broken import read_text
+from smsl_studio.studio.session import Broken, Session
+from smsl_studio.studio.theme import DARK
+from tests.studio.source.conftest import CTRL, HFSM, Writer, read
+
+At = Callable[..., Writer]
+SAMPLES = Path(__file__).parents[3] / "samples"
+
+
+def menu() -> QMenu:
+    """The menu that is open."""
+    shown = QApplication.activePopupWidget()
+    assert isinstance(shown, QMenu)
+    return shown
+
+
+def test_a_finding_is_fixed_from_its_line(at_text: At) -> None:
+    writer = at_text((SAMPLES / "hanoi.json").read_text("utf-8"), "hanoi.json")
+    writer.pane.set_findings(inspect(writer.session.blueprint))
+    writer.go('"Op_1c": "State_bbb"')
+    assert writer.pane.repairing.bulb.isVisible()
+    writer.key(Qt.Key.Key_Period, CTRL)
+    shown = menu()
+    assert shown.actions()[0].text() == "Rename to Op_1b"
+    shown.actions()[0].trigger()
+    shown.close()
+    assert '"Op_1b": "State_bbb"' in writer.text
+    assert len(writer.words) == 1
+    writer.key(Qt.Key.Key_Z, CTRL)
+    assert '"Op_1c": "State_bbb"' in writer.text
+
+
+def test_a_broken_file_is_shown_with_its_faults_and_repaired_one_by_one(at_text: At) -> None:
+    text = HFSM.replace('"State_1",', '"State_1"').replace('"State_1": {}', '"State_1" {}')
+    former = read(HFSM)
+    broken = read_text(former, "a.json", text)
+    assert isinstance(broken, Broken)
+    session = Session(former)
+    recovered = form_named("json").recover(text, "a.json")
+    session.open(read_blueprint(recovered), broken)
+    writer = at_text(session=session)
+    assert writer.text == text
+    assert writer.pane.faults.said.text().startswith("2 faults: line 6")
+    assert writer.pane.faults.said.text().endswith("the graph is what could be read.")
+    assert set(writer.pane.editor.gutter.marks) == {5, 7}
+    while session.broken is not None:
+        writer.pane.faults.fix_button.click()
+    assert writer.text == HFSM
+    assert len(writer.words) == 2
+    writer.pane.set_tokens(DARK)
+
+
+def test_what_is_active_is_lit(at_text: At) -> None:
+    writer = at_text()
+    state = next(iter(writer.session.blueprint["SB1"].states.values()))
+    writer.pane.set_active([state.address])
+    assert writer.pane.editor.gutter.active == {3, 4, 5, 6}
