@@ -112,6 +112,12 @@ def test_the_order_of_states_counts_through_the_defaults_alone() -> None:
     assert of({"A": states}).behaviour != of({"A": turned}).behaviour
 
 
+def test_the_order_of_hazards_means_nothing() -> None:
+    hazards = [{"name": name, "facts": {"A/0": "1"}} for name in "ab"]
+    assert of({"_hazards": hazards}) == of({"_hazards": hazards[::-1]})
+    assert of({"_hazards": hazards}) != of({"_hazards": hazards[:1]})
+
+
 def test_the_closure_covers_what_is_imported(tmp_path: Path) -> None:
     def put(name: str, values: Json) -> Path:
         path = tmp_path / name

@@ -23,6 +23,18 @@ def test_every_broken_file_gets_an_answer(part: int) -> None:
     assert 0 < opened < FILES // PARTS, "some open and some do not, or nothing was tried"
 
 
+FOUND = [("00:[{#\n0][]}", "json")]
+"""What once was answered by a traceback, as short as it gets."""
+
+
+@pytest.mark.parametrize(("text", "form"), FOUND)
+def test_what_was_found_stays_found(text: str, form: str) -> None:
+    doors = form_named(form)
+    with pytest.raises(ReadError):
+        doors.parse(text, "x")
+    assert doors.recover(text, "x").form == form
+
+
 def calls(work: Callable[[], object]) -> int:
     """How many calls a piece of work makes: the same on every machine and day."""
     count = 0

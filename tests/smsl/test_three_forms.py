@@ -253,6 +253,10 @@ def test_comments_go_along_between_the_forms_that_have_them() -> None:
         for said in filter(None, words):
             assert said == 'no comment"' or f"{mark}{said}\n" in text
     assert to(to(back, "yaml"), "smsl").text == back.text
+    noted = form_named("yaml").parse("SB: # name\n  _n: 1  # field\n  S: {}  # state\n", "x.yaml")
+    assert to(noted, "smsl").text == (
+        "// name\n{\n    # NAME: SB\n    // field\n    # _n: 1\n\n    S: [ ]  // state\n}\n"
+    )
     left = convert(document, "json", "x.json")
     assert left.comments_left == COMMENTED.count("//") - 1
     assert convert(left.document, "yaml", "x.yaml").comments_left == 0

@@ -187,6 +187,21 @@ def test_aliases_stand_for_values_but_not_for_the_world() -> None:
     assert error.sentence == "the aliases of this file stand for too much"
 
 
+def test_an_alias_does_not_nest_deeper_than_a_text_may() -> None:
+    deep = "_a: &a " + "[" * 40 + "]" * 40 + "\n"
+    assert parse(deep + "_b: " + "[" * 22 + "*a" + "]" * 22, "f.yaml").values["_b"]
+    error = refusal(deep + "_b: " + "[" * 24 + "*a" + "]" * 24)
+    assert error.sentence == "nested deeper than 64 levels"
+    assert error.place is not None
+    assert (error.place.line, error.place.column) == (2, 29)
+
+
+def test_places_are_told_apart_from_what_stands_before_the_content() -> None:
+    document = parse("\ufeff# c\n\nSB: {}", "f.yaml")
+    assert (document.place(()).line, document.place(()).column) == (3, 1)
+    assert recover("\ufeff \n ", "f.yaml").place(()).line == 2
+
+
 def test_a_doubled_key_opens_and_one_of_them_can_be_kept() -> None:
     text = "SB: [ S: [a: S, b: S, a: T], T: [] ]\n"
     document = parse(text, "f.yaml")
@@ -207,9 +222,10 @@ def test_a_doubled_key_opens_and_one_of_them_can_be_kept() -> None:
 
 def test_what_is_doubled_in_a_way_nobody_can_join_is_left_to_the_person() -> None:
     text = "SB:\n  S: &x {a: S}\n  T: *x\n  S: {b: T}\n"
-    document = parse(text, "f.yaml")
-    with pytest.raises(EditRefused, match="written in ways"):
-        keep_winner(document, ("SB", "S"))
+    for before in ("", "SC: &x {Q: {}}\n"):
+        document = parse(before + text, "f.yaml")
+        with pytest.raises(EditRefused, match="written in ways"):
+            keep_winner(document, ("SB", "S"))
     with pytest.raises(KeyError):
         keep_winner(document, ("SB", "Q"))
 
@@ -264,6 +280,25 @@ SB1:  # of SB1
     assert "# foot of SB1" in reconcile(edited, values).text
 
 
+@pytest.mark.parametrize(
+    ("written", "tidied"),
+    [
+        ("SB:\n  T:\n  # end\nSC:", "SB:\n  T: {}\n  # end\nSC: {}\n"),
+        ("SB: [ S: [],\n  T:\n  # end\n]\nSC:", "SB:\n  S: {}\n  T: {}\n  # end\nSC: {}\n"),
+        (
+            "_h:\n  # one\n  - a: 1\n    # two\n    b: 2\n  # end\n",
+            "_h:\n  # one\n  - a: 1\n    # two\n    b: 2\n  # end\n",
+        ),
+        ("_h: | # said\n  text\nSB: {} # of SB\n", '_h: "text\\n"  # said\nSB: {}  # of SB\n'),
+        ("# a\n{} # b\n# c\n", "{}\n# a\n# b\n# c\n"),
+        ("SB: { # one\n S: {a: S} } # two\n", "SB:  # one  # two\n  S:\n    a: S\n"),
+        ("'a#b': {\"#\": '#'}\n# c", '"a#b":\n  "#": "#"\n# c\n'),
+    ],
+)
+def test_a_comment_stays_with_what_it_speaks_of(written: str, tidied: str) -> None:
+    assert tidy(parse(written, "f.yaml")).text == tidied
+
+
 def test_tidying_twice_is_tidying_once() -> None:
     once = tidy(parse("\ufeff" + COMMENTED.replace("\n", "\r\n"), "f.yaml"))
     assert tidy(parse(once.text, "f.yaml")).text == once.text
@@ -283,6 +318,14 @@ def test_what_is_written_reads_back_in_any_yaml(values: dict[str, Any]) -> None:
     new = YAML(typ="safe", pure=True).load(text)
     old = yaml.safe_load(text)
     assert exact(new) == exact(values) == exact(old)
+
+
+def test_a_reader_of_yaml_1_1_sees_what_was_meant() -> None:
+    values = {"_x": {"y": "n", "Y": "=", "big": 1e22, "small": 1e-7, "t": "12:30:00", "d": 1.0}}
+    text = write(values)
+    assert exact(yaml.safe_load(text)) == exact(values)
+    assert '"y": "n"' in text, "some readers take these for true and false"
+    assert '"Y": "="' in text
 
 
 @pytest.mark.parametrize(

@@ -38,19 +38,19 @@ class _Walk:
             self._walk(root, (), FILE, ())
 
     def _walk(self, node: Node, path: Path, level: int, head: Path) -> None:
-        """Note what stands below a node; ``head`` is what a comment above the first speaks of."""
+        """Note what stands below a node; ``head`` is the element of a list that begins with it."""
         if node.kind not in ("map", "list"):
-            self.leaves.append(Leaf(node.start, node.end, path, head))
+            self.leaves.append(Leaf(node.start, node.end, path, head or path))
             if header := _HEAD.match(self._text, node.start, node.end):
                 self.heads.append((path, header[1].rstrip()))
             return
         as_map = is_map(node, level)
         for member, value in entries(node, level):
             under = (*path, member.key)
-            above = head if head and head != path else under
             if as_map:
-                self.leaves.append(Leaf(member.key_start, member.key_end, under, above))
-            self._walk(value, under, below(level, member.key), under)
+                self.leaves.append(Leaf(member.key_start, member.key_end, under, head or under))
+            inner = () if as_map else head or under
+            self._walk(value, under, below(level, member.key), inner)
             head = ()
         column = None if node.flow else node.start - self._text.rfind("\n", 0, node.start) - 1
         self.holders.append(Holder(node.start, node.end, path, column))

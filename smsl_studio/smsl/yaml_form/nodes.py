@@ -249,12 +249,16 @@ class _Building:
                 self._tree.roots.append(node)
             return
         above = self._open[-1]
+        name = self._names[-1]
         if above.kind == "list":
             above.value.append(node)
-        elif self._names[-1] is None:
+        elif name is None:
             self._names[-1] = node
         else:
-            above.value.append((self._names[-1], node))
+            if node.start == node.end:  # nothing, which stands wherever something follows
+                colon = self._text.find(":", name.end, node.start)
+                node.start = node.end = colon + 1 if colon >= 0 else name.end
+            above.value.append((name, node))
             self._names[-1] = None
 
 
