@@ -223,6 +223,23 @@ def test_an_edit_reads_the_same_in_every_form(old: Json, new: Json, form: str) -
     must_mean_the_same(wanted, form_named(form).parse(edited.text, "x"))
 
 
+def test_lists_of_one_key_maps_have_the_digests_of_the_maps() -> None:
+    document = read_document(samples_dir() / "hfsm.json")
+    lists = [
+        f"{name}: {_as_list(one)}"
+        for name, one in document.values.items()
+        if not name.startswith("_")
+    ]
+    listed = form_named("yaml").parse("\n".join(lists), "x.yaml")
+    assert digests(read_blueprint(listed)) == digests(read_blueprint(document))
+
+
+def _as_list(value: Any) -> str:
+    if not isinstance(value, dict):
+        return str(value)
+    return f"[{', '.join(f'{name}: {_as_list(inner)}' for name, inner in value.items())}]"
+
+
 COMMENTED = """\
 // the file
 {
