@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.studio.actions import Action, Actions, key_words
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.menu_row import MENUS
+from smsl_studio.studio.source.keys import SOURCE_KEYS
 
 CANVAS_KEYS = (
     ("Add an operation from the selected state", "Tab or /"),
@@ -39,7 +40,10 @@ def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
     grid.setContentsMargins(20, 16, 20, 16)
     grid.setVerticalSpacing(6)
     grid.setColumnStretch(0, 1)
-    rows: list[tuple[str, list[tuple[str, str]]]] = [("On the canvas", list(CANVAS_KEYS))]
+    rows: list[tuple[str, list[tuple[str, str]]]] = [
+        ("On the canvas", list(CANVAS_KEYS)),
+        ("In the source", list(SOURCE_KEYS)),
+    ]
     for menu in MENUS:
         keyed = [action for action in actions.in_menu(menu) if action.keys]
         rows.append((menu, [(_words(action), _keys(action)) for action in keyed]))

@@ -19,3 +19,10 @@ def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[Offer, ...]:
             fits = tuple(n for n in names if pattern and pattern.match(n) is not None)
             found.append(Offer(pattern.text if pattern else entry.name, plugin.name, fits))
     return tuple(found)
+
+
+def operation_names(loaded: Loaded) -> tuple[str, ...]:
+    """The operations that plugins offer by their name; patterns are left out."""
+    entries = (entry for plugin in loaded.plugins for entry in plugin.library.operations)
+    names = (entry.pattern.text if entry.pattern else entry.name for entry in entries)
+    return tuple(sorted({name for name in names if "{" not in name}))

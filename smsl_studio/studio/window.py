@@ -30,7 +30,7 @@ from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.menu_row import MenuRow
 from smsl_studio.studio.mode_bar import ModeBar
 from smsl_studio.studio.notices import goal_moved
-from smsl_studio.studio.offers import offers
+from smsl_studio.studio.offers import offers, operation_names
 from smsl_studio.studio.palette import Palette
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.panels.history import History
@@ -252,6 +252,7 @@ class Window(QMainWindow):
         """What the installed plugins offer; those that did not load are named."""
         self._loaded = loaded
         self.library.set_offers(offers(loaded, self.session.blueprint))
+        self.source.set_library(operation_names(loaded))
         self.properties.set_plugins(loaded)
         if loaded.faults:
             self.toast.warn(str(loaded.faults[0]))

@@ -58,8 +58,9 @@ class Editor(Surface):
     """A click with Ctrl held: where what stands there is defined."""
     menu_wanted = Signal(QPoint, QPoint)
     """The context menu: where in the text, and where on the screen."""
+    entered = Signal()
     left = Signal()
-    """The focus goes elsewhere."""
+    """The focus came here, or goes elsewhere."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(tokens, parent)
@@ -261,6 +262,10 @@ class Editor(Surface):
         words = f"Paste in line {self.sheet.line_of(self.sheet.where(start)[0]) + 1}"
         self.replace(start, end, part, words, start + len(part))
         self.ensureCursorVisible()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.entered.emit()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)

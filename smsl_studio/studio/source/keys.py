@@ -20,16 +20,18 @@ _OPEN = (Qt.Key.Key_BracketLeft, Qt.Key.Key_BraceLeft)
 _SHUT = (Qt.Key.Key_BracketRight, Qt.Key.Key_BraceRight)
 Combination = tuple[int, Qt.KeyboardModifier]
 
-HELP = (
-    ("Ctrl+Space", "complete a name"),
-    ("Ctrl+F, F3, Shift+F3, Ctrl+H", "find, next, previous, replace"),
-    ("F12, Ctrl+click", "go to what a name stands for"),
-    ("Ctrl+.", "the quick fixes of this line"),
-    ("Ctrl+Shift+[, Ctrl+Shift+]", "fold, unfold"),
-    ("Ctrl+Alt+[, Ctrl+Alt+]", "fold every State Branch, unfold everything"),
-    ("Tab, Shift+Tab", "indent, unindent; Esc and then Tab leaves the text"),
-    ("Ctrl+D, Alt+Up, Alt+Down", "duplicate a line, move it"),
-    ("Ctrl+/", "comment lines, where the form has comments"),
+SOURCE_KEYS = (
+    ("Complete a name", "Ctrl+Space"),
+    ("Find, next, previous, replace", "Ctrl+F, F3, Shift+F3, Ctrl+H"),
+    ("Go to what a name stands for", "F12 or Ctrl and click"),
+    ("The quick fixes of this line", "Ctrl+."),
+    ("Fold, unfold", "Ctrl+Shift+[, Ctrl+Shift+]"),
+    ("Fold every State Branch, unfold everything", "Ctrl+Alt+[, Ctrl+Alt+]"),
+    ("Indent, unindent", "Tab, Shift+Tab"),
+    ("Leave the text", "Esc and then Tab"),
+    ("Duplicate a line, move it", "Ctrl+D, Alt+Up, Alt+Down"),
+    ("Comment lines, where the form has comments", "Ctrl+/"),
+    ("Larger, smaller", "Ctrl and mouse wheel"),
 )
 """What the list of shortcuts says about them."""
 

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.finding import Finding
@@ -81,6 +81,7 @@ class Source(QWidget):
         editor.typed.connect(self.typing.begin)
         editor.starting.connect(self.settle)
         editor.caret_moved.connect(self._tell_caret)
+        editor.entered.connect(self._tell_caret)
         editor.left.connect(self.settle)
         self.find_bar.changed.connect(self.marking.mark)
         self.files.chosen.connect(self._choose_file)
@@ -272,7 +273,9 @@ class Source(QWidget):
         self.faults.show_faults(broken.error if broken else None, name, self._salvaged)
 
     def _tell_caret(self) -> None:
-        if self.editor.hasFocus():
+        """Say where the caret is, while one works here: in the text, or in the bar that finds."""
+        focus = QApplication.focusWidget()
+        if focus is not None and self.isAncestorOf(focus):
             line, column = self.editor.caret
             self.caret_moved.emit(self.editor.sheet.line_of(line) + 1, column + 1)
             self.repairing.show_bulb()

@@ -117,9 +117,3 @@ def test_escape_and_tab_leave_the_text(at_text: At, key: Qt.Key) -> None:
     writer.key(key)
     left = key == Qt.Key.Key_Tab
     assert (writer.text == HFSM) is left
-
-
-def test_the_list_of_shortcuts_knows_the_keys_of_the_text() -> None:
-    from smsl_studio.studio.source.keys import HELP
-
-    assert any("Ctrl+Space" in keys for keys, _ in HELP)
