@@ -76,10 +76,10 @@ class Dialogs:
             f"Save as {form}",
         )
 
-    def unsaved(self, name: str) -> Answer:
+    def unsaved(self, said: str) -> Answer:
         box = QMessageBox(self._window)
         box.setWindowTitle("Unsaved changes")
-        box.setText(f"{name} has unsaved changes.")
+        box.setText(said)
         box.setInformativeText("Saving writes them to the file. Discarding loses them.")
         save = box.addButton("Save", QMessageBox.ButtonRole.AcceptRole)
         discard = box.addButton("Discard changes", QMessageBox.ButtonRole.DestructiveRole)

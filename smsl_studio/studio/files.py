@@ -49,8 +49,8 @@ class Asker(Protocol):
     def file_to_save(self, suggested: Path) -> Path | None:
         """Where to save, None where it was called off."""
 
-    def unsaved(self, name: str) -> Answer:
-        """What becomes of unsaved changes."""
+    def unsaved(self, said: str) -> Answer:
+        """What becomes of unsaved changes; ``said`` names the files."""
 
     def may_overwrite(self, names: str) -> bool:
         """Whether to save over what another program has written."""
@@ -82,6 +82,7 @@ class Files(QObject):
         self.path: Path | None = None
         self.on_disk = OnDisk()
         self._name = UNTITLED
+        self._told: set[str] = set()
         session.blueprint_changed.connect(lambda *_: self._learn())
 
     @property
@@ -168,6 +169,7 @@ class Files(QObject):
         self._session.open(opened.blueprint, opened.broken)
         self._learn()
         self.changed.emit()
+        self._say_how_yaml_is_written()
 
     def save(self) -> bool:
         """Save every text that is not on the disk, all or none; asks where to if need be."""
@@ -192,7 +194,9 @@ class Files(QObject):
         self.settling.emit()
         if not self.edited:
             return True
-        answer = self._asker.unsaved(_listed([self.display(file) for file in self.unsaved]))
+        names = [self.display(file) for file in self.unsaved]
+        has = "has" if len(names) == 1 else "have"
+        answer = self._asker.unsaved(f"{_listed(names)} {has} unsaved changes.")
         return self.save() if answer == "save" else answer == "discard"
 
     def _folder(self) -> Path:
@@ -215,6 +219,15 @@ class Files(QObject):
         if self.path is None:
             texts.pop(self._session.blueprint.file, None)
         self.on_disk.saw_if_new(texts)
+
+    def _say_how_yaml_is_written(self) -> None:
+        """Once for each file, and before the first edit."""
+        forms = {document.file: document.form for document in self._session.blueprint.documents}
+        yaml = [file for file in forms if forms[file] == "yaml" and file not in self._told]
+        self._told.update(yaml)
+        if yaml:
+            names = _listed([self.display(file) for file in yaml])
+            self.said.emit(f"{names}: YAML is written whole when it is edited; comments may move.")
 
     def _store(self, files: Sequence[str]) -> bool:
         """Write these of the session's files to where they came from."""

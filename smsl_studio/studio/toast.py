@@ -13,6 +13,8 @@ from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import capital
 
 REFUSED_MS, SAID_MS, WIDTH = 12_000, 3_000, 460
+READING_MS = 70
+"""For each letter; a long sentence takes longer to read."""
 
 
 class Toast(QWidget):
@@ -54,7 +56,7 @@ class Toast(QWidget):
 
     def say(self, sentence: str) -> None:
         """Say something that went well."""
-        self._show(sentence, "", False, SAID_MS)
+        self._show(sentence, "", False, max(SAID_MS, READING_MS * len(sentence)))
 
     def warn(self, sentence: str) -> None:
         """Say something that went wrong and is no refusal."""

@@ -36,7 +36,7 @@ def all_actions(
 ) -> tuple[Action, ...]:
     """Every row, menu by menu."""
     return (
-        *file_actions(files, windows),
+        *file_actions(files, session, windows),
         *sample_actions(files),
         *edit_actions(session, drawing, shell),
         *view_actions(drawing, docks, windows, shell),

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence
@@ -25,6 +27,8 @@ class Outline(Panel):
 
     fact_wanted = Signal(str, int)
     """(SB, digit): a fact was clicked, and its properties are wanted."""
+    file_wanted = Signal(str)
+    """The file in which an imported SB stands is to be opened."""
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Outline", parent)
@@ -134,6 +138,12 @@ class Outline(Panel):
             name = self._current_branch()
             menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", self.rename_branch)
             menu.addAction(icon("trash", self._tokens), f"Delete {name}\tDel", self.delete_branch)
+            home = self._session.blueprint.imported.get(name)
+            if home is not None:
+                opening = partial(self.file_wanted.emit, home.file)
+                menu.addAction(
+                    icon("folder", self._tokens), f"Open {Path(home.file).name}", opening
+                )
         menu.exec(self.tree.viewport().mapToGlobal(at))
         menu.deleteLater()
 
@@ -152,6 +162,7 @@ class Outline(Panel):
 
     def _item(self, branch: str) -> QTreeWidgetItem | None:
         for item in self.tree.items():
-            if line_of(item).branch == branch and line_of(item).digit is None:
+            line = line_of(item)
+            if line.branch == branch and line.digit is None and not line.fault:
                 return item
         return None

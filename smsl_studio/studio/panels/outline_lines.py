@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from pathlib import PurePath
 
-from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.inspection.finding import Finding
+from smsl_studio.studio.words import capital
 
 
 @dataclass(frozen=True)
 class Line:
     """One line: an SB (``digit`` is None) or one of its facts; ``depth`` counts from 0.
 
-    ``right`` is the SB's level, or the values of a fact that has more than 0 and 1.
+    ``right`` is the SB's level, or the values of a fact that has more than 0 and 1. ``file`` is
+    where an SB stands that is imported. A line with a ``fault`` is an import that failed, and no
+    SB.
     """
 
     depth: int
@@ -23,6 +27,13 @@ class Line:
     right: str
     sub: bool = False
     severity: str = ""
+    file: str = ""
+    fault: str = ""
+
+    @property
+    def home(self) -> str:
+        """The name of the file an imported SB stands in; empty for the blueprint's own."""
+        return PurePath(self.file).name
 
     @property
     def plain(self) -> Line:
@@ -31,8 +42,11 @@ class Line:
 
     @property
     def tip(self) -> str:
+        if self.fault:
+            return self.fault
         if self.digit is None:
-            return f"State Branch {self.text}, level {self.right}"
+            where = f", in {self.file}" if self.file else ""
+            return f"State Branch {self.text}, level {self.right}{where}"
         values = f", values {self.right}" if self.right else ""
         return f"Fact {self.digit} of {self.branch}: {self.text}{values}"
 
@@ -40,7 +54,8 @@ class Line:
 def lines_of(blueprint: Blueprint, findings: Sequence[Finding]) -> tuple[Line, ...]:
     """Every line, from top to bottom."""
     worst = _worst(findings)
-    return tuple(line for name in _tops(blueprint) for line in _branch(blueprint, name, worst, ()))
+    lines = [line for name in _tops(blueprint) for line in _branch(blueprint, name, worst, ())]
+    return (*lines, *map(_failed, blueprint.import_faults))
 
 
 def _branch(
@@ -50,7 +65,9 @@ def _branch(
     if branch is None or name in path:
         return
     depth = 2 * len(path)
-    yield Line(depth, name, None, name, str(len(path)), severity=worst.get(name, ""))
+    home = blueprint.imported.get(name)
+    file = home.file if home is not None else ""
+    yield Line(depth, name, None, name, str(len(path)), False, worst.get(name, ""), file)
     for digit in _digits(branch):
         sub = branch.subs.get(digit)
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
@@ -58,6 +75,14 @@ def _branch(
         yield Line(depth + 1, name, digit, branch.fact_name(digit), right, sub is not None)
         if sub is not None:
             yield from _branch(blueprint, sub, worst, (*path, name))
+
+
+def _failed(fault: ImportFault) -> Line:
+    """An import that failed, with the files that led to it."""
+    chain = " > ".join(fault.chain)
+    told = f"{capital(fault.sentence)} {chain}".strip()
+    name = fault.chain[-1] if len(fault.chain) > 1 else "_imports"
+    return Line(0, "", None, name, "", severity="E", fault=told)
 
 
 def _digits(branch: StateBranch) -> range:

@@ -23,6 +23,8 @@ from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, mono_font
 
 ROW, INDENT = 28, 13
+NAMEABLE = 40
+"""Pixels from which on there is room for the name of a file behind that of an SB."""
 Index = QModelIndex | QPersistentModelIndex
 
 
@@ -147,11 +149,12 @@ class OutlineDelegate(QStyledItemDelegate):
         mid = rect.center().y()
         badge = QRectF(rect.right() - 31, mid - 10, 20, 20)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(tokens.sunk)
-        painter.drawRoundedRect(badge, 4, 4)
-        painter.setBrush(Qt.BrushStyle.NoBrush)
-        paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, Ink(tokens.tx2, 11, 500))
+        if not line.fault:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(tokens.sunk)
+            painter.drawRoundedRect(badge, 4, 4)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, Ink(tokens.tx2, 11, 500))
         right = badge.left() - 6
         if line.severity:
             box = QRectF(right - 15, mid - 7, 14, 14)
@@ -161,9 +164,15 @@ class OutlineDelegate(QStyledItemDelegate):
         if line.branch in self.active:
             right = self._active(painter, rect, right, line.branch)
         box = QRectF(rect.left() + 14, mid - 7.5, 15, 15)
-        draw(painter, "layers", box, tokens.acc if chosen else tokens.tx2, tokens.surf)
+        icon = "file" if line.fault else "layers"
+        draw(painter, icon, box, tokens.acc if chosen else tokens.tx2, tokens.surf)
         room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
-        paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
+        if line.fault:
+            paint_text(painter, room, f"{line.text} (not imported)", Ink(tokens.tx2))
+            return
+        used = paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
+        if line.home and room.width() - used > NAMEABLE:
+            paint_text(painter, room.adjusted(used + 8, 0, 0, 0), line.home, Ink(tokens.tx2, 12))
 
     def _active(self, painter: QPainter, rect: QRectF, right: float, branch: str) -> float:
         """The active state of an SB as a chip, filled while it runs; how far the name may go."""
@@ -220,5 +229,5 @@ def _put(item: QTreeWidgetItem, line: Line) -> None:
     item.setText(0, line.text)
     item.setData(0, Qt.ItemDataRole.UserRole, line)
     item.setToolTip(0, line.tip)
-    if line.digit is None:
+    if line.digit is None and not line.fault:
         item.setFlags(item.flags() | Qt.ItemFlag.ItemIsEditable)

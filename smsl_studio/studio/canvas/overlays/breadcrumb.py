@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import PurePath
+
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QFontMetricsF,
@@ -50,8 +52,11 @@ class Breadcrumb(QWidget):
         if self._chain:
             shown = blueprint[branch]
             states, operations = len(shown.table), shown.edge_count
+            home = blueprint.imported.get(branch)
+            where = f"in {PurePath(home.file).name}, " if home is not None else ""
+            self.setToolTip(home.file if home is not None else blueprint.file)
             self._note = (
-                f"{states:,} state{'' if states == 1 else 's'}, "
+                f"{where}{states:,} state{'' if states == 1 else 's'}, "
                 f"{operations:,} operation{'' if operations == 1 else 's'}"
             )
         self.setAccessibleDescription(" > ".join((self._file, *self._chain)))
