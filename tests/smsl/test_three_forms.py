@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 from typing import Any
 
@@ -277,6 +278,37 @@ def test_comments_go_along_between_the_forms_that_have_them() -> None:
     left = convert(document, "json", "x.json")
     assert left.comments_left == COMMENTED.count("//") - 1
     assert convert(left.document, "yaml", "x.yaml").comments_left == 0
+
+
+@settings(max_examples=60)
+@given(FILES, st.integers(0, 10**6), st.sampled_from(("smsl", "yaml")))
+def test_comments_anywhere_survive_tidying_and_converting(
+    values: Json, seed: int, form: str
+) -> None:
+    text, words = commented(to(parse_json(write_json(values), "x.json"), form).text, form, seed)
+    document = form_named(form).parse(text, "x")
+    other = "yaml" if form == "smsl" else "smsl"
+    for after in (form_named(form).tidy(document), to(document, other)):
+        assert [word for word in words if word not in after.text] == []
+        assert form_named(after.form).parse(after.text, "x").values == after.values
+        must_mean_the_same(document, after)
+
+
+def commented(text: str, form: str, seed: int) -> tuple[str, list[str]]:
+    """A text with comments on lines of their own and behind others, and the word of each."""
+    chance, mark = random.Random(seed), "//" if form == "smsl" else "#"
+    lines: list[str] = []
+    words: list[str] = []
+    for written in text.split("\n"):
+        line = written
+        if chance.random() < 0.3:
+            words.append(f"word{len(words)}.")
+            lines.append(f"{' ' * chance.choice((0, 2, 4, 6, 8))}{mark} {words[-1]}")
+        if chance.random() < 0.2 and line.strip():
+            words.append(f"word{len(words)}.")
+            line = f"{line} {mark} {words[-1]}"
+        lines.append(line)
+    return "\n".join(lines), words
 
 
 def test_what_is_written_twice_is_not_thrown_away() -> None:
