@@ -1,0 +1,137 @@
+"""A file that does not read is opened all the same: its text, its faults, and what can be drawn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication, QMessageBox
+
+from smsl_studio.blueprint import editing
+from smsl_studio.studio.dialogs import Dialogs
+from tests.stories.conftest import Sit
+from tests.stories.person import Person
+
+BROKEN = {
+    "a.json": """{
+  "SB1": {
+    "State_0": {"Up": "State_1"}
+    "State_1": {"Down" "State_0"}
+  }
+}
+""",
+    "a.smsl": """{
+    # NAME: SB1
+    State_0: [Up -> State_1]
+    State_1: [Down > State_0
+}
+""",
+    "a.yaml": """SB1:
+  State_0:
+    Up: State_1
+  State_1: {Down: State_0
+""",
+}
+
+
+def answer(person: Person, words: str, told: list[str]) -> None:
+    """Press a button of the question that comes up next."""
+
+    def press() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        told.append(box.text())
+        next(b for b in box.buttons() if b.text() == words).click()
+
+    QTimer.singleShot(50, person.window, press)
+
+
+def broken(name: str, folder: Path) -> Path:
+    path = folder / name
+    path.write_text(BROKEN[name])
+    return path
+
+
+@pytest.mark.parametrize("name", list(BROKEN))
+def test_the_text_its_faults_and_what_could_be_read_are_shown(
+    name: str, sit: Sit, tmp_path: Path
+) -> None:
+    path = broken(name, tmp_path)
+    person = sit(path)
+    window = person.window
+    assert window.session.broken is not None
+    faults = len(window.session.broken.error.faults)
+    said = f"{faults} fault{'' if faults == 1 else 's'} in the text"
+    assert window.docks.right_tabs.current == "Source"
+    assert window.source.editor.sheet.text == BROKEN[name]
+    assert window.findings.empty.text().startswith(said)
+    assert "No findings" not in window.findings.empty.text()
+    assert said in window.status_line.words
+    assert "does not read" in window.canvas.overlays.banner.text
+    assert window.menu_row.title == name, "nothing was edited"
+    assert "State_0" in person.blueprint["SB1"].table
+    person.until_inspected()
+    assert window.findings.empty.text().startswith(said)
+    assert path.read_text() == BROKEN[name]
+
+
+def test_an_edit_is_refused_until_the_text_is_repaired(sit: Sit, tmp_path: Path) -> None:
+    person = sit(broken("a.json", tmp_path))
+    session = person.window.session
+    assert not session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_2"))
+    assert "a.json does not read" in person.window.toast.words
+    whole = BROKEN["a.json"].replace('"}\n    "State_1"', '"},\n    "State_1"')
+    session.write("Repair", whole.replace('"Down" "', '"Down": "'))
+    assert session.broken is None
+    assert not person.window.canvas.overlays.banner.text
+    person.until_inspected()
+    assert "in the text" not in person.window.status_line.words
+    assert person.window.menu_row.title == "a.json edited"
+    assert session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_2"))
+    assert person.window.files.save()
+    session.history.undo()
+    session.history.undo()
+    assert session.broken is not None, "undone to the text that was opened"
+
+
+def test_a_text_that_does_not_read_is_saved_after_asking(sit: Sit, tmp_path: Path) -> None:
+    path = broken("a.json", tmp_path)
+    person = sit(path)
+    typed = BROKEN["a.json"].replace("Up", "Upward")
+    person.window.session.write("Type", typed)
+    told: list[str] = []
+    answer(person, "Cancel", told)
+    assert not person.window.files.save()
+    assert path.read_text() == BROKEN["a.json"]
+    answer(person, "Save as it is", told)
+    assert person.window.files.save()
+    assert path.read_text() == typed
+    assert person.window.menu_row.title == "a.json"
+    assert told == ["The text of a.json does not read as a blueprint."] * 2
+
+
+def test_a_text_that_does_not_read_cannot_change_its_form(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person = sit(broken("a.json", tmp_path))
+    for name, good in (("b.yaml", False), ("b.json", True)):
+        target = tmp_path / name
+        monkeypatch.setattr(Dialogs, "file_to_save", lambda *_, target=target: target)
+        answer(person, "Save as it is", [])
+        assert person.window.files.save_as() is good
+        assert target.exists() is good
+    assert (tmp_path / "b.json").read_text() == BROKEN["a.json"]
+    assert person.window.menu_row.title == "b.json"
+    assert person.window.session.broken is not None
+
+
+def test_a_file_with_nothing_that_reads_is_no_blank_pane(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "letter.json"
+    path.write_text("Dear all,\nthis is a letter.\n")
+    person = sit(path)
+    assert person.window.source.editor.sheet.text == path.read_text()
+    assert "Nothing of it can be drawn" in person.window.canvas.overlays.banner.text
+    assert "fault" in person.window.findings.empty.text()
+    person.window.set_mode("run")
+    person.window.set_mode("draw")
