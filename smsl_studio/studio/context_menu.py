@@ -11,15 +11,20 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.session import Session
 
 ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")
-ON_STATE = ("connect", "rename", "delete")
-ON_OPERATION = ("rename", "delete")
+ON_STATE = ("connect", "rename", "", "cut", "copy", "duplicate", "", "delete")
+ON_OPERATION = ("rename", "", "cut", "copy", "duplicate", "", "delete")
 
 
 def context_menu(
-    session: Session, editor: CanvasEditor, actions: Actions, address: Address | None
+    session: Session,
+    editor: CanvasEditor,
+    actions: Actions,
+    clipping: Clipping,
+    address: Address | None,
 ) -> QMenu:
     """The menu for an element, which is selected with it, or for the empty canvas."""
     menu = QMenu(_window(editor))
@@ -28,7 +33,9 @@ def context_menu(
         at = editor.canvas.mapToScene(editor.canvas.mapFromGlobal(QCursor.pos()))
         add = menu.addAction("Add a state here", partial(editor.add_state_at, at))
         add.setIcon(actions["add_state"].icon())
+        menu.addAction("Paste here", partial(clipping.paste, at))
         _add(menu, actions, ON_CANVAS)
+        _add_home(menu, session, actions)
         return menu
     if address not in session.selection:
         session.select((address,))
@@ -43,7 +50,15 @@ def context_menu(
         mark = menu.addAction(words, partial(_set, session, key, address))
         mark.setCheckable(True)
         mark.setChecked(chosen)
+    _add_home(menu, session, actions)
     return menu
+
+
+def _add_home(menu: QMenu, session: Session, actions: Actions) -> None:
+    """An SB from another file is at home there."""
+    if session.branch in session.blueprint.imported:
+        menu.addSeparator()
+        menu.addAction(actions["open_home"])
 
 
 def _set(session: Session, key: str, address: Address) -> None:

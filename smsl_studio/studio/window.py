@@ -17,6 +17,7 @@ from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.body import Body
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands import all_actions
 from smsl_studio.studio.compare.comparing import Comparing
 from smsl_studio.studio.context_menu import context_menu
@@ -24,7 +25,9 @@ from smsl_studio.studio.dialogs import Dialogs
 from smsl_studio.studio.docks import Docks
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files import Files, empty_blueprint
+from smsl_studio.studio.find.finder import Finder
 from smsl_studio.studio.fix_card import FixCard
+from smsl_studio.studio.going import Going
 from smsl_studio.studio.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.menu_row import MenuRow
@@ -84,6 +87,7 @@ class Window(QMainWindow):
         self.canvas = Canvas(tokens)
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = Drawing(session, self.editor)
+        self.clipping = Clipping(session, self.canvas, lambda words: self.toast.say(words))
         self.run_pane = RunPane(session, tokens)
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
@@ -95,12 +99,12 @@ class Window(QMainWindow):
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
+        ask = Dialogs(self).file_to_open
+        self.comparing = Comparing(session, self.files, ask, tokens, self)
         self.safety = Safety(
             session, self.files, self.source, self.toast, self._settings,
             self.comparing.with_version, tokens, self,
         )  # fmt: skip
-        ask = Dialogs(self).file_to_open
-        self.comparing = Comparing(session, self.files, ask, tokens, self)
         self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
         self.docks = Docks(self, self.outline, self.library)
         self.docks.right_tabs.add("Properties", self.properties)
@@ -110,7 +114,7 @@ class Window(QMainWindow):
 
     def _build_actions(self) -> None:
         table = all_actions(
-            self, self.session, self.files, self.drawing, self.findings, self.docks,
+            self, self.session, self.files, self.drawing, self.clipping, self.findings, self.docks,
             self.run_pane, self._windows, self.comparing,
         )  # fmt: skip
         self.actions_table = Actions(table, self, self.tokens, self.settle)
@@ -128,7 +132,9 @@ class Window(QMainWindow):
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
-        self.command_palette = Palette(self.session, actions, tokens, self)
+        self.going = Going(self.docks, self.properties, self.files)
+        finder = Finder(self.session, actions, self.findings, self.going)
+        self.command_palette = Palette(finder, tokens, self)
         marked = (self.outline, self.library, self.source, self.fix_card)
         self.tidings = Tidings(
             self.session, self.inspector, self.findings, self.editor, self.status_line, marked,
@@ -161,8 +167,9 @@ class Window(QMainWindow):
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)
         )
         self.fix_card.fix_wanted.connect(self.findings.fix)
-        self.outline.fact_wanted.connect(self.show_fact)
+        self.outline.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self.files.open(Path(file)))
+        self.canvas.verb_wanted.connect(lambda name: actions[name].trigger())
         self.properties.file.ask_file = Dialogs(self).file_to_open
         self.canvas.context_wanted.connect(self._open_context_menu)
         self.docks.changed.connect(actions.refresh)
@@ -212,11 +219,6 @@ class Window(QMainWindow):
     def name(self) -> str:
         """The name of the file that is shown."""
         return self.files.name
-
-    def show_fact(self, branch: str, digit: int) -> None:
-        """Show what a fact means in the properties."""
-        self.docks.show_tab("Properties")
-        self.properties.show_fact(branch, digit)
 
     def stop_run(self) -> None:
         self.run_pane.stop()
@@ -297,18 +299,22 @@ class Window(QMainWindow):
             field.clearFocus()
             field.setFocus()
         if isinstance(field, QLineEdit):
-            at = field.cursorPosition()
+            at, marked, length = (
+                field.cursorPosition(), field.selectionStart(), field.selectionLength()
+            )  # fmt: skip
             field.clearFocus()
             if field.isVisible():
                 field.setFocus()
                 field.setCursorPosition(at)
+                if length:
+                    field.setSelection(marked, length)
 
     def _run_exists(self, exists: bool) -> None:
         self.mode_bar.show_stop(exists)
         self._stop_key.listen(exists)
 
     def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
-        menu = context_menu(self.session, self.editor, self.actions_table, address)
+        menu = context_menu(self.session, self.editor, self.actions_table, self.clipping, address)
         menu.popup(at)
 
     def _offer_samples(self) -> None:

@@ -66,7 +66,7 @@ def test_a_fact_is_described_in_its_form(sit: Sit) -> None:
 
 def test_a_default_is_not_written(sit: Sit) -> None:
     person = sit(REGISTRATION)
-    person.window.show_fact("REGISTRATION", 0)
+    person.window.going.show_fact("REGISTRATION", 0)
     form = person.window.properties.fact
     person.click(form.line("critical").field)
     person.click(form.line("critical").field)
@@ -88,7 +88,7 @@ def test_a_fact_that_a_sub_sb_expands_has_no_sensor_of_its_own(sit: Sit) -> None
     assert not form.line("sensors").isVisible()
     person.click(form.close_button)
     assert person.window.properties.state.isVisible(), "what is selected counts again"
-    person.window.show_fact("SB1", 1)
+    person.window.going.show_fact("SB1", 1)
     person.click(form.enter)
     assert person.window.session.branch == "SB2"
 
@@ -96,7 +96,7 @@ def test_a_fact_that_a_sub_sb_expands_has_no_sensor_of_its_own(sit: Sit) -> None
 def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:
     odd = {"0": {"name": 7, "max_age": "soon"}}
     person = sit(written(tmp_path, {"SB1": {"_facts": odd, "State0": {}, "State1": {}}}))
-    person.window.show_fact("SB1", 0)
+    person.window.going.show_fact("SB1", 0)
     form = person.window.properties.fact
     assert "does not fit" in form.line("max_age").refusal.text()
     person.write(form.line("unit").field, "mm")  # type: ignore[arg-type]
@@ -314,7 +314,7 @@ def test_no_form_is_wider_than_its_panel(sit: Sit) -> None:
     for address in ("SB1/State_aaa", "SB1/State_aaa/Op_1b"):
         person.window.session.jump(person.blueprint.resolve(address))
         assert inner.minimumSizeHint().width() <= properties.viewport().width()
-    person.window.show_fact("SB1", 0)
+    person.window.going.show_fact("SB1", 0)
     assert inner.minimumSizeHint().width() <= properties.viewport().width() <= 304
     person.click_canvas(QPoint(20, 300))
     assert not properties.fact.isVisible(), "what is chosen next takes its place"

@@ -348,19 +348,25 @@ def test_the_menu_at_the_pointer_fits_what_lies_there(sit: Sit) -> None:
 
     def words(address: str | None) -> list[str]:
         at = person.blueprint.resolve(address) if address else None
-        menu = context_menu(window.session, window.editor, window.actions_table, at)
+        menu = context_menu(
+            window.session, window.editor, window.actions_table, window.clipping, at
+        )
         found = [action.text().partition("\t")[0] for action in menu.actions() if action.text()]
         menu.deleteLater()
         return found
 
     assert words(None)[0] == "Add a state here"
     assert words("SB1/State100") == [
-        "Connect", "Rename", "Delete", "Make initial", "Make activating"
+        "Connect", "Rename", "Cut", "Copy", "Duplicate", "Delete",
+        "Make initial", "Make activating",
     ]  # fmt: skip
     assert person.selected() == ["SB1/State100"]
-    assert words("SB1/State100/Operation100A") == ["Rename", "Delete"]
+    assert words("SB1/State100/Operation100A") == [
+        "Rename", "Cut", "Copy", "Duplicate", "Delete"
+    ]  # fmt: skip
     state = person.blueprint.resolve("SB1/State100")
-    menu = context_menu(window.session, window.editor, window.actions_table, state)
+    shown = window.session, window.editor, window.actions_table, window.clipping
+    menu = context_menu(*shown, state)
     next(a for a in menu.actions() if a.text() == "Make activating").trigger()
     assert person.blueprint["SB1"].activating == "State100"
 

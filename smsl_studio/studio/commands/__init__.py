@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
+from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands.blueprint import blueprint_actions
 from smsl_studio.studio.commands.compare import compare_actions
 from smsl_studio.studio.commands.edit import edit_actions
@@ -28,6 +29,7 @@ def all_actions(
     session: Session,
     files: Files,
     drawing: Drawing,
+    clipping: Clipping,
     findings: Findings,
     docks: Docks,
     run: Transport,
@@ -38,7 +40,7 @@ def all_actions(
     return (
         *file_actions(files, session, windows),
         *sample_actions(files),
-        *edit_actions(session, drawing, shell),
+        *edit_actions(session, drawing, clipping, shell),
         *view_actions(drawing, docks, windows, shell),
         *blueprint_actions(drawing, findings, shell),
         *compare_actions(comparing),

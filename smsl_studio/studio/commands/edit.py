@@ -3,18 +3,37 @@
 from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
+from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands.shell import Shell
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.session import Session
 
 
-def edit_actions(session: Session, drawing: Drawing, shell: Shell) -> tuple[Action, ...]:
+def edit_actions(
+    session: Session, drawing: Drawing, clipping: Clipping, shell: Shell
+) -> tuple[Action, ...]:
     history = session.history
+
+    def drawn() -> bool:
+        return shell.mode == "draw"
+
     return (
         Action("undo", "Undo", history.undo, "Edit", "undo", ("Ctrl+Z",), history.canUndo,
                tip="Undo the last step"),
         Action("redo", "Redo", history.redo, "Edit", "redo", ("Ctrl+Shift+Z", "Ctrl+Y"),
                history.canRedo, tip="Do the undone step again"),
+        Action("cut", "Cut", clipping.cut, "Edit", "", ("Ctrl+X",),
+               lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
+               tip="Take what is selected away, onto the clipboard"),
+        Action("copy", "Copy", clipping.copy, "Edit", "", ("Ctrl+C",),
+               lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
+               tip="Copy what is selected as SMSL text, for any window or editor"),
+        Action("paste", "Paste", clipping.paste, "Edit", "", ("Ctrl+V",), drawn,
+               scope="canvas", section=1,
+               tip="Put in what was copied, or any SMSL text, at the pointer"),
+        Action("duplicate", "Duplicate", clipping.duplicate, "Edit", "", ("Ctrl+D",),
+               lambda: drawn() and clipping.can_duplicate(), scope="canvas", section=1,
+               tip="A copy of what is selected, beside it"),
         Action("rename", "Rename", drawing.rename, "Edit", "pencil", ("F2",),
                lambda: shell.mode == "draw" and drawing.can_rename(), scope="canvas", section=1,
                tip="Edit the name in place"),
@@ -23,6 +42,9 @@ def edit_actions(session: Session, drawing: Drawing, shell: Shell) -> tuple[Acti
                section=1),
         Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
                lambda: shell.mode == "draw" and drawing.has_states(), scope="canvas", section=1),
-        Action("palette", "Find or run a command", shell.open_palette, "Edit", "search",
-               ("Ctrl+K",), section=2),
+        Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
+               "search", ("Ctrl+K",), section=2),
+        Action("find", "Find in the blueprint", shell.open_palette, "Edit", "", ("Ctrl+F",),
+               drawn, scope="canvas", section=2,
+               tip="Find states, operations, facts, hazards and findings by typing"),
     )  # fmt: skip

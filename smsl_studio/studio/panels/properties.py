@@ -77,6 +77,17 @@ class Properties(QScrollArea):
         self._show()
         self.verticalScrollBar().setValue(0)
 
+    def show_hazard(self, name: str) -> None:
+        """Show a hazard of any of the files; the SB that is shown says which file's are listed."""
+        blueprint = self._session.blueprint
+        for branch in blueprint.branches:
+            home = blueprint.home(branch)
+            if any(hazard.name == name for hazard in blueprint.hazards_of(home)):
+                self._session.show_branch(branch)
+                break
+        self.hazards.reveal(name)
+        self.ensureWidgetVisible(self.hazards)
+
     def _selected(self) -> None:
         """What was selected counts, and no fact any more."""
         self._fact = None

@@ -20,7 +20,11 @@ def try_edit(
 
     ``refuse`` is told nothing (the empty text) where it was taken.
     """
+    # What is still being typed elsewhere comes first, and the edit is made upon it.
+    session.settling.emit()
     try:
+        if session.broken is not None:
+            raise session.broken.refusal
         after = change(session.blueprint)
     except StudioError as error:
         refuse(" ".join(filter(None, (capital(error.sentence), error.advice))))

@@ -1,0 +1,126 @@
+"""Finding lines by what is typed: prefixes first, then words, then pieces, then letters in order.
+
+All lines are one text, which C code searches: 59,049 states take a few milliseconds a keystroke.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Iterator, Sequence
+from itertools import accumulate
+from typing import NamedTuple
+
+EXACT, PREFIX, FIELD, WORD, PIECE, LETTERS = range(6)
+"""How well a line fits: the lower the better."""
+SEPARATORS = "_- ./"
+MOST_HITS = 6_000
+"""So many places of a piece are looked at; with more, what is typed says too little to rank by."""
+LONGEST = 100
+FIELDS = "\t"
+
+
+class Hit(NamedTuple):
+    """A line that fits; they sort by how well, then the shorter, then in their order."""
+
+    tier: int
+    length: int
+    line: int
+
+
+class Haystack:
+    """Lines of tab-separated fields, the name first; case does not count."""
+
+    def __init__(self, lines: Sequence[str]) -> None:
+        cleaned = [line.replace("\n", " ") for line in lines]
+        written = "\n" + "\n".join(cleaned) + "\n"
+        text = written.lower()
+        if len(text) != len(written):  # a few letters get longer in lower case
+            text = "\n" + "\n".join(_lowered(line) for line in cleaned) + "\n"
+        self._written, self._text = written, text
+        self._starts = list(accumulate((len(line) + 1 for line in cleaned), initial=1))
+
+    def __len__(self) -> int:
+        return len(self._starts) - 1
+
+    def find(self, typed: str, most: int) -> list[Hit]:
+        """The best lines, in order; all of the words must stand in a line."""
+        words = _lowered(typed[:LONGEST].replace("\n", " ").replace(FIELDS, " ")).split()
+        if not words:
+            return []
+        found: dict[int, int] = {}
+        phrase = " ".join(words)
+        self._add(found, self._phrase(phrase))
+        if len(words) > 1:
+            self._add(found, self._all(words))
+        if len(found) < most:
+            self._add(found, self._letters("".join(words), most))
+        return sorted(self._hit(line, tier) for line, tier in found.items())[:most]
+
+    def _add(self, found: dict[int, int], pairs: Iterator[tuple[int, int]]) -> None:
+        for line, tier in pairs:
+            found[line] = min(tier, found.get(line, tier))
+
+    def _hit(self, line: int, tier: int) -> Hit:
+        start = self._starts[line]
+        end = self._starts[line + 1] - 1
+        name = self._text.find(FIELDS, start, end)
+        return Hit(tier, (end if name < 0 else name) - start, line)
+
+    def _phrase(self, phrase: str) -> Iterator[tuple[int, int]]:
+        for mark, tier in (("\n", PREFIX), (FIELDS, FIELD), *((s, WORD) for s in SEPARATORS)):
+            for at in self._places(mark + phrase):
+                end = self._text[at + 1 + len(phrase)]
+                yield self._line(at + 1), EXACT if tier == PREFIX and end in "\n\t" else tier
+        for at in self._places(phrase):
+            yield self._line(at), WORD if self._begins_word(at) else PIECE
+
+    def _all(self, words: list[str]) -> Iterator[tuple[int, int]]:
+        """The lines that have every word, looked for by the rarest one."""
+        rarest = min(words, key=lambda word: (self._text.count(word), -len(word)))
+        others = [word for word in words if word != rarest]
+        seen = set()
+        for at in self._places(rarest):
+            line = self._line(at)
+            if line in seen:
+                continue
+            seen.add(line)
+            start, end = self._starts[line], self._starts[line + 1]
+            places = [self._text.find(word, start, end) for word in others]
+            if min(places, default=0) >= 0:
+                words_begin = all(self._begins_word(place) for place in (at, *places))
+                yield line, WORD if words_begin else PIECE
+
+    def _letters(self, letters: str, most: int) -> Iterator[tuple[int, int]]:
+        """The lines whose name has all letters in this order."""
+        parts = (f"[^{re.escape(one)}\n\t]*+{re.escape(one)}" for one in letters)
+        for count, match in enumerate(re.finditer("\n" + "".join(parts), self._text)):
+            if count >= most:
+                return
+            yield self._line(match.start() + 1), LETTERS
+
+    def _places(self, piece: str) -> Iterator[int]:
+        at, find = self._text.find(piece), self._text.find
+        for _ in range(MOST_HITS):
+            if at < 0:
+                return
+            yield at
+            at = find(piece, at + 1)
+
+    def _line(self, at: int) -> int:
+        return bisect_right(self._starts, at) - 1
+
+    def _begins_word(self, at: int) -> bool:
+        """Whether a word begins here: behind a sign, at a digit behind a letter, at a capital."""
+        before, here = self._written[at - 1], self._written[at]
+        if not before.isalnum() or before.isdigit() != here.isdigit():
+            return True
+        return before.islower() and here.isupper()
+
+
+def _lowered(text: str) -> str:
+    """In lower case, letter for letter, so that places stay what they are."""
+    lowered = text.lower()
+    if len(lowered) == len(text):
+        return lowered
+    return "".join(one if len(one.lower()) > 1 else one.lower() for one in text)
