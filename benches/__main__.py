@@ -1,6 +1,6 @@
 """Run the benches: ``./dev bench`` for all, ``./dev bench load start`` for some.
 
-``--write`` puts the table into docs/benches.md together with the command that made it. ``--all``
+``--write`` puts the rows into docs/benches.md together with the command that made them. ``--all``
 has those that would take minutes (fuzz) do everything, and not a share.
 """
 
@@ -72,11 +72,27 @@ def main(arguments: list[str]) -> int:
         machine = f"Python {platform.python_version()}, {os.cpu_count()} cores, {sys.platform}"
         command = " ".join(["./dev bench", *wanted, *["--all"] * everything, "--write"])
         text = (
-            f"# Benches\n\nMade by `{command}` on {machine}. Ratios travel between machines, "
-            f"times do not.\n\n{READING}\n\n{HEAD}\n" + "\n".join(lines) + "\n"
+            f"# Benches\n\nMade by `{command}` on {machine}; the rows of benches that this does not "
+            f"name are older. Ratios travel between machines, times do not.\n\n{READING}\n\n{HEAD}\n"
+            + "\n".join(_in_order([*lines, *_kept(wanted)]))
+            + "\n"
         )
         PAGE.write_text(text, encoding="utf-8")
     return 0
+
+
+def _kept(wanted: list[str]) -> list[str]:
+    """The rows that the page has of benches that were not measured now."""
+    written = PAGE.read_text("utf-8").splitlines() if PAGE.exists() else []
+    return [line for line in written if _bench_of(line) in set(BENCHES) - set(wanted)]
+
+
+def _in_order(lines: list[str]) -> list[str]:
+    return sorted(lines, key=lambda line: BENCHES.index(_bench_of(line)))
+
+
+def _bench_of(line: str) -> str:
+    return line.split("|")[1].strip() if line.startswith("| ") else ""
 
 
 if __name__ == "__main__":
