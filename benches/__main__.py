@@ -47,6 +47,8 @@ def line(name: str, row: Row) -> str:
 
 
 READING = """\
+Ratios travel between machines, times do not.
+
 A figure *side by side* is a limit (nothing can be quicker) or a peer (another way to do it); below
 1x we are quicker. What each bench does stands at the top of its file in [benches/](../benches/).
 Times are CPU time unless they say so."""
@@ -71,12 +73,9 @@ def main(arguments: list[str]) -> int:
     if "--write" in arguments:
         machine = f"Python {platform.python_version()}, {os.cpu_count()} cores, {sys.platform}"
         command = " ".join(["./dev bench", *wanted, *["--all"] * everything, "--write"])
-        text = (
-            f"# Benches\n\nMade by `{command}` on {machine}; the rows of benches that this does not "
-            f"name are older. Ratios travel between machines, times do not.\n\n{READING}\n\n{HEAD}\n"
-            + "\n".join(_in_order([*lines, *_kept(wanted)]))
-            + "\n"
-        )
+        made = f"Made by `{command}` on {machine}; rows of benches that it does not name are older."
+        rows_of_all = "\n".join(_in_order([*lines, *_kept(wanted)]))
+        text = f"# Benches\n\n{made}\n{READING}\n\n{HEAD}\n{rows_of_all}\n"
         PAGE.write_text(text, encoding="utf-8")
     return 0
 
