@@ -97,7 +97,7 @@ def test_two_damages_are_two_faults_in_the_order_of_the_text() -> None:
     ("text", "line", "column", "words"),
     [
         ("hello world", 1, 1, "this cannot stand here: hello world"),
-        ('{"A": {"S": {}}}', 1, 1, "this text is in the JSON form"),
+        ('{"A": {"S": {}}}', 1, 1, "this is JSON, not native SMSL"),
         ("{ # NAME: A\n", 1, 12, "the State Branch 'A' is not closed"),
         ("{ # NAME:\n}", 1, 5, "NAME has no value"),
         ("{ # NAME: two words\n}", 1, 11, "'two words' is no name without quotes"),
@@ -106,7 +106,7 @@ def test_two_damages_are_two_faults_in_the_order_of_the_text() -> None:
         ("{ # NAME: A\n# a plain note\n}", 2, 1, "this is no header line"),
         ("{ # NAME: A\n# SUB_SBS: (B: one)\n}", 2, 12, "SUB_SBS is no map"),
         ("{ # NAME: A\nHEADER: [ ]\n}", 2, 1, "HEADER cannot be the name of a state"),
-        ("{ # NAME: A\na -> b\n}", 2, 1, "the operation 'a' stands in no state"),
+        ("{ # NAME: A\na -> b\n}", 2, 1, "these operations stand in no state"),
         ("{ # NAME: A\nS: [-> S]\n}", 2, 5, "an operation needs a name before ->"),
         ("{ # NAME: A\nS: [a ->]\n}", 2, 5, "the operation 'a' leads to no state"),
         ("{ # NAME: A\nS: [a]\n}", 2, 5, "the operation 'a' leads to no state"),
@@ -147,6 +147,27 @@ def test_repairs_that_keep_what_was_meant() -> None:
     assert branch["_x"] == {"a": 1}
     assert branch["S 1"]["a b"] == "S 1"
     assert branch["T"] == {"e": "S 1"}
+
+
+@pytest.mark.parametrize(
+    ("text", "form"),
+    [
+        ('\ufeff{"A": {"S": {"a": "S"}}}', "JSON"),
+        ('{"A": {"S": {"a": "S"}}', "JSON"),
+        ("# a note\nA:\n  S: {a: S}\n", "YAML"),
+    ],
+)
+def test_a_text_in_another_form_is_told_as_that(text: str, form: str) -> None:
+    (fault,) = faults(text)
+    assert fault.sentence == f"this is {form}, not native SMSL"
+    assert recover(text, "f.smsl").values == {"A": {"S": {"a": "S"}}}
+
+
+def test_operations_outside_of_a_state_are_one_fault() -> None:
+    text = EXAMPLE.replace("    State100: [\n", "")
+    (fault,) = faults(text)
+    assert fault.sentence == "these operations stand in no state"
+    assert (fault.place and fault.place.line, fault.length > 30) == (9, True)
 
 
 def test_what_can_be_read_is_recovered() -> None:

@@ -7,15 +7,15 @@ goes on behind it. Where things stand is found later (``spans``).
 
 from __future__ import annotations
 
-import json
 from typing import Any
 
-from smsl_studio.errors import ReadError, TextFix
+from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS
 from smsl_studio.smsl.native_form import strays
 from smsl_studio.smsl.native_form.faults import Enough, Faults
 from smsl_studio.smsl.native_form.lines import BadValue, Line, line_at, read_value
+from smsl_studio.smsl.native_form.refusing import misnamed
 from smsl_studio.smsl.native_form.spans import NativeSpans
 from smsl_studio.smsl.native_form.states import StateReader
 from smsl_studio.smsl.native_form.tokens import skip_separator
@@ -31,7 +31,7 @@ def parse(text: str, file: str) -> Document:
     parser = Parser(text, file)
     error = parser.faults.error()
     if error:
-        raise _is_json(text, file) or error
+        raise misnamed(text, file) or error
     return Document(text, file, "smsl", parser.values, NativeSpans, parser.doubled)
 
 
@@ -165,20 +165,3 @@ class Parser:
         if key in table:
             self.doubled = True
         table[key] = value
-
-
-def _is_json(text: str, file: str) -> ReadError | None:
-    """The one thing that is wrong with a JSON text under the name of a native one."""
-    inner = text.removeprefix("\ufeff").lstrip()
-    if not inner.startswith("{") or not inner[1:].lstrip().startswith('"'):
-        return None
-    try:
-        json.loads(inner)
-    except (ValueError, RecursionError):
-        return None
-    place = Document(text, file, "smsl", {}, NativeSpans).place_at(len(text) - len(inner))
-    return ReadError(
-        "this text is in the JSON form, and its name says that it is in the native one",
-        place,
-        "Give the file the suffix .json.",
-    )

@@ -42,9 +42,7 @@ def no_state(text: str, at: int, behind: int, name: str, faults: Faults) -> int:
     """A name in a State Branch that no colon or bracket follows; the offset to go on at."""
     arrow = tokens.edge.match(text, at)
     if arrow:
-        sentence = f"the operation {name!r} stands in no state"
-        faults.add(at, arrow.end(), sentence, "Operations stand in the [ ] of their state.")
-        return arrow.end()
+        return _edges_outside(text, at, faults)
     rest = _REST_OF_LINE.match(text, behind)
     if rest and rest[0].strip(" \t,") and not rest[0].strip(" \t,").startswith("//"):
         return inside(text, at, faults)
@@ -52,6 +50,17 @@ def no_state(text: str, at: int, behind: int, name: str, faults: Faults) -> int:
     fix = TextFix("Write : [ ]", behind, behind, ": [ ]")
     faults.add(at, behind, sentence, _ADVICE["state"], fix)
     return behind
+
+
+def _edges_outside(text: str, at: int, faults: Faults) -> int:
+    """Operations that stand in no state, and the ] that would have closed it."""
+    end, behind = at, at
+    while edge := tokens.edge.match(text, behind):
+        end = edge.end()
+        behind = tokens.skip_separator(text, end)
+    advice = "Operations stand in the [ ] of their state: State0: [Operation -> State1]."
+    faults.add(at, end, "these operations stand in no state", advice)
+    return behind + 1 if text[behind : behind + 1] == "]" else end
 
 
 def broken_line(text: str, at: int, faults: Faults) -> int:
