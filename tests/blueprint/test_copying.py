@@ -101,6 +101,29 @@ def test_copied_states_come_under_free_names_and_all_follows() -> None:
     assert back.document.text == blueprint.document.text
 
 
+def test_free_names_are_those_of_the_field() -> None:
+    digits = read(A={f"State_{n}": {} for n in range(6)})
+    text = edit.excerpt(digits, at("A/State_5", "A/State_2"))
+    _, made = edit.paste(digits, "A", text)
+    assert [address.state for address in made] == ["State_6", "State_7"]
+    binary = read(A={"State_000": {}, "State_100": {}, "State_111": {}})
+    _, made = edit.duplicate(binary, at("A/State_000", "A/State_111"))
+    assert [address.state for address in made] == ["State_001", "State_010"]
+    other = read(B={"State_00": {}, "State_01": {}})
+    text = edit.excerpt(binary, at("A/State_100", "A/State_111"))
+    _, made = edit.paste(other, "B", text)
+    assert [address.state for address in made] == ["State_10", "State_11"], "they fit their facts"
+    _, made = edit.paste(edit.add_branch(new_blueprint(), "B"), "B", text)
+    assert [address.state for address in made] == ["State_100", "State_111"]
+    same = read(A={"State00": {}, "State_01": {}})
+    _, made = edit.paste(same, "A", edit.excerpt(read(B={"State_00": {}}), at("B/State_00")))
+    assert [address.state for address in made] == ["State_10"], "00 is there, by another name"
+    words = read(A={"Idle": {}, "Idle2": {}, "Moving": {"a": "Idle"}, "S09": {}})
+    after, made = edit.duplicate(words, at("A/Idle", "A/Moving", "A/S09"))
+    assert [address.state for address in made] == ["Idle3", "Moving2", "S10"]
+    assert after["A"].table["Moving2"] == {"a": "Idle3"}
+
+
 def test_what_is_said_of_all_operations_of_a_name_falls_on_no_others() -> None:
     text = edit.excerpt(read(A=NOTED), at("A/State_00", "A/State_10"))
     other = read(B={"State_00": {"up": "State_00"}, "_operations": {"up": {"cost": 9}}})
