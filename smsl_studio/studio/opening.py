@@ -10,6 +10,7 @@ from smsl_studio.blueprint.reading import read_blueprint, salvage
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.files import read_text
 from smsl_studio.smsl.forms import form_named, form_of
+from smsl_studio.smsl.unfinished import finish_saves
 from smsl_studio.studio.broken import Broken
 
 
@@ -22,7 +23,11 @@ class Opened:
 
 
 def open_file(path: Path) -> Opened:
-    """What stands in a file; ReadError where it cannot be read, or is no text at all."""
+    """What stands in a file; ReadError where it cannot be read, or is no text at all.
+
+    A save that a process left unfinished in its folder is brought to its end first.
+    """
+    finish_saves(path.absolute().parent)
     return understood(read_text(path), str(path))
 
 
