@@ -51,25 +51,16 @@ class Clipping:
         field = _text_focus()
         if field is not None:
             field.copy()
-            return
-        chosen = self._session.selection
-        text = self._excerpt(chosen)
-        if text:
-            _put(text)
-            self._say(f"Copied {_what(chosen)}.")
+        else:
+            self._copy(self._session.selection)
 
     def cut(self) -> None:
         """Copy the selection and take it away, as one step."""
         field = _text_focus()
         if field is not None:
             field.cut()
-            return
-        chosen = self._session.selection
-        text = self._excerpt(chosen)
-        if text and self._session.edit(
-            f"Cut {_what(chosen)}", lambda bp: editing.delete(bp, chosen)
-        ):
-            _put(text)
+        else:
+            self._cut(self._session.selection)
 
     def paste(self, at: QPointF | None = None) -> None:
         """Put in what is on the clipboard: at a scene point, else at the pointer, else in the
@@ -78,14 +69,40 @@ class Clipping:
         field = _text_focus()
         if field is not None and at is None:
             field.paste()
-            return
+        else:
+            self._paste(at)
+
+    def duplicate(self) -> None:
+        """A copy of the selection beside it."""
+        self._duplicate(self._session.selection)
+
+    def on_branch(self, verb: str, name: str) -> None:
+        """Copy, cut or duplicate a whole SB, or paste beside it."""
+        chosen = (Address(name),)
+        if verb == "paste" or name not in self._session.blueprint.branches:
+            self._paste(None)
+        else:
+            {"copy": self._copy, "cut": self._cut, "duplicate": self._duplicate}[verb](chosen)
+
+    def _copy(self, chosen: Sequence[Address]) -> None:
+        text = self._excerpt(chosen)
+        if text:
+            _put(text)
+            self._say(f"Copied {_what(chosen)}.")
+
+    def _cut(self, chosen: Sequence[Address]) -> None:
+        text = self._excerpt(chosen)
+        if text and self._session.edit(
+            f"Cut {_what(chosen)}", lambda bp: editing.delete(bp, chosen)
+        ):
+            _put(text)
+
+    def _paste(self, at: QPointF | None) -> None:
         place = on_grid(at if at is not None else self._place())
         branch = self._session.branch
         self._put_in("Paste", lambda bp: _pasted(bp, branch, _taken(), place))
 
-    def duplicate(self) -> None:
-        """A copy of the selection beside it."""
-        chosen = self._session.selection
+    def _duplicate(self, chosen: Sequence[Address]) -> None:
         self._put_in("Duplicate", lambda bp: editing.duplicate(bp, chosen))
 
     def _put_in(self, verb: str, change: Callable[[Blueprint], Put]) -> None:

@@ -114,6 +114,22 @@ def test_whole_sbs_come_in_from_the_text_of_any_form(sit: Sit, form: str) -> Non
     assert person.steps() == ["Paste SB9"]
 
 
+def test_a_whole_sb_is_copied_in_the_outline(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.window.session.show_branch("SB2")
+    tree = person.window.outline.tree
+    tree.setFocus()
+    person.ctrl(Key.Key_C)
+    assert person.window.toast.words == "Copied SB2."
+    person.ctrl(Key.Key_V)
+    assert list(person.blueprint.branches) == ["SB1", "SB2", "SB3"]
+    assert person.blueprint["SB3"].table == person.blueprint["SB2"].table
+    tree.setFocus()
+    person.ctrl(Key.Key_X)
+    assert list(person.blueprint.branches) == ["SB1", "SB2"]
+    assert person.steps() == ["Paste SB3", "Cut SB3"]
+
+
 def test_what_is_no_smsl_is_refused_in_a_line(sit: Sit) -> None:
     person = sit(HFSM)
     for text, said in (("", "holds no text"), ("buy milk", "is no SMSL"), ('{"A": 3}', "is no")):

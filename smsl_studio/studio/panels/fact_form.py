@@ -81,7 +81,7 @@ class FactForm(NoteForm):
         self._said = Said("refusal")
         self.column.addWidget(self._said)
         self._values.meant.connect(self._mean)
-        self._values.turned_on.connect(lambda value: self._word("on", value))
+        self._values.turned_on.connect(self._turn_on)
         self._values.failed.connect(lambda values: self._word("failure", values))
         self.add("critical", SwitchLine("Critical", "Whether people may be harmed if it is wrong"))
         for widget in (self._sensed, self.expanded):
@@ -145,6 +145,10 @@ class FactForm(NoteForm):
         words = f"to “{meaning}”" if meaning else "away"
         step = f"Set the meaning of {value} in {self.who()} {words}"
         self._write({"values": dict(values) or None}, step)
+
+    def _turn_on(self, value: str | None) -> None:
+        default = self._session.blueprint[self._branch].default_on_value(self._digit)
+        self._word("on", None if value == default else value)
 
     def _word(self, word: str, value: Any) -> None:
         said = {"on": "on", "failure": "failure"}[word]

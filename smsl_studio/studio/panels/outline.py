@@ -21,12 +21,17 @@ from smsl_studio.studio.panels.outline_tree import OutlineTree, line_of
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 
+VERBS = {"Ctrl+X": "cut", "Ctrl+C": "copy", "Ctrl+V": "paste", "Ctrl+D": "duplicate"}
+"""What is done to a whole SB by the clipboard's keys."""
+
 
 class Outline(Panel):
     """The tree of SBs. A click shows an SB; F2, the menu and the buttons add, rename, delete."""
 
     fact_wanted = Signal(str, int)
     """(SB, digit): a fact was clicked, and its properties are wanted."""
+    verb_wanted = Signal(str, str)
+    """(copy, cut, paste or duplicate; SB): a whole SB is meant."""
     file_wanted = Signal(str)
     """The file in which an imported SB stands is to be opened."""
 
@@ -62,6 +67,12 @@ class Outline(Panel):
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
             action.triggered.connect(call)
+            self.tree.addAction(action)
+        for key, verb in VERBS.items():
+            action = QAction(self.tree)
+            action.setShortcut(QKeySequence(key))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+            action.triggered.connect(partial(self._ask, verb))
             self.tree.addAction(action)
         session.blueprint_changed.connect(lambda *_: self._show())
         session.branch_changed.connect(lambda *_: self._mark())
@@ -106,6 +117,9 @@ class Outline(Panel):
                 f"Delete State Branch {name}", lambda bp: editing.delete(bp, [Address(name)])
             )
 
+    def _ask(self, verb: str) -> None:
+        self.verb_wanted.emit(verb, self._current_branch())
+
     def _current_branch(self) -> str:
         item = self.tree.currentItem()
         line = line_of(item) if item is not None else None
@@ -137,6 +151,8 @@ class Outline(Panel):
         if self._current_branch():
             name = self._current_branch()
             menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", self.rename_branch)
+            for key, verb in VERBS.items():
+                menu.addAction(f"{verb.capitalize()}\t{key}", partial(self._ask, verb))
             menu.addAction(icon("trash", self._tokens), f"Delete {name}\tDel", self.delete_branch)
             home = self._session.blueprint.imported.get(name)
             if home is not None:

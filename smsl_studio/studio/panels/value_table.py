@@ -137,8 +137,10 @@ class ValueTable(QWidget):
             self.meant.emit(value, field.text().strip() or None)
 
     def _on(self, value: str, tick: Tick) -> None:
-        # A click on the one that is on takes the choice back; otherwise it is this one.
-        self.turned_on.emit(value if tick.isChecked() or tick.default else None)
+        # A click on the one that is on takes the choice back; what is on by default stays on.
+        chosen = tick.isChecked()
+        tick.setChecked(chosen or tick.default)
+        self.turned_on.emit(value if chosen else None)
 
     def _fail(self, value: str, on: bool) -> None:
         left = [*self._failures, value] if on else [v for v in self._failures if v != value]
@@ -147,7 +149,7 @@ class ValueTable(QWidget):
 
 def _on_words(value: str, on: bool, note: FactNote) -> str:
     if on and note.on is None:
-        return f"{value} counts as on by default. Click to write it."
+        return f"{value} counts as on by default"
     return (
         f"{value} counts as on. Click to leave it to the default."
         if on
