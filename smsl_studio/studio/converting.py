@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import os
-import re
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.errors import ConvertError
+from smsl_studio.smsl.converting import convert
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import SUFFIXES, WORDS, form_named, form_of
+from smsl_studio.smsl.forms import SUFFIXES, WORDS, form_of
 from smsl_studio.smsl.splicing import reconcile
 
 IMPORTS = "_imports"
-_QUOTED = re.compile(r"""\"(?:\\.|[^\"\\\n])*\"|'(?:''|[^'\n])*'""")
-_HASH = re.compile(r"(?:^|\s)#", re.MULTILINE)
-_FIELD = re.compile(r"\s*#\s*(?:HEADER\.)?_")
-"""A field of the native form: its value, in which // is text, runs to the end of the line."""
 
 
 @dataclass(frozen=True)
@@ -41,8 +37,7 @@ def moved(document: Document, path: Path, whole: bool = True) -> Moved:
     form = form_of(str(path), found.text)
     if form == found.form:
         return Moved(replace(found, file=str(path)), found is not document)
-    doors = form_named(form)
-    return Moved(doors.parse(doors.write(found.values), str(path)), True)
+    return Moved(convert(found, form, str(path)).document, True)
 
 
 def _as_it_is(document: Document, path: Path) -> Moved:
@@ -62,17 +57,12 @@ def form_words(path: Path, document: Document) -> str:
 def leaves_comments(document: Document, path: Path) -> bool:
     """Whether comments of the text would not come along into the form of the new name."""
     form = form_of(str(path), document.text)
-    return form != document.form and _has_comments(document)
-
-
-def _has_comments(document: Document) -> bool:
-    """Whether there are comments between the names, which may hold the same marks in quotes."""
-    if document.form == "smsl":
-        lines = (line for line in document.text.splitlines() if not _FIELD.match(line))
-        return any("//" in _QUOTED.sub("", line) for line in lines)
-    if document.form == "yaml":
-        return bool(_HASH.search(_QUOTED.sub("", document.text)))
-    return False
+    if form == document.form:
+        return False
+    try:
+        return convert(document, form, str(path)).comments_left > 0
+    except ConvertError:  # which is told when it is saved
+        return False
 
 
 def _with_imports(document: Document, path: Path) -> Document:

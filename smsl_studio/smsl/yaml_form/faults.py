@@ -71,7 +71,7 @@ _WORDS = (
         "Check the commas and the } of this map.",
     ),
     (
-        "expected node content",
+        "node content",
         "a value is missing",
         "Check the commas and brackets around this place.",
     ),
