@@ -172,6 +172,16 @@ SB4: {S: "x}
     assert text[fix.start : fix.end] == "!odd "
 
 
+@pytest.mark.parametrize("edge", ["go:S", "go -> S", "go->S", "go = S"])
+def test_a_name_that_only_lacks_its_colon_is_repaired(edge: str) -> None:
+    text = f"SB: [S: [stay: S, {edge}]]"
+    (fault,) = refusal(text).faults
+    fix = fault.fix
+    assert fix is not None
+    mended = text[: fix.start] + fix.text + text[fix.end :]
+    assert parse(mended, "f.yaml").values == {"SB": {"S": {"stay": "S", "go": "S"}}}
+
+
 def test_aliases_stand_for_values_but_not_for_the_world() -> None:
     shared = "SB1: &a {S: {x: S}}\nSB2: *a\n_x: &n 010\n_y: {n: *n}\nSB3: {S: {x: *n}}\n"
     document = parse(shared, "f.yaml")

@@ -6,9 +6,10 @@ values follow the YAML 1.2 core schema.
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
-from smsl_studio.errors import Place, ReadError
+from smsl_studio.errors import Place, ReadError, TextFix
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.yaml_form import scalars
 from smsl_studio.smsl.yaml_form.faults import Fault, as_error, shown
@@ -19,6 +20,7 @@ from smsl_studio.smsl.yaml_form.spans import YamlSpans
 Json = Any
 
 MAX_CHARACTERS = 32 * 1024 * 1024
+_JOINED = re.compile(r"[^\s:]+?(\s*->\s*|:|\s*=\s*)[^\s:]+")
 _LEVELS = {0: "the file", 1: "a State Branch", 2: "a state", 3: "a HEADER"}
 
 
@@ -62,6 +64,15 @@ def _read(text: str, file: str) -> tuple[Document, list[Fault]]:
 _WHOLE = "An SMSL file is one map whose members are State Branches."
 
 
+def _parted(node: Node) -> TextFix | None:
+    """The repair of a name and its value that only lack a colon with a space behind it."""
+    found = _JOINED.fullmatch(node.value) if node.kind == "text" and node.plain else None
+    if found is None or len(node.value) != node.end - node.start:
+        return None
+    start, end = node.start + found.start(1), node.start + found.end(1)
+    return TextFix("Write a colon and a space", start, end, ": ")
+
+
 def _is_nothing(node: Node) -> bool:
     return node.kind == "text" and node.plain and scalars.is_null(node.value)
 
@@ -74,15 +85,16 @@ class _Reading:
         self._told = {fault.start for fault in faults}
         self.doubled = False
 
-    def fault(self, node: Node, sentence: str, advice: str) -> None:
+    def fault(self, node: Node, sentence: str, advice: str, fix: TextFix | None = None) -> None:
         if node.start not in self._told:
-            self._faults.append(Fault(node.start, node.end - node.start, sentence, advice))
+            self._faults.append(Fault(node.start, node.end - node.start, sentence, advice, fix))
 
     def fill(self, values: dict[str, Json], node: Node, level: int) -> dict[str, Json]:
         """Put the members of a map into ``values``."""
         for stranger in strangers(node):
             words = f"an element of the list that {_LEVELS[level]} is written as has no name"
-            self.fault(stranger, words, "Write each element as NAME: VALUE.")
+            fix = _parted(stranger)
+            self.fault(stranger, words, "Write each element as NAME: VALUE.", fix)
         for key, value in members(node, level):
             name = self._name(key)
             if name is None:
