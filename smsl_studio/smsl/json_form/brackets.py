@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_FAULTS
+from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_FAULTS, MAX_REMOVED
 from smsl_studio.smsl.json_form.tokens import END, TEXT, WORD, Fault, Token, Tokens, short
 
 Json = Any
@@ -59,6 +59,7 @@ class Brackets:
         self._ahead: deque[Token] = deque()
         self._frames: list[Frame] = []
         self._taken_to = 0
+        self._removed = 0
 
     def _say(self, fault: Fault) -> None:
         self.faults.append(fault)
@@ -129,7 +130,10 @@ class Brackets:
 
     def _remove(self, token: Token) -> None:
         """Say that a token does not belong where it stands; neighbours are one fault."""
-        found = short(self._text[token.start : token.end])
+        self._removed += 1
+        if self._removed > MAX_REMOVED:
+            raise Enough
+        found = short(self._text[token.start : min(token.end, token.start + 50)])
         start, end, last = token.start, token.end, self.faults[-1] if self.faults else None
         if (
             last
@@ -139,7 +143,7 @@ class Brackets:
         ):
             self.faults.pop()
             start = last.at
-            found = short(self._text[start:end])
+            found = short(self._text[start : min(end, start + 50)])
         fix = (f"Remove {found}", start, end, "")
         self._fault(token._replace(start=start), f"{found} does not belong here", "Remove it.", fix)
 
@@ -175,8 +179,9 @@ class Brackets:
             return token.indent != frame.indent
         if frame.token.line != token.line:
             return True
-        if len(self._frames) == 1:
-            return self._peek(1).kind in (",", TEXT, WORD)
+        following = self._peek(1).kind
+        if following in (TEXT, WORD) or (following == "," and len(self._frames) == 1):
+            return True
         return self._would_misplace()
 
     def _would_misplace(self) -> bool:
@@ -185,7 +190,7 @@ class Brackets:
         if comma.kind != "," or name.value.startswith("_") or not self._begins_member(2):
             return False
         if len(self._frames) == 3:
-            return self._peek(4).kind == TEXT
+            return self._peek(4).kind == TEXT and self._peek(5).kind != ":"
         deeper = self._peek(4).kind == "{" and self._begins_member(5)
         return len(self._frames) == 2 and deeper and self._peek(7).kind == TEXT
 

@@ -9,6 +9,8 @@ MAX_DEPTH = 64
 MAX_DIGITS = 4000
 MAX_FAULTS = 100
 """So many faults of one text are told; nobody repairs more in one go."""
+MAX_REMOVED = 2000
+"""A text with so many pieces that belong nowhere is no JSON, and is not read to its end."""
 
 
 def too_large(number: str) -> bool:

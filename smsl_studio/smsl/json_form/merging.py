@@ -6,7 +6,7 @@ from smsl_studio.errors import TextFix
 from smsl_studio.smsl.json_form.tokens import Fault
 
 
-def merged(faults: list[Fault]) -> list[Fault]:
+def merged(faults: list[Fault], text: str) -> list[Fault]:
     """The faults in the order of the text, those that are one put together.
 
     What should go and what should come at the same place is one repair: write this, not that.
@@ -20,16 +20,34 @@ def merged(faults: list[Fault]) -> list[Fault]:
         fix = fault.fix
         if fix is None or fix.text or fix.start == fix.end:
             continue
-        other = coming.pop(fix.start, None)
-        if other is None:
-            other = coming.pop(fix.end, None)
-        if other is None or (partner := kept[other]) is None or partner.fix is None:
+        first = _first_of_run(text, fix)
+        found = next((at for at in (fix.start, fix.end, first) if at in coming), None)
+        if found is None:
             continue
+        other = coming.pop(found)
+        partner = kept[other]
+        if partner is None or partner.fix is None:
+            continue
+        begin = first if found == first else fix.start
         start, end = min(fault.at, partner.at), max(_end(fault), _end(partner))
-        words = TextFix(f"Write {partner.fix.text}", fix.start, fix.end, partner.fix.text)
+        words = TextFix(
+            f"Write {partner.fix.text.strip()}",
+            begin,
+            begin + fix.end - fix.start,
+            partner.fix.text,
+        )
         kept[other] = Fault(start, end - start, partner.sentence, partner.advice, words)
         kept[index] = None
     return sorted((one for one in kept if one is not None), key=lambda one: one.at)
+
+
+def _first_of_run(text: str, fix: TextFix) -> int:
+    """Where the run of equal characters begins that the removed one stands in: any may go."""
+    at = fix.start
+    if fix.end == at + 1:
+        while at > 0 and text[at - 1] == text[fix.start]:
+            at -= 1
+    return at
 
 
 def _end(fault: Fault) -> int:

@@ -37,11 +37,28 @@ def parse(text: str, file: str) -> Document:
 
 
 def recover(text: str, file: str) -> Document:
-    """A document with what could be read of a faulty text, written canonically."""
-    from smsl_studio.smsl.json_form.recovery import Recovery
+    """A document with what could be read of a faulty text, written canonically.
 
-    values = Recovery(text).values if len(text) <= MAX_CHARACTERS else {}
-    return Document(write(values), file, "json", values, JsonSpans)
+    Where the text is clearly in another form it is read as that.
+    """
+    from smsl_studio.smsl.forms import form_named
+    from smsl_studio.smsl.json_form.recovery import Recovery
+    from smsl_studio.smsl.json_form.refusing import other_form
+
+    values: Any = {}
+    if len(text) <= MAX_CHARACTERS:
+        form = other_form(text)
+        values = form_named(form).recover(text, file).values if form else Recovery(text).values
+    try:
+        clean = write(values)
+    except ValueError:  # YAML has numbers that JSON has not
+        values, clean = {}, write({})
+    return Document(clean, file, "json", values, JsonSpans)
+
+
+def write(values: Mapping[str, Any]) -> str:
+    """Values as a new text in the canonical layout: four spaces, one member a line."""
+    return render(dict(values), CANONICAL, "", 0) + "\n"
 
 
 def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
@@ -74,11 +91,6 @@ def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
     ):
         raise _refusal(text, file)
     return values, doubled
-
-
-def write(values: Mapping[str, Any]) -> str:
-    """Values as a new text in the canonical layout: four spaces, one member a line."""
-    return render(dict(values), CANONICAL, "", 0) + "\n"
 
 
 def _no_number(name: str) -> NoReturn:

@@ -11,14 +11,14 @@ from contextlib import suppress
 from typing import Any
 
 from smsl_studio.smsl.json_form.brackets import NOTHING, Brackets, Enough, Frame
-from smsl_studio.smsl.json_form.limits import too_large
 from smsl_studio.smsl.json_form.merging import merged
+from smsl_studio.smsl.json_form.scalars import scalar_of
 from smsl_studio.smsl.json_form.tokens import END, NUMBER, ODD, TEXT, WORD, Token, quoted, short
 
 Json = Any
-_LITERALS: dict[str, Json] = {"true": True, "false": False, "null": None}
-_PYTHON = {"True": "true", "False": "false", "None": "null", "TRUE": "true", "FALSE": "false"}
-_NO_VALUES = ("NaN", "Infinity", "-Infinity", "nan", "inf", "-inf", "undefined")
+_COLONS = ("=", "->", "=>", ";")
+"""What people write where JSON has a colon."""
+_ENDS = (",", "}", "]", END)
 _VALUES = ("{", "[", TEXT, NUMBER, WORD)
 
 
@@ -30,7 +30,7 @@ class Recovery(Brackets):
         with suppress(Enough):
             self._read()
         self._fold()
-        self.faults = merged(self.faults)
+        self.faults = merged(self.faults, text)
 
     # --- the file ----------------------------------------------------------------------------
 
@@ -120,7 +120,7 @@ class Recovery(Brackets):
 
     def _begin_member(self, frame: Frame, token: Token) -> None:
         if token.kind != TEXT:
-            name = self._text[token.start : token.end]
+            name = token.value
             fix = ("Write it in quotes", token.start, token.end, quoted(name))
             words = f"the name {short(name)} stands without quotes"
             self._fault(token, words, f"Write {quoted(short(name))}.", fix)
@@ -140,7 +140,7 @@ class Recovery(Brackets):
         if kind == ":":
             self._take()
             frame.expects = "value"
-        elif kind == ODD and token.value in ("=", "->", "=>", ":=", ";"):
+        elif token.value in _COLONS and kind == ODD and self._peek(1).kind != ":":
             self._colon_instead(frame, token)
         elif kind == ODD or self._is_stray_behind(frame.key, token):
             self._remove(self._take())
@@ -166,11 +166,13 @@ class Recovery(Brackets):
 
     def _is_stray_behind(self, key: Token, token: Token) -> bool:
         """Whether a token stands between a name and its colon, and belongs to neither."""
-        if token.kind in (WORD, NUMBER) and token.start == key.end:
+        if token.kind == WORD and token.start == key.end:
             return True
         if self._peek(1).kind != ":":
             return False
-        return token.kind in (WORD, NUMBER) or (token.kind in ("}", "]") and self._excess > 0)
+        if token.kind in ("{", "["):
+            return self._excess < 0
+        return token.kind in (WORD, NUMBER, ",") or self._excess > 0
 
     def _is_bracket_for_colon(self, token: Token) -> bool:
         """Whether a bracket stands where the colon was, told by how many there are."""
@@ -193,12 +195,14 @@ class Recovery(Brackets):
         if kind in (TEXT, WORD) and after.kind == ":" and self._excess > 0:
             self._unopened(frame, self._taken_to, self._taken_to)
         elif kind in ("{", "["):
-            if self._excess < 0 and after.kind == TEXT and value_follows:
+            if self._excess < 0 and after.kind == TEXT and self._peek(2).kind in _ENDS:
                 self._remove(self._take())
+            elif kind == "[" and self._begins_member(1):
+                self._unopened(frame, token.start, self._take().end)
             else:
                 self._push(self._take(), frame.key.value if frame.key else "_")
         elif kind in (TEXT, WORD, NUMBER):
-            if self._is_glued(token) or (kind != TEXT and value_follows):
+            if kind == WORD and (value_follows or self._is_glued(token)):
                 self._remove(self._take())
             else:
                 self._put(frame, self._scalar(self._take()), token.end)
@@ -235,13 +239,15 @@ class Recovery(Brackets):
 
     def _next(self, frame: Frame, token: Token) -> None:
         kind = token.kind
-        if kind == ",":
+        if kind == "," and not self._stands_for_closer(frame, token):
             frame.comma, frame.expects = self._take(), "key"
         elif kind in ("}", "]"):
             self._close(frame, token)
         elif self._stands_for_closer(frame, token):
             self._closer_instead(frame, token)
-        elif token.value == ";" or (kind == ":" and self._begins_member(1)):
+        elif (token.value == ";" and self._peek(1).kind not in _ENDS) or (
+            kind == ":" and self._begins_member(1)
+        ):
             self._comma_instead(frame, token)
         elif self._begins_member(0) and not self._is_glued(token):
             if self._ends_before(frame, token):
@@ -265,7 +271,9 @@ class Recovery(Brackets):
         """Whether something odd stands on a line of its own, where the closing bracket was."""
         if self._excess >= 0 or len(self._frames) < 2 or self._begins_member(0):
             return False
-        return token.first and token.indent == frame.indent and token.kind != ","
+        if token.kind == "," and self._peek(1).kind != ",":
+            return False
+        return token.first and token.indent == frame.indent
 
     def _closer_instead(self, frame: Frame, token: Token) -> None:
         found, closer = token.value or token.kind, frame.closer
@@ -341,24 +349,10 @@ class Recovery(Brackets):
 
     def _scalar(self, token: Token) -> Json:
         """The value of a text, number or word; what is none is told."""
-        found = token.value
-        if token.kind == TEXT:
-            return found
-        if token.kind == NUMBER:
-            if too_large(found):
-                self._fault(token, "the number is too large", "Write a shorter number.")
-                return NOTHING
-            return int(found) if found.lstrip("-").isdecimal() else float(found)
-        if found in _LITERALS:
-            return _LITERALS[found]
-        if found in _NO_VALUES:
-            self._fault(token, f"{found} is no number in JSON", "Write a plain number.")
-            return NOTHING
-        instead = _PYTHON.get(found, quoted(found))
-        fix = (f"Write {short(instead)}", token.start, token.end, instead)
-        words = f"{short(found)} is no value in JSON"
-        self._fault(token, words, f"Write {short(instead)}.", fix)
-        return _LITERALS.get(instead, found)
+        value, wrong = scalar_of(token)
+        if wrong is not None:
+            self._say(wrong)
+        return value
 
 
 _STEPS: dict[tuple[str, str], Callable[[Recovery, Frame, Token], None]] = {

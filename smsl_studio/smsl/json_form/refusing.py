@@ -13,6 +13,7 @@ from smsl_studio.smsl.json_form.spans import JsonSpans, skip_space
 
 _HEADER_LINE = re.compile(r"^[ \t]*#[ \t]*(?:NAME|INITIAL|ACTIVATING|NUM_\w+|SUB_SBS)[ \t]*:", re.M)
 _NATIVE_STATE = re.compile(
+    r"(?:\s|//[^\n]*(?:\n|\Z)|,)*"
     r"\{\s*[^\s\"{}\[\]:,#]+[ \t]*:[ \t]*\[\s*(?:\]|[^\s\"{}\[\]:,#]+[ \t]*->)"
 )
 _YAML = re.compile(
@@ -59,6 +60,6 @@ _FULL = {"smsl": f"native {WORDS['smsl']}", "yaml": WORDS["yaml"]}
 def other_form(text: str) -> str:
     """The other form that a text is clearly written in; the empty text where it is not."""
     text = text.removeprefix("\ufeff")
-    if _HEADER_LINE.search(text) or _NATIVE_STATE.match(text.lstrip()):
+    if _HEADER_LINE.search(text) or _NATIVE_STATE.match(text):
         return "smsl"
     return "yaml" if _YAML.match(text) else ""

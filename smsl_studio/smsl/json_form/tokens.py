@@ -57,7 +57,7 @@ _NUMBER = re.compile(r"-?(?:0|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?")
 _CHUNK = r"(?:[^\s{}\[\]:,\"'=;#>/-]|-(?!>)|/(?![/*]))"
 _WORD = re.compile(rf"{_CHUNK}+(?:[ \t]+{_CHUNK}+)*")
 _ONE_WORD = re.compile(rf"{_CHUNK}+")
-_ARROW = re.compile(r"[-=]>|:=|.", re.DOTALL)
+_ARROW = re.compile(r"[-=]>|.", re.DOTALL)
 _CONTROL = re.compile(r"[\x00-\x1f]")
 _BAD_ESCAPE = re.compile(r'\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})|(\\)')
 _MARKS = " \t\r,:{}[]"
@@ -126,12 +126,12 @@ class Tokens:
 
     def _token(self, at: int) -> Token | None:
         char = self._text[at]
-        if char in "{}[],:" and not self._text.startswith(":=", at):
+        if char in "{}[],:":
             return self._made(char, at, at + 1)
         if char == '"':
             return self._string(at)
         if other := _OTHER_QUOTES.match(self._text, at):
-            content = other[1] or other[2] or ""
+            content = HALF.sub("\ufffd", other[1] or other[2] or "")
             self._say(at, other.end(), "only double quotes are quotes in JSON", quoted(content))
             return self._made(TEXT, at, other.end(), content)
         if word := _WORD.match(self._text, at):
@@ -143,7 +143,7 @@ class Tokens:
         """A bare run: a number, a name without quotes, or one that lacks its opening quote."""
         closing = _AFTER_QUOTE.match(self._text, end)
         if closing and self._is_odd(at):
-            name = self._text[at:end]
+            name = HALF.sub("\ufffd", self._text[at:end])
             words = "the opening quote is missing"
             self._complain(_inserted(at, words, f'Write "{short(name)}".', '"', "opening quote"))
             return self._made(TEXT, at, closing.end(), name)
@@ -151,7 +151,7 @@ class Tokens:
         if number and not _ONE_WORD.match(self._text, number.end()):
             end = number.end()
             return self._made(NUMBER, at, end, self._text[at:end])
-        return self._made(WORD, at, end, self._text[at:end])
+        return self._made(WORD, at, end, HALF.sub("\ufffd", self._text[at:end]))
 
     def _string(self, at: int) -> Token | None:
         closed = _LINE_STRING.match(self._text, at)
