@@ -21,6 +21,7 @@ BENCHES = (
     "dispatch",
     "start",
     "canvas",
+    "source",
     "physics",
     "saving",
     "edits",

@@ -23,6 +23,9 @@ _TOKENS = {
 }
 HEADER = "HEADER"
 _BRACKET = re.compile(r"[{}\[\]]")
+_CLOSING = re.compile(r"\s*[}\]],?\s*")
+_OPENING = re.compile(r'\s*"?[\w.-]+"?\s*:?\s*[{\[]\s*')
+"""Most lines with brackets are one of these, and need no closer look."""
 _HEADER = re.compile(r"\s*#[ \t]*([^:\s]*)(?:\s*:\s*(.*?))?\s*$")
 _INDENTED = re.compile(r"(\s*(?:- +)*)(.*)")
 
@@ -62,14 +65,17 @@ class Around:
     is_value: bool
 
 
-def around(lines: Sequence[str], at: int, column: int, form: str) -> Around:
-    """What stands around a column of a line."""
+def around(
+    lines: Sequence[str], at: int, column: int, form: str, path: tuple[str, ...] | None = None
+) -> Around:
+    """What stands around a column of a line; ``path``, where it is known already."""
     found = tokens(lines[at], form)
     here = next((t for t in found if t.start < column <= t.end and _is_word(t)), None)
     here = here or next((t for t in found if t.start == column and _is_word(t)), None)
     start, end = (here.start, here.end) if here else (column, column)
     before = [token for token in found if token.end <= start]
-    path = path_at(lines, at, start, form)
+    if path is None:
+        path = path_at(lines, at, start, form)
     header = _HEADER.match(lines[at]) if form == "smsl" else None
     if header:
         return _in_header(header, path, column)
@@ -153,6 +159,12 @@ def _open_brackets(
     closed = 0
     for number in range(at, -1, -1):
         line = lines[number][:column] if number == at else lines[number]
+        if _CLOSING.fullmatch(line):
+            closed += 1
+            continue
+        if closed and _OPENING.fullmatch(line):
+            closed -= 1
+            continue
         if not _BRACKET.search(line):
             continue
         for token in reversed(tokens(line, form)):

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint
+from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QApplication, QMenu, QToolButton
 
 from smsl_studio.studio.icons import icon
@@ -32,6 +33,13 @@ class Bulb(QToolButton):
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.setIcon(icon("bulb", tokens, colour=tokens.risk))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """On paper of its own: a long line goes on below it."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self.palette().base())
+        painter.end()
+        super().paintEvent(event)
 
     def show_for(self, repairs: Sequence[Repair]) -> None:
         """Show it if there is something to fix, and say what."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, QSize, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QListWidget, QListWidgetItem
+from PySide6.QtWidgets import QListWidget, QListWidgetItem
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.source.around import Around, around
@@ -28,8 +28,8 @@ class Popup(QListWidget):
         self._editor, self._blueprint = editor, blueprint
         self.library: Sequence[str] = ()
         self._here: Around | None = None
-        self._line, self._asked = 0, False
-        self.setFrameShape(QFrame.Shape.Box)
+        self._line, self._asked, self._goes_on = 0, False, False
+        self.setProperty("role", "float")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setAccessibleName("Names that fit")
         self.setUniformItemSizes(True)
@@ -51,14 +51,16 @@ class Popup(QListWidget):
 
     def ask(self) -> bool:
         """Offer what fits here, whether something was typed or not."""
-        self._asked = True
+        self._asked, self._goes_on = True, False
         self._offer()
         return True
 
     def typed(self, event: QKeyEvent) -> None:
         """A letter was typed: offer what goes on from it, or what still fits."""
         letter = event.text()
-        if letter and (letter.isalnum() or letter in '_-"'):
+        in_word = bool(letter) and (letter.isalnum() or letter in "_-")
+        self._goes_on = in_word and not self.isHidden()
+        if in_word or letter == '"':
             self._asked = False
             self._later.start(0)
         elif not self.isHidden():
@@ -91,7 +93,8 @@ class Popup(QListWidget):
             self.hide()
             return
         self._line, column = editor.caret
-        here = around(editor.sheet.pieces, self._line, column, editor.form)
+        known = self._here.path if self._here and self._goes_on else None
+        here = around(editor.sheet.pieces, self._line, column, editor.form, known)
         found = offers(self._blueprint(), self.library, here)
         done = [one.name for one in found[:2]] == [here.typed]
         if not found or done or (not here.word and not self._in_quotes(column) and not self._asked):
@@ -104,6 +107,7 @@ class Popup(QListWidget):
             item = QListWidgetItem(words, self)
             item.setData(Qt.ItemDataRole.UserRole, offer)
             item.setToolTip(words)
+            item.setSizeHint(QSize(0, ROW))
         self.setCurrentRow(0)
         self._place()
 
