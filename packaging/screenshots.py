@@ -1,15 +1,17 @@
 """Makes the pictures in docs/images: Draw and Run modes, three samples, two themes, three sizes.
 
-    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--mode draw|run] [--sample NAME]
+    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--mode draw|run|safe] [--sample NAME]
 
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
-real run: ``hanoi`` in its physical world, the others in ``table``.
+real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
+file that does not read, of the offer to recover, and of a file that another program has changed.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -25,10 +27,12 @@ if sys.platform == "linux" and not os.environ.get("DISPLAY"):
 
 import numpy as np  # noqa: E402
 from PySide6.QtCore import Qt  # noqa: E402
-from PySide6.QtGui import QImage  # noqa: E402
+from PySide6.QtGui import QImage, QPainter  # noqa: E402
 from PySide6.QtWidgets import QApplication  # noqa: E402
 
-from smsl_studio.studio.app import make_application, make_window  # noqa: E402
+from smsl_studio.blueprint.address import Address  # noqa: E402
+from smsl_studio.blueprint.editing import rename  # noqa: E402
+from smsl_studio.studio.app import make_application, make_window, offer_recovery  # noqa: E402
 from smsl_studio.studio.settings import Settings  # noqa: E402
 from smsl_studio.studio.style import dress  # noqa: E402
 from smsl_studio.studio.theme import LIGHT  # noqa: E402
@@ -68,17 +72,19 @@ def main() -> int:
     """Take the pictures that were asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
-    parser.add_argument("--mode", choices=("draw", "run"))
+    parser.add_argument("--mode", choices=("draw", "run", "safe"))
     parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
     application = make_application(sys.argv)
     dress(application, LIGHT)
     with TemporaryDirectory() as folder:
+        studio = Studio(application, Settings(Path(folder) / "home"), asked.out)
         for scene in SCENES:
-            if asked.sample in (None, scene.sample):
-                studio = Studio(application, Settings(Path(folder)), asked.out)
+            if asked.sample in (None, scene.sample) and asked.mode != "safe":
                 studio.take(scene, [asked.mode] if asked.mode else ["draw", "run"])
+        if asked.mode in (None, "safe"):
+            studio.take_safe(Path(folder))
     return 0
 
 
@@ -107,6 +113,49 @@ class Studio:
                 window.run_pane.pause()
             window.session.history.setClean()
             window.close()
+
+    def take_safe(self, folder: Path) -> None:
+        """The pictures of work that is in danger; the files of their own lie in ``folder``."""
+        broken = folder / "hanoi.json"
+        text = (ROOT / "samples" / "hanoi.json").read_text("utf-8")
+        broken.write_text(text.replace('",\n', '"\n', 1).replace('"Op_2c": ', '"Op_2c" ', 1))
+        window = make_window(self._windows, str(broken))
+        self._until(lambda: window.inspector.current)
+        self._take_dressed(window, "broken")
+        window.close()
+
+        changed = folder / "hfsm.json"
+        shutil.copy(ROOT / "samples" / "hfsm.json", changed)
+        window = make_window(self._windows, str(changed))
+        window.session.edit("Rename", lambda bp: rename(bp, Address("SB1", "State110"), "State010"))
+        fresh = folder / "fresh"
+        fresh.write_text(changed.read_text("utf-8").replace("Operation000", "Operation001"))
+        fresh.replace(changed)
+        self._until(lambda: bool(window.safety.outside.asked))
+        self._take_dressed(window, "changed")
+        window.safety.journal.leave_behind()
+        window.session.history.setClean()
+        window.close()
+
+        window = make_window(self._windows)
+        offer = offer_recovery(self._windows, window)
+        assert offer is not None
+        for theme, size in self._dressed(window):
+            offer.move(window.rect().center() - offer.rect().center())
+            picture = window.grab().toImage()
+            painter = QPainter(picture)
+            painter.drawPixmap(offer.pos(), offer.grab())
+            painter.setPen(window.tokens.line2)
+            painter.drawRect(offer.geometry())
+            painter.end()
+            self._keep(picture, f"recovery-{theme}-{size[0]}x{size[1]}")
+        offer.reject()
+        window.close()
+
+    def _take_dressed(self, window: Window, name: str) -> None:
+        for theme, size in self._dressed(window):
+            window.canvas.fit(smooth=False)
+            self._shoot(window, f"{name}-{theme}-{size[0]}x{size[1]}")
 
     def _draw(self, window: Window, scene: Scene) -> None:
         window.show_tab(scene.tab)
@@ -162,7 +211,10 @@ class Studio:
                 yield theme, size
 
     def _shoot(self, window: Window, name: str) -> None:
-        small(window.grab().toImage()).save(str(self._out / f"{name}.png"))
+        self._keep(window.grab().toImage(), name)
+
+    def _keep(self, picture: QImage, name: str) -> None:
+        small(picture).save(str(self._out / f"{name}.png"))
         print(f"{name}.png")
 
     def _until(self, condition: Callable[[], bool]) -> None:

@@ -70,7 +70,8 @@ class RecoveryOffer(QDialog):
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inner)
-        area.setMinimumHeight(min(inner.sizeHint().height() + 4, TALLEST))
+        # The lines are wrapped, so that their height depends on the width.
+        area.setFixedHeight(min(column.totalHeightForWidth(WIDTH) + 4, TALLEST))
         said = label(
             f"SMSL Studio ended with unsaved work in {counted(number, 'window')}. "
             "What is recovered opens as unsaved changes; the files stay as they are.",
@@ -127,6 +128,7 @@ class _Row(QWidget):
         self.setAccessibleName(f"Unsaved work in {entry.name}")
         self.name = label(entry.name, "heading")
         folder = Elided(str(Path(entry.path).parent) if entry.path else "never saved")
+        folder.setProperty("role", "small")
         told = brings(entry)
         self.brings = label(told.words, "second")
         self.brings.setWordWrap(True)

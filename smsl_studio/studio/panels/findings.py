@@ -90,7 +90,7 @@ class Findings(Panel):
             return
         self._pages.setCurrentWidget(self.empty)
         self.empty.setText(_told(broken))
-        self.summary.setText("Not checked")
+        self.summary.setText("The text does not read")
         self.fix_all_button.hide()
         self.count_changed.emit(len(broken.error.faults))
 
@@ -159,7 +159,7 @@ class Findings(Panel):
 def _told(broken: Broken) -> str:
     """The faults of a text, line by line."""
     faults = broken.error.faults
-    lines = [f"{faults_of(broken)}. What is drawn is checked when it reads again."]
+    lines = [f"{faults_of(broken)}. What is drawn has its findings listed when it reads again."]
     for fault in faults[:MOST]:
         place = f"Line {fault.place.line}, column {fault.place.column}: " if fault.place else ""
         lines.append(f"{place}{capital(fault.sentence)} {fault.advice}".rstrip())

@@ -188,7 +188,8 @@ class Overlays:
         # Where it would cover the picture: below the breadcrumb, or in its line at the right.
         beside = QPoint(canvas.width() - EDGE - zoom.width(), 7)
         clear = not self.key.rows and self.breadcrumb.geometry().right() < beside.x()
-        places = [place, QPoint(EDGE - 2, 44), *([beside] if clear else []), place]
+        below = QPoint(EDGE - 2, 44 + (self.banner.height() + 6 if self.banner.text else 0))
+        places = [place, below, *([beside] if clear else []), place]
         free = (p for p in places if not self._covers(p, zoom.size()))
         zoom.move(next(free, places[-2] if clear else place))
 
@@ -210,10 +211,10 @@ class Overlays:
         self.breadcrumb.resize(self.breadcrumb.sizeHint())
         self.zoom.resize(self.zoom.sizeHint())
         self.map.resize(self.map.sizeHint())
-        self._explain()
-        self._place_zoom()
         self.banner.fit(width - 2 * EDGE)
         self.banner.move((width - self.banner.width()) // 2, 44)
+        self._explain()
+        self._place_zoom()
         self._place_legend()
         self.empty.resize(self.empty.sizeHint())
         self.empty.move((width - self.empty.width()) // 2, (height - self.empty.height()) // 2)
