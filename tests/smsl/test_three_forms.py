@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.errors import ConvertError
+from smsl_studio.errors import ConvertError, EditRefused
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.converting import convert
 from smsl_studio.smsl.document import Document
@@ -20,6 +20,7 @@ from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.json_form import parse_json, write_json
 from smsl_studio.smsl.splicing import reconcile
+from tests.blueprint.test_any_edits import random_edit
 from tests.smsl.texts import NOTES
 
 FORMS = ("json", "smsl", "yaml")
@@ -278,6 +279,27 @@ def test_comments_go_along_between_the_forms_that_have_them() -> None:
     left = convert(document, "json", "x.json")
     assert left.comments_left == COMMENTED.count("//") - 1
     assert convert(left.document, "yaml", "x.yaml").comments_left == 0
+
+
+@pytest.mark.parametrize("form", ["smsl", "yaml"])
+@pytest.mark.parametrize("name", ["hfsm", "registration-digitization"])
+def test_a_history_of_edits_means_the_same_in_every_form(name: str, form: str) -> None:
+    document = read_document(samples_dir() / f"{name}.json")
+    ours, theirs = read_blueprint(to(document, form)), read_blueprint(document)
+    done = 0
+    for seed in range(60):
+        try:
+            theirs = random_edit(random.Random(seed), theirs)
+        except EditRefused:
+            with pytest.raises(EditRefused):
+                random_edit(random.Random(seed), ours)
+            continue
+        ours = random_edit(random.Random(seed), ours)
+        assert ours == theirs, seed
+        again = form_named(form).parse(ours.document.text, "x")
+        assert again.values == ours.document.values
+        done += 1
+    assert done > 15
 
 
 @settings(max_examples=60)
