@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 Json = Any
 MEANING_FIELDS = ("_facts", "_states", "_operations")
+AS_WRITTEN = "as written"
+"""Beside the tables, the entries that do not fit them, by their path."""
 
 _COST = 1.0
 """The cost of an operation that declares none."""
@@ -38,7 +40,7 @@ def notes_meaning(branch: StateBranch) -> dict[str, Json]:
     for path, _ in notes.faults:
         if path[0] in MEANING_FIELDS:
             misfit = branch.fields[path[0]] if len(path) == 1 else branch.fields[path[0]][path[1]]
-            said.setdefault("as written", {})["/".join(path)] = word_for_word(misfit)
+            said.setdefault(AS_WRITTEN, {})["/".join(path)] = word_for_word(misfit)
     return {table: entries for table, entries in said.items() if entries}
 
 

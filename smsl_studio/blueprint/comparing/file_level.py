@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
 from smsl_studio.blueprint.comparing.difference import Change, Kind, Path
 from smsl_studio.blueprint.comparing.sides import Sides
 from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged, said
+from smsl_studio.blueprint.meaning import word_for_word
+from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
 _OWN = ("_hazards", "_imports")
@@ -73,49 +74,34 @@ def _list(names: list[str]) -> str:
 
 
 def _compare_hazards(sides: Sides) -> None:
-    one, other = sides.before.fields.get("_hazards"), sides.after.fields.get("_hazards")
-    if alike(one or None, other or None):
-        return
-    old = {k: (i, _mapped(sides, v)) for k, (i, v) in _by_name(one).items()}
-    new = _by_name(other)
-    found = len(sides.changes)
+    """The hazards of all files, by name; their order means nothing."""
+    old = {k: (i, _mapped(sides, v)) for k, (i, v) in _by_name(sides.before).items()}
+    new = _by_name(sides.after)
     for key in merged(list(old), list(new)):
         here, there = old.get(key), new.get(key)
-        if here is not None and there is not None and alike(here[1], there[1]):
-            continue
-        sides.changes.append(_hazard(key[0], here, there))
-    if len(sides.changes) == found and list(old) != list(new):
-        names = [[key[0] for key in side] for side in (old, new)]
-        words = "The hazards stand in another order."
-        sides.changes.append(
-            Change(
-                Kind.CHANGED,
-                "order",
-                None,
-                None,
-                words,
-                "_hazards",
-                names[0],
-                names[1],
-                ("_hazards",),
-                ("_hazards",),
-            )
-        )
+        if here is None or there is None or not alike(here[1], there[1]):
+            sides.changes.append(_hazard(key[0], here, there))
 
 
-Numbered = tuple[int, Json]
+Placed = tuple[Path, Json]
 
 
-def _by_name(raw: Json) -> dict[tuple[str, int], Numbered]:
-    """The hazards by name, and those of one name by number; what is none goes by its text."""
-    found: dict[tuple[str, int], Numbered] = {}
-    seen: Counter[str] = Counter()
-    items = raw if isinstance(raw, list) else [] if raw is None else [raw]
-    for index, item in enumerate(items):
-        name = said(item.get("name", item) if isinstance(item, dict) else item)
-        found[name, seen[name]] = index, item
-        seen[name] += 1
-    return found
+def _by_name(blueprint: Blueprint) -> dict[tuple[str, int], Placed]:
+    """The hazards by name, and those of one name by number; what is none goes by its text.
+
+    Only those of the blueprint's own file have a place in it.
+    """
+    found: dict[str, list[Placed]] = {}
+    for document in blueprint.documents:
+        raw = document.values.get("_hazards")
+        items = raw if isinstance(raw, list) else [raw] if raw else []
+        for index, item in enumerate(items):
+            name = said(item.get("name", item) if isinstance(item, dict) else item)
+            own = document is blueprint.document
+            found.setdefault(name, []).append((("_hazards", str(index)) if own else (), item))
+    for same in found.values():
+        same.sort(key=lambda one: word_for_word(one[1]))
+    return {(name, n): one for name, same in found.items() for n, one in enumerate(same)}
 
 
 def _mapped(sides: Sides, hazard: Json) -> Json:
@@ -124,21 +110,21 @@ def _mapped(sides: Sides, hazard: Json) -> Json:
     return hazard
 
 
-def _hazard(name: str, here: Numbered | None, there: Numbered | None) -> Change:
+def _hazard(name: str, here: Placed | None, there: Placed | None) -> Change:
     kind = kind_of(here is not None, there is not None)
     old, new = here[1] if here else None, there[1] if there else None
-    words = f"The hazard {name} {value_words(bool(here), bool(there), _facts(old), _facts(new))}."
+    told = value_words(here is not None, there is not None, _facts(old), _facts(new))
     return Change(
         kind,
         "hazard",
         None,
         None,
-        words,
+        f"The hazard {name} {told}.",
         name,
         old,
         new,
-        ("_hazards", str(here[0])) if here else (),
-        ("_hazards", str(there[0])) if there else (),
+        here[0] if here else (),
+        there[0] if there else (),
     )
 
 

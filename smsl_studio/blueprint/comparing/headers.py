@@ -78,8 +78,11 @@ def _shape(branch: StateBranch) -> Json:
 def _compare_subs(pair: BranchSides) -> None:
     old: dict[str, list[int]] = {}
     new: dict[str, list[int]] = {}
+    names: dict[str, str] = {}
     for sub, digit in pair.before.header.sub_sbs:
-        old.setdefault(pair.sides.branch(sub), []).append(digit)
+        now = pair.sides.branch(sub)
+        names[now] = sub
+        old.setdefault(now, []).append(digit)
     for sub, digit in pair.after.header.sub_sbs:
         new.setdefault(sub, []).append(digit)
     for sub in merged(list(old), list(new)):
@@ -87,13 +90,15 @@ def _compare_subs(pair: BranchSides) -> None:
         if here == there:
             continue
         one, other = _digits(here), _digits(there)
+        was = names.get(sub, sub)
         if here and there:
             words = f"lets {sub} expand {other} instead of {one}"
         elif here:
-            words = f"lets {sub} expand {one} no more"
+            words = f"lets {was} expand {one} no more"
         else:
             words = f"lets {sub} expand {other}"
-        _add(pair, "SUB_SBS", _one(here), _one(there), words, sub, bool(here), bool(there))
+        below = (was if here else "", sub if there else "")
+        _add(pair, "SUB_SBS", _one(here), _one(there), words, below, bool(here), bool(there))
 
 
 def _digits(digits: list[int]) -> str:
@@ -119,11 +124,12 @@ def _add(
     old: Json,
     new: Json,
     words: str,
-    below: str = "",
+    below: tuple[str, str] = ("", ""),
     here: bool = True,
     there: bool = True,
 ) -> None:
-    inner = (key, below) if below else (key,)
+    """``below`` is the key inside the header's value, before and after."""
+    inner = [(key, name) if name else (key,) for name in below]
     pair.add(
         Change(
             kind_of(here, there),
@@ -131,10 +137,10 @@ def _add(
             pair.before.address,
             pair.after.address,
             f"{key} of {pair.after.name} {words}.",
-            "/".join(inner),
+            "/".join(inner[there]),
             old,
             new,
-            (pair.before.name, HEADER, *inner) if here else (),
-            (pair.after.name, HEADER, *inner) if there else (),
+            (pair.before.name, HEADER, *inner[0]) if here else (),
+            (pair.after.name, HEADER, *inner[1]) if there else (),
         )
     )

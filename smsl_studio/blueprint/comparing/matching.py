@@ -29,9 +29,6 @@ def renamed_states(before: StateBranch, after: StateBranch) -> dict[str, str]:
     come = [name for name in after.table if name not in before.table]
     if not gone or not come:
         return {}
-    # One direction is worked out and read both ways, so that ties fall alike in both.
-    if come < gone:
-        return {old: new for new, old in _Matching(after, before, come, gone).found().items()}
     return _Matching(before, after, gone, come).found()
 
 
@@ -99,6 +96,7 @@ class _Matching:
                 score = self._score(*pair)
                 if score >= ENOUGH:
                     here, there = self.gone[pair[0]], self.come[pair[1]]
+                    # Two pairs of one state never come out equal, so both ways give the same.
                     scored.append((-score, abs(here - there), here + there, here, pair))
         fresh = []
         for *_, pair in sorted(scored):
@@ -181,8 +179,6 @@ def renamed_branches(
     """The new name of every SB that has another one: most of its operations are the same."""
     gone = [name for name in before if name not in after]
     come = [name for name in after if name not in before]
-    if come < gone:
-        return {old: new for new, old in _pair_branches(after, before, come, gone).items()}
     return _pair_branches(before, after, gone, come)
 
 

@@ -9,35 +9,28 @@ from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.comparing.difference import Change, Path
 from smsl_studio.blueprint.comparing.file_level import changed_fields, kind_of, value_words
 from smsl_studio.blueprint.comparing.sides import BranchSides
-from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged
-from smsl_studio.blueprint.meaning import MEANING_FIELDS
+from smsl_studio.blueprint.comparing.values import fields_that_differ, merged
+from smsl_studio.blueprint.meaning import AS_WRITTEN, MEANING_FIELDS, notes_meaning
 from smsl_studio.blueprint.model import StateBranch
 
 Json = Any
 
 
 def compare_notes(pair: BranchSides) -> None:
-    """``_facts``, ``_states`` and ``_operations``, and every other field as a whole."""
-    for table in MEANING_FIELDS:
-        one, other = pair.before.fields.get(table), pair.after.fields.get(table)
-        if alike(one or None, other or None):
-            continue
-        if isinstance(one or {}, dict) and isinstance(other or {}, dict):
-            _compare_table(pair, table, one or {}, other or {})
-        else:
-            _differs(pair, {table: one} if one else {}, {table: other} if other else {})
+    """``_facts``, ``_states`` and ``_operations`` by what they say, every other field as a whole.
+
+    A default that is written out says nothing. An entry that does not fit counts as it is written.
+    """
+    one, other = notes_meaning(pair.before), notes_meaning(pair.after)
+    if one or other:
+        for table in MEANING_FIELDS:
+            _compare_table(pair, table, one.get(table, {}), other.get(table, {}))
+        _compare_misfits(pair, one.get(AS_WRITTEN, {}), other.get(AS_WRITTEN, {}))
     own = (*MEANING_FIELDS, "_layout")
-    _differs(
-        pair,
-        {k: v for k, v in pair.before.fields.items() if k not in own},
-        {k: v for k, v in pair.after.fields.items() if k not in own},
-    )
-
-
-def _differs(pair: BranchSides, one: Mapping[str, Json], other: Mapping[str, Json]) -> None:
+    old = {key: value for key, value in pair.before.fields.items() if key not in own}
+    new = {key: value for key, value in pair.after.fields.items() if key not in own}
     at, to = pair.before.address, pair.after.address
-    name = pair.after.name
-    found = changed_fields(one, other, name, at.path, to.path, before=at, after=to)
+    found = changed_fields(old, new, pair.after.name, at.path, to.path, before=at, after=to)
     pair.sides.changes.extend(found)
 
 
@@ -48,15 +41,32 @@ def _compare_table(
     back = {new: old for old, new in names.items()}
     for key in merged([names[old] for old in one], list(other)):
         old = back.get(key, key)
-        here, there = old in one, key in other
-        was, now = _mapped(pair, one.get(old)), other.get(key)
-        if (here and there and alike(was, now)) or _goes_with_it(pair, table, (old, key), here):
+        was, now = _mapped(pair, one.get(old, {})), other.get(key, {})
+        if _goes_with_it(pair, table, (old, key), old in one):
             continue
-        if isinstance(was or {}, dict) and isinstance(now or {}, dict) and (was or now):
-            for word, had, has in fields_that_differ(was or {}, now or {}):
-                _entry(pair, table, (old, key), word, (had, has), (was or {}, now or {}))
-        else:
-            _entry(pair, table, (old, key), "", (here, there), ({"": was}, {"": now}))
+        for word, had, has in fields_that_differ(was, now):
+            _entry(pair, table, (old, key), word, (had, has), (was, now))
+
+
+def _compare_misfits(pair: BranchSides, one: Mapping[str, str], other: Mapping[str, str]) -> None:
+    for key, here, there in fields_that_differ(one, other):
+        old, new = one.get(key), other.get(key)
+        path = tuple(key.split("/", 1))
+        pair.add(
+            Change(
+                kind_of(here, there),
+                "note",
+                pair.before.address,
+                pair.after.address,
+                f"The entry {key} of {pair.after.name}, which does not fit, "
+                f"{value_words(here, there, old, new)}.",
+                key,
+                old,
+                new,
+                (pair.before.name, *path) if here else (),
+                (pair.after.name, *path) if there else (),
+            )
+        )
 
 
 def _entry(
@@ -69,13 +79,13 @@ def _entry(
 ) -> None:
     here, there = sides
     old, new = (side.get(word) for side in values)
-    at, to = _address(pair.before.name, table, keys[0]), _address(pair.after.name, table, keys[1])
+    at, to = _element(pair.before, table, keys[0]), _element(pair.after, table, keys[1])
+    key = keys[1] if there else keys[0]
     what = "fact" if table == "_facts" else "note"
-    said = f"The {word or 'note'} of {_subject(pair, table, keys[1])}"
-    inner = (word,) if word else ()
+    said = f"The {word} of {_subject(pair, table, key)}"
     paths: list[Path] = [
-        (side.name, table, key, *inner) if stands else ()
-        for side, key, stands in zip((pair.before, pair.after), keys, sides, strict=True)
+        (side.name, table, own, word) if stands else ()
+        for side, own, stands in zip((pair.before, pair.after), keys, sides, strict=True)
     ]
     pair.add(
         Change(
@@ -84,7 +94,7 @@ def _entry(
             at,
             to,
             f"{said} {value_words(here, there, old, new)}.",
-            "/".join((table, keys[1], *inner)),
+            "/".join((table, key, word)),
             old,
             new,
             paths[0],
@@ -112,8 +122,14 @@ def _stands(branch: StateBranch, address: Address) -> bool | None:
     return address.operation in operations
 
 
+def _element(branch: StateBranch, table: str, key: str) -> Address:
+    """What an entry speaks of, where that is one element that is there; else its SB."""
+    address = _address(branch.name, table, key)
+    return address if _stands(branch, address) else branch.address
+
+
 def _address(branch: str, table: str, key: str) -> Address:
-    """What an entry speaks of, where that is one element; else its SB."""
+    """The one state or operation an entry names, there or not; else its SB."""
     if table == "_states" and key:
         return Address(branch, key)
     if table == "_operations":

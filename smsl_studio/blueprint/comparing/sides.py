@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.comparing.difference import Change
@@ -28,7 +29,20 @@ class Sides:
 
     def branch(self, name: str) -> str:
         """An SB of the earlier side as the later one calls it."""
-        return self.branches.get(name, name)
+        return _renamed(name, self.branches, self._given)
+
+    @cached_property
+    def _given(self) -> frozenset[str]:
+        return frozenset(self.branches.values()) - self.before.branches.keys()
+
+
+def _renamed(name: str, names: Mapping[str, str], given: Collection[str]) -> str:
+    """A name as the later side has it.
+
+    What names nothing on the earlier side is not what got this name by renaming: no name of the
+    later side is equal to it.
+    """
+    return f"{name}\0" if name in given else names.get(name, name)
 
 
 @dataclass
@@ -43,7 +57,12 @@ class BranchSides:
     """For (state, operation) of the earlier side, the new name of an operation renamed there."""
 
     def state(self, name: str) -> str:
-        return self.states.get(name, name)
+        """A state of the earlier side, or a name that is none, as the later one calls it."""
+        return _renamed(name, self.states, self._given)
+
+    @cached_property
+    def _given(self) -> frozenset[str]:
+        return frozenset(self.states.values()) - self.before.table.keys()
 
     def address_before(self, state: str = "", operation: str = "") -> Address:
         return Address(self.before.name, state, operation)

@@ -53,5 +53,7 @@ def merged(before: list[T], after: list[T]) -> list[T]:
 
 def said(value: Json) -> str:
     """A value in a sentence, cut where it is long."""
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
     text = value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"

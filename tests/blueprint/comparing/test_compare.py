@@ -180,6 +180,36 @@ def test_a_default_that_shifts_is_a_change_and_one_that_is_written_out_is_none()
     assert "the first state listed" in shifted.changes[0].words
 
 
+def test_hazards_are_told_by_name_and_their_order_means_nothing() -> None:
+    hazards = [{"name": "a", "facts": {"S/0": v}} for v in "01"]
+    before = of({"S": {"State0": {}}, "_hazards": [*hazards, {"name": "b", "facts": {}}]})
+    assert compare(before, of({"S": {"State0": {}}, "_hazards": [
+        {"name": "b", "facts": {}}, *hazards[::-1]]})).same  # fmt: skip
+    after = of({"S": {"State0": {}}, "_hazards": [*hazards, {"name": "c", "facts": {}}]})
+    found = compare(before, after)
+    assert [(c.kind.value, c.field, c.path_before or c.path_after) for c in found.changes] == [
+        ("removed", "b", ("_hazards", "2")),
+        ("added", "c", ("_hazards", "2")),
+    ]
+
+
+def test_notes_are_told_by_what_they_say() -> None:
+    state = {"State0": {"go": "State0"}}
+    before = of({"S": {**state, "_operations": {"go": {"cost": 2, "actor": "human"}}}})
+    after = of({"S": {**state, "_operations": {"go": {"cost": 3, "title": "", "risk": "low"}}}})
+    found = compare(before, after)
+    assert {(c.kind.value, c.field, c.old, c.new) for c in found.changes} == {
+        ("removed", "_operations/go/actor", "human", None),
+        ("changed", "_operations/go/cost", 2, 3),
+        ("added", "_operations/go/risk", None, "low"),
+    }
+    assert found.changes[0].words == "The cost of the operation go of S is 3 instead of 2."
+    odd = of({"S": {**state, "_operations": {"go": {"colour": "red"}}}})
+    misfit = compare(before, odd).changes[-1]
+    assert (misfit.what, misfit.field) == ("note", "_operations/go")
+    assert "which does not fit" in misfit.words
+
+
 def test_what_differs_beside_the_known_keys_is_told_with_its_place() -> None:
     before = of({"S": {"HEADER": {"COLOUR": "red", "_h": 1}, "A": {"_s": 1}}, "_f": True})
     after = of({"S": {"HEADER": {"_h": 2}, "A": {"_s": 2}, "_b": 3}, "_f": 1})
@@ -240,11 +270,12 @@ def test_renamed_states_are_found_in_another_order_and_beside_other_changes() ->
 
 def test_what_has_nothing_in_common_is_removed_and_added() -> None:
     before = of({"S": {"A": {"x": "B", "y": "B"}, "B": {"z": "B"}}})
-    after = of({"S": {"B": {"z": "B", "w": "C"}, "C": {}}})
-    assert [c.kind.value for c in compare(before, after).changes if c.what == "state"] == [
-        "removed",
-        "added",
-    ]
+    after = of({"S": {"C": {"p": "C"}, "B": {"z": "B"}}})
+    found = [c for c in compare(before, after).changes if c.what == "state"]
+    assert {(c.kind.value, str(c.address)) for c in found} == {
+        ("removed", "S/A"),
+        ("added", "S/C"),
+    }
 
 
 def test_a_difference_as_json_has_places_on_both_sides() -> None:
