@@ -134,7 +134,8 @@ def _part_of(branch: StateBranch) -> _Part:
         tuple(lines),
         tuple((name, state, counts[name]) for name, state in first.items()),
         tuple(operation_lines),
-        tuple(f"{branch.fact_name(digit)}\t{branch.name}/{digit}" for digit in digits),
+        # Its place stands behind a sign: the name of the SB alone is no way to look for its facts.
+        tuple(f"{branch.fact_name(digit)}\t#{branch.name}/{digit}" for digit in digits),
     )
 
 

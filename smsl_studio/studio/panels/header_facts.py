@@ -95,7 +95,7 @@ class HeaderFacts(QWidget):
         fact.name.setAccessibleName(f"Name of fact {digit}")
         fact.name.editingFinished.connect(lambda: self._typed(digit))
         fact.sub.setAccessibleName(f"Sub-SB of fact {digit}")
-        fact.sub.setFixedWidth(118)
+        fact.sub.setFixedWidth(108)
         fact.sub.setFont(text_font(12))
         fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.sub.itemData(at)))
         for place, widget in enumerate((fact.chip, fact.name, fact.sub)):

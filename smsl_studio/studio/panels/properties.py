@@ -138,6 +138,8 @@ class _Several(Panel):
         words = [counted(len(states), "state")] if states else []
         words += [counted(len(edges), "operation")] if edges else []
         self._count.setText(f"{' and '.join(words)} selected")
+        # The form of several of one kind says it in its heading.
+        self._count.setVisible(len(words) > 1)
         self._facts.setText(_shared_facts(self._session.blueprint, states))
         self._facts.setVisible(bool(self._facts.text()))
         self.delete.setText(f"Delete {' and '.join(words)}")
