@@ -25,7 +25,10 @@ from smsl_studio.smsl.files import read_document
 
 KEY = "_imports"
 MOST = 500
-"""So many imports are followed in all; who needs more has made a mistake, or a trap."""
+"""So many files are imported in all; who needs more has made a mistake, or a trap."""
+
+MOST_WRITTEN = 20_000
+"""So many entries of all lists are looked at; files on several ways count once for each."""
 
 Branches = dict[str, StateBranch]
 
@@ -99,10 +102,9 @@ def follow(document: Document, known: Mapping[str, Document]) -> Imports:
     while waiting:
         path, written, chain = waiting.pop()
         asked += 1
-        if asked > MOST:
-            failures.append(
-                Failure(f"more than {MOST} imports are not followed", chain[-1], path, chain)
-            )
+        if len(files) == MOST or asked > MOST_WRITTEN:
+            words = f"more than {MOST if len(files) == MOST else MOST_WRITTEN} imports"
+            failures.append(Failure(f"{words} are not followed", chain[-1], path, chain))
             break
         real = real_path(written)
         if real in chain:
@@ -157,7 +159,7 @@ def _listed(
         failures.append(Failure("_imports is no list of files", chain[-1], (KEY,), chain))
         return
     folder = os.path.dirname(document.file)  # noqa: PTH120
-    for index, name in enumerate(listed[: MOST + 1]):
+    for index, name in enumerate(listed[: MOST_WRITTEN + 1]):
         path = (KEY, str(index))
         if isinstance(name, str) and name:
             yield path, os.path.join(folder, name), chain  # noqa: PTH118

@@ -192,6 +192,7 @@ def log_header(
         "digests": {
             "file": sha256_hex(blueprint.document.encoded()),
             "behaviour": blueprint.behaviour,
+            **_imported(blueprint),
         },
         "versions": {
             "smsl-studio": version(),
@@ -199,6 +200,12 @@ def log_header(
             **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
         },
     }
+
+
+def _imported(blueprint: Blueprint) -> Mapping[str, Any]:
+    """The digests of imported files, where there are any."""
+    files = {one.file: sha256_hex(one.encoded()) for one in blueprint.documents[1:]}
+    return {"imported": files} if files else {}
 
 
 class _Story:

@@ -105,7 +105,10 @@ def held(folders: Iterable[Path], patience: float = 0.0) -> Iterator[bool]:
 def _hold(folder: Path, stack: ExitStack) -> bool:
     if fcntl is None:
         return True
-    handle = os.open(folder, os.O_RDONLY)
+    try:
+        handle = os.open(folder, os.O_RDONLY)
+    except PermissionError:  # a folder that may be written in, but not read
+        return True
     stack.callback(os.close, handle)
     try:
         fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)

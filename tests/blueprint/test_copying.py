@@ -225,6 +225,14 @@ def test_what_holds_nothing_is_refused(text: str) -> None:
         edit.paste(read(A=NOTED), "A", text)
 
 
+def test_states_need_an_sb_to_be_pasted_into() -> None:
+    text = edit.excerpt(read(A=NOTED), at("A/State_00"))
+    with pytest.raises(EditRefused, match="no State Branch to paste into"):
+        edit.paste(new_blueprint(), "", text)
+    whole = edit.excerpt(read(A=NOTED), at("A"))
+    assert list(edit.paste(new_blueprint(), "", whole)[0].branches) == ["A"]
+
+
 def test_odd_texts_do_no_harm() -> None:
     odd = {
         "_copied": "states",

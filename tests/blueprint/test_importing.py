@@ -106,8 +106,32 @@ def test_only_ordinary_files_are_imported_and_not_without_end(tmp_path: Path) ->
     put(tmp_path, base={**BASE, "_imports": ["parts/f0.json"]}, **many)
     (fault,) = base(tmp_path).import_faults
     assert "more than 500 imports" in fault.sentence
-    put(tmp_path, base={**BASE, "_imports": ["gone.json"] * 5000})
-    assert len(base(tmp_path).import_faults) == 2
+    put(tmp_path, base={**BASE, "_imports": ["gone.json"] * 20001})
+    faults = base(tmp_path).import_faults
+    assert [fault.path[1] for fault in faults] == ["0", "20000"]
+
+
+def test_files_of_all_three_forms_belong_together(tmp_path: Path) -> None:
+    put(tmp_path, base={**BASE, "_imports": ["parts/b.smsl", "parts/c.yaml"]})
+    native, yaml = tmp_path / "parts" / "b.smsl", tmp_path / "parts" / "c.yaml"
+    text = (
+        "// the sub\n{ # NAME: B\n  # SUB_SBS: (C: 0)\n"
+        "  State0: [p -> State1] // up\n  State1: []\n}\n"
+    )
+    native.write_text(text)
+    yaml.write_text("C:\n  State0: {q: State1}  # on\n  State1: {}\n")
+    blueprint = base(tmp_path)
+    assert [one.form for one in blueprint.documents] == ["json", "smsl", "yaml"]
+    assert blueprint.bases == {"B": (("A", 0),), "C": (("B", 0),)}
+    after = edit.rename(edit.rename(blueprint, Address("C"), "C2"), Address("B", "State1"), "on")
+    assert after.document is blueprint.document
+    renamed = text.replace("C:", "C2:").replace("-> State1", "-> on").replace("State1:", "on:")
+    assert after.documents[1].text == renamed
+    assert "# on" in after.documents[2].text
+    must_agree(after)
+    assert edit.rename(edit.rename(after, Address("C2"), "C"), Address("B", "on"), "State1") == (
+        blueprint
+    )
 
 
 def changes_of_b(blueprint: Blueprint) -> list[Blueprint]:

@@ -71,6 +71,10 @@ def _put(
             whole[name] = value
             continue
         if target not in into:
+            if not target:
+                raise EditRefused(
+                    "there is no State Branch to paste into", advice="Add a State Branch first."
+                )
             into[target] = _Into(draft, target)
         put = into[target].states if kind == STATES else into[target].operations
         made.extend(put(value, places))
