@@ -4,10 +4,13 @@ Each refuses (EditRefused: a sentence and an advice) what would leave nonsense, 
 has changed. ``after.document`` always agrees with the meaning of ``after``.
 """
 
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
-from smsl_studio.blueprint.editing.copying import cut, excerpt
 from smsl_studio.blueprint.editing.headers import attach_sub, detach_sub, set_header
-from smsl_studio.blueprint.editing.imports import set_imports
 from smsl_studio.blueprint.editing.moving import reorder, retarget
 from smsl_studio.blueprint.editing.notes import (
     change_notes,
@@ -16,9 +19,13 @@ from smsl_studio.blueprint.editing.notes import (
     set_layout,
     set_note,
 )
-from smsl_studio.blueprint.editing.pasting import duplicate, paste
 from smsl_studio.blueprint.editing.removing import delete
 from smsl_studio.blueprint.editing.renaming import rename
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.editing.copying import cut, excerpt
+    from smsl_studio.blueprint.editing.imports import set_imports
+    from smsl_studio.blueprint.editing.pasting import duplicate, paste
 
 __all__ = [
     "add_branch",
@@ -42,3 +49,18 @@ __all__ = [
     "set_layout",
     "set_note",
 ]
+
+# No rule offers these as a fix: they are loaded when somebody asks, so that `check` starts quickly.
+_ASKED_FOR = {
+    "cut": "copying",
+    "duplicate": "pasting",
+    "excerpt": "copying",
+    "paste": "pasting",
+    "set_imports": "imports",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _ASKED_FOR:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_ASKED_FOR[name]}"), name)
