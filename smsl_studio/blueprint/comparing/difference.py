@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparing.places import Places
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
 
@@ -102,11 +104,15 @@ class Difference:
 
     def place_before(self, change: Change) -> Place | None:
         """Where a change stands in the earlier text; None for what was added."""
-        return _place(self.before, change.path_before)
+        return self._places[0].of(change.path_before)
 
     def place_after(self, change: Change) -> Place | None:
         """Where a change stands in the later text; None for what was removed."""
-        return _place(self.after, change.path_after)
+        return self._places[1].of(change.path_after)
+
+    @cached_property
+    def _places(self) -> tuple[Places, Places]:
+        return Places(self.before), Places(self.after)
 
     @property
     def words(self) -> str:
@@ -137,13 +143,6 @@ class Difference:
                 for change in self.changes
             ],
         }
-
-
-def _place(blueprint: Blueprint, path: Path) -> Place | None:
-    if not path:
-        return None
-    home = blueprint.imported.get(path[0], blueprint.document)
-    return home.place(path)
 
 
 def _line_and_column(place: Place | None) -> Json:
