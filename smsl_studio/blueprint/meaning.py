@@ -52,8 +52,8 @@ def hazards_meaning(raw: Json) -> list[Json]:
 
     said = []
     for item in raw:
-        notes, _ = read_hazards([item])
-        said.append(asdict(notes[0]) if notes else word_for_word(item))
+        notes, faults = read_hazards([item])
+        said.append(asdict(notes[0]) if notes and not faults else word_for_word(item))
     return sorted(said, key=word_for_word)
 
 

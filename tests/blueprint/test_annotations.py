@@ -10,6 +10,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
 from smsl_studio.blueprint.annotations import Notes, read_hazards, read_notes
+from smsl_studio.blueprint.meaning import hazards_meaning
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.json_form import parse_json
@@ -79,6 +80,9 @@ def test_hazards_name_facts_that_must_not_hold_together() -> None:
     hazards, faults = read_hazards(raw)
     assert [hazard.name for hazard in hazards] == ["both"]
     assert faults
+    slip = {"name": "both", "facts": {"A/0": "1"}, "colour": "red"}
+    assert [hazard.facts for hazard in read_hazards([slip])[0]] == [{"A/0": "1"}]
+    assert hazards_meaning([slip]) != hazards_meaning([{**slip, "colour": "blue"}])
     assert read_hazards(None) == ((), ())
     assert read_hazards({})[1]
 

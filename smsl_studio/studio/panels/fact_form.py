@@ -112,6 +112,7 @@ class FactForm(NoteForm):
         self.show_entries([Entry(name, key, note, PLAIN, written, misfits=misfits)])
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
         self._values.show_values(values, note, branch.on_value(digit))
+        self._values.setVisible(bool(self._values.rows))
         self._said.say(_value_misfits(misfits))
         self.name.setPlaceholderText(f"Fact {digit + 1}")
         self._show_source(blueprint, branch, note, written)
