@@ -130,7 +130,7 @@ def small_json(path: Path) -> Any:
 
 def standing(target: Path) -> Path:
     """The file whose bytes are those of ``target`` (a real path) now."""
-    marker = marker_of(target)
+    marker = marker_of(target) if target.name else None
     if marker is None or not marker.committed or not marker.part.is_file():
         return target
     return marker.part if marker.untouched else target

@@ -337,6 +337,9 @@ def test_old_leftovers_of_saves_of_one_file_go(three: list[Path]) -> None:
 def test_a_file_without_end_and_a_pipe_are_read_as_far_as_is_sensible(tmp_path: Path) -> None:
     with pytest.raises(ReadError, match="larger than 64 MB"):
         read_document("/dev/zero")
+    for odd in ("/", "", ".", "nul\0", tmp_path):
+        with pytest.raises(ReadError, match="the file cannot be read: "):
+            read_document(odd)
     script = f"{sys.executable} -m smsl_studio check <(echo '{{}}')"
     done = subprocess.run(["bash", "-c", script], cwd=ROOT, capture_output=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -8,7 +8,7 @@ from functools import partial
 import pytest
 
 from smsl_studio.studio.session import Session
-from tests.blueprint.histories import any_blueprint, any_edit, stand
+from tests.blueprint.histories import any_blueprint, any_edit, as_read, stand
 
 
 def typed(chance: random.Random, text: str) -> str:
@@ -43,6 +43,7 @@ def test_a_history_of_edits_and_typing_is_exact(qapp: object, part: int) -> None
             if kind < 0.6 and session.history.index() > at:
                 del seen[at + 1 :]
                 seen.append(told(session))
+                assert stand(as_read(session.blueprint)) == stand(session.blueprint)
             broken += session.broken is not None
             assert told(session) == seen[session.history.index()]
     assert broken
