@@ -232,6 +232,29 @@ def test_a_key_written_twice_opens_and_all_places_are_found() -> None:
         keep_winner(document, ("A", "gone"))
 
 
+@pytest.mark.parametrize(
+    ("inside", "path"),
+    [
+        ("S: [a -> S, a -> S]", "A/S/a"),
+        ("S: [a -> S # _x: 1\na -> S]", "A/S/a"),
+        ("S: [a -> S # _x: 1\n# _x: 1\n]", "A/S/_x"),
+        ('S: [# _x: {"k": [{"d": 1, "d": 1}]}\n]', "A/S/_x/k/0/d"),
+        ("S: [] S: []", "A/S"),
+        ("# _x: 1\n# _x: 1\n", "A/_x"),
+        ("# X: 1\n# HEADER.X: 1\n", "A/HEADER/X"),
+        ("# SUB_SBS: (B: 1, B: 1)\n", "A/HEADER/SUB_SBS/B"),
+        ("} { # NAME: A\n", "A"),
+        ("}\n# _f: 1\n# _f: 1\n{ # NAME: B\n", "_f"),
+    ],
+)
+def test_each_kind_of_key_may_be_doubled(inside: str, path: str) -> None:
+    document = parse(f"{{ # NAME: A\n{inside} }}", "f.smsl")
+    ((found, places),) = document.duplicates()
+    assert ("/".join(found), len(places)) == (path, 2)
+    assert keep_winner(document, found).duplicates() == ()
+    assert keep_winner(document, found).values == document.values
+
+
 def test_places() -> None:
     document = read_document(EXAMPLE)
     file = str(EXAMPLE)
