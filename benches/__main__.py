@@ -27,6 +27,7 @@ BENCHES = (
     "edits",
     "fuzz",
     "find",
+    "journal",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 
 from smsl_studio.errors import ReadError
@@ -28,6 +29,7 @@ class OnDisk:
 
     def __init__(self) -> None:
         self._seen: dict[str, str | None] = {}
+        self._digests: dict[str, str] = {}
 
     def __iter__(self) -> Iterator[str]:
         return iter(tuple(self._seen))
@@ -38,10 +40,12 @@ class OnDisk:
     def forget(self) -> None:
         """Another blueprint was opened."""
         self._seen.clear()
+        self._digests.clear()
 
     def saw(self, file: str, text: str | None) -> None:
         """This text stands in the file, or nothing does."""
         self._seen[file] = text
+        self._digests.pop(file, None)
 
     def saw_if_new(self, texts: Mapping[str, str]) -> None:
         """Files that nobody knew were read a moment ago, so this is what stands in them."""
@@ -51,6 +55,15 @@ class OnDisk:
     def text(self, file: str) -> str | None:
         """What stands in a file; None where nothing does, or nothing is known."""
         return self._seen.get(file)
+
+    def digest(self, file: str) -> str:
+        """The SHA-256 of what stands in a file, worked out once; empty where nothing does."""
+        text = self._seen.get(file)
+        if text is None:
+            return ""
+        if file not in self._digests:
+            self._digests[file] = sha256(text.encode("utf-8")).hexdigest()
+        return self._digests[file]
 
     def differing(self, texts: Mapping[str, str]) -> tuple[str, ...]:
         """The files in which another text stands than these."""

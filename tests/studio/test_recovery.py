@@ -9,8 +9,9 @@ from smsl_studio.studio.recovery import crash_hook
 
 def test_the_hook_says_that_the_work_is_kept(capsys: pytest.CaptureFixture[str]) -> None:
     told: list[str] = []
-    for kept in (True, False):
-        hook = crash_hook(lambda kept=kept: kept, told.append)
+    kept = [False, True]
+    for _ in range(2):
+        hook = crash_hook(kept.pop, told.append)
         try:
             raise ValueError("something of ours")
         except ValueError as error:

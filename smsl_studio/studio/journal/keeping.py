@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from datetime import datetime
-from hashlib import sha256
 
 from smsl_studio.studio.files import Files
 from smsl_studio.studio.journal.entry import Entry, Kept
@@ -27,7 +26,8 @@ class Unsaved:
         unsaved = files.unsaved_of(texts)
         if not unsaved:
             return None
-        kept = (Kept(self._named(file), texts[file], self._saved(file)) for file in unsaved)
+        digest = files.on_disk.digest
+        kept = (Kept(self._named(file), texts[file], digest(file)) for file in unsaved)
         return Entry(
             files.name,
             str(files.path or ""),
@@ -43,7 +43,3 @@ class Unsaved:
         if own:
             return str(self._files.path or file)
         return os.path.abspath(file)  # noqa: PTH100
-
-    def _saved(self, file: str) -> str:
-        text = self._files.on_disk.text(file)
-        return "" if text is None else sha256(text.encode("utf-8")).hexdigest()
