@@ -158,6 +158,9 @@ class Geometry:
                 self._route(edge)
         boxes = [self.box(i) for i in range(len(self.picture))]
         self._shapes |= in_lanes(passing, boxes, self._middle, self.style.unit)
+        for one in passing:
+            if one.edge not in self._shapes:
+                self._route(one.edge)
         self._lines = labels.Lines(self._shapes)
         self._places = labels.LabelPlaces(self.boxes, self.style.unit)
         for state in looping:

@@ -12,6 +12,8 @@ from smsl_studio.picture.shape import Box, EdgeShape, Point, rounded
 
 FIRST, STEP, SLOT, RADIUS = 45.0, 20.0, 24.0, 8.0
 """From the row's border to the first lane; between lanes; between ends on one node; corners."""
+LEAST = 6.0
+"""Where there is less room than this before the next row, there are no lanes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +35,8 @@ def in_lanes(
     """The lines of edges that pass by: level by level outside their row.
 
     Rows above ``middle`` of the picture pass above, the others below; columns left and right
-    alike. Short ones run inside, so that lines nest and do not cross.
+    alike. Short ones run inside, so that lines nest and do not cross. Edges of a row that has no
+    room for lanes are left out.
     """
     shapes: dict[int, EdgeShape] = {}
     for key in sorted({_row(p, boxes) for p in passing}):
@@ -63,6 +66,8 @@ def _row_lanes(
     step = STEP * unit
     first = FIRST * unit
     deepest = max(levels.values())
+    if room is not None and room < LEAST * unit:
+        return {}
     if room is not None and first + deepest * step > room:
         squeeze = room / (first + deepest * step)
         first, step = first * squeeze, step * squeeze

@@ -163,3 +163,10 @@ def test_a_cut_is_as_long_as_it_says(points: list[tuple[float, float]]) -> None:
     assert shape.at(0.0) == pytest.approx(points[0])
     assert shape.at(shape.length) == pytest.approx(points[-1])
     assert shape.distance(*shape.at(shape.length * 0.4)) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_a_row_without_room_before_the_next_one_has_no_lanes() -> None:
+    boxes = [box(0, 100), box(200, 100), box(400, 100), box(200, 44), box(200, 400)]
+    assert in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0) == {}
+    boxes[3] = box(200, -200)
+    assert list(in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0)) == [0]
