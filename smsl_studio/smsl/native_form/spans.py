@@ -41,12 +41,21 @@ class Element(NamedTuple):
         return Member(self.key, self.key_start, self.key_end, self.value_start, self.value_end)
 
 
+class _Branch(NamedTuple):
+    """What stands in a branch: its header lines, and its states and fields, the last of each."""
+
+    lines: tuple[Element, ...]
+    latest: dict[str, Element]
+
+
 class NativeSpans:
     """The spans of one valid native text."""
 
     def __init__(self, text: str) -> None:
         self._text = text
         self._inside: dict[int, tuple[Element, ...]] = {}
+        self._branches: dict[int, _Branch] = {}
+        self._members: dict[Path, tuple[Member, ...]] = {}
 
     @property
     def root(self) -> int:
@@ -60,22 +69,29 @@ class NativeSpans:
 
     def members(self, path: Path) -> tuple[Member, ...]:
         """See ``Spans``. The key of a branch is its NAME; HEADER is its header lines together."""
+        if len(path) > 1:
+            return self._find(path)
+        if path not in self._members:
+            self._members[path] = self._find(path)
+        return self._members[path]
+
+    def _find(self, path: Path) -> tuple[Member, ...]:
         if not path:
             return tuple(element.member for element in self.elements)
         first = _last(self.elements, path[0])
         if first.kind != "branch":
             return self._values(first.value_start, path[1:])
-        inside = first.elements
         if len(path) == 1:
+            inside = first.elements
             return (*header_member(inside), *(e.member for e in in_values(inside)))
+        lines, latest = self._branch(first)
         if path[1] == "HEADER":
-            lines = tuple(element for element in inside if element.kind == "header")
             if not lines:
                 raise KeyError(path)
             if len(path) == 2:
                 return tuple(line.member for line in lines)
             return self._values(_last(lines, path[2]).value_start, path[3:])
-        second = _last(in_values(inside), path[1])
+        second = latest[path[1]]
         if second.kind != "state":
             return self._values(second.value_start, path[2:])
         if len(path) == 2:
@@ -84,6 +100,13 @@ class NativeSpans:
         if third.kind != "field":
             raise KeyError(path)
         return self._values(third.value_start, path[3:])
+
+    def _branch(self, branch: Element) -> _Branch:
+        if branch.start not in self._branches:
+            lines = tuple(element for element in branch.elements if element.kind == "header")
+            latest = {element.key: element for element in in_values(branch.elements)}
+            self._branches[branch.start] = _Branch(lines, latest)
+        return self._branches[branch.start]
 
     def inside(self, state: Element) -> tuple[Element, ...]:
         """The edges and lines of a state."""
@@ -100,7 +123,7 @@ class NativeSpans:
             if element.kind != "branch":
                 yield from self._doubled_values(path, element.value_start)
                 continue
-            lines = tuple(e for e in element.elements if e.kind == "header")
+            lines = self._branch(element).lines
             yield from _doubled((*path, "HEADER"), tuple(line.member for line in lines))
             for line in lines:
                 yield from self._doubled_values((*path, "HEADER", line.key), line.value_start)
