@@ -51,7 +51,7 @@ def find(text: str, search: Search) -> Found:
         return Found(fault=f"No valid expression: {expression.errorString()}")
     matches: list[Match] = []
     # Qt counts in UTF-16 units; the text before a match is counted once.
-    units, at = 0, 0
+    units, at, last = 0, 0, 0
     found = expression.globalMatch(text)
     while found.hasNext():
         match = found.next()
@@ -60,12 +60,13 @@ def find(text: str, search: Search) -> Found:
         at += from_units(
             text[at : at + match.capturedStart() - units], match.capturedStart() - units
         )
-        units = match.capturedStart()
+        units, last = match.capturedStart(), match.capturedEnd()
         end = at + len(match.captured())
         if end > at:
             groups = tuple(match.captured(n) for n in range(match.lastCapturedIndex() + 1))
             matches.append(Match(at, end, groups))
-    if not found.isValid():
+    # Behind an empty match at the end the iterator is not valid either.
+    if not found.isValid() and not expression.match(text, last).isValid():
         return Found(fault="The expression takes too long")
     return Found(tuple(matches))
 

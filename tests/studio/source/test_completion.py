@@ -56,6 +56,7 @@ def names(text: str, form: str = "json", library: tuple[str, ...] = ()) -> list[
 def test_what_fits_where(line: str, wanted: list[str]) -> None:
     found = names("{" + line, library=("grip",) if line.endswith('_0": {"|') else ())
     assert set(wanted) == set(found)
+    assert found[:1] == wanted[:1]
 
 
 def test_native_text_offers_the_same() -> None:

@@ -31,7 +31,10 @@ def test_plain_words_whole_words_case_and_expressions() -> None:
 def test_what_is_no_expression_or_goes_astray_is_said() -> None:
     assert "expression" in find("a", Search("(", regular=True)).fault
     assert "too long" in find("a" * 60 + "b", Search("(a+)+$", regular=True)).fault
-    assert find("aaa", Search("x*", regular=True)).matches == ()
+    for nothing in ("x*", "$", "^"):
+        found = find("a\nb", Search(nothing, regular=True))
+        assert (found.matches, found.fault) == ((), "")
+    assert spans("aab", Search("a*", regular=True)) == ["aa"]
 
 
 def test_groups_stand_in_the_replacement() -> None:
