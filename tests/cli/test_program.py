@@ -13,7 +13,10 @@ import pytest
 from tests.cli.shell import Shell, sample
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
-COMMANDS = ("check", "route", "run", "sweep", "worlds", "plugins")
+COMMANDS = (
+    *("check", "fmt", "convert", "diff", "render", "digest"),
+    *("route", "run", "sweep", "worlds", "plugins"),
+)
 
 
 def _start(*argv: str, stdout: int = subprocess.PIPE) -> subprocess.Popen[str]:
