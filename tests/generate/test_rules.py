@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.rules import hanoi
+from smsl_studio.generate.rules import hanoi, level_values
+from smsl_studio.inspection.finding import Severity
+from smsl_studio.inspection.inspect import inspect
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
 
@@ -57,3 +61,13 @@ def test_every_move_can_be_taken_back() -> None:
 def test_a_number_of_disks_that_makes_no_sense_is_refused(disks: int) -> None:
     with pytest.raises(UsageError):
         hanoi(disks)
+
+
+def test_levels_of_switches_expand_each_other_and_are_without_error() -> None:
+    values = level_values((3, 3, 2))
+    blueprint = read_blueprint(parse_json(json.dumps(values), "levels.json"))
+    assert blueprint.roots == ("Level1",)
+    assert blueprint.bases == {"Level2": (("Level1", 1),), "Level3": (("Level2", 1),)}
+    assert blueprint.operation_count == 3 * 8 + 3 * 8 + 2 * 4
+    assert not [one for one in inspect(blueprint) if one.severity is Severity.ERROR]
+    assert sum(map(len, level_values()["Level1"].values())) == 12 * 2**12 + 1

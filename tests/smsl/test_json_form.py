@@ -12,7 +12,8 @@ from hypothesis import given, settings
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.files import parse_bytes, read_document
-from smsl_studio.smsl.json_form import MAX_DEPTH, parse_json, write_json
+from smsl_studio.smsl.json_form import MAX_DEPTH, parse_json, recover, write_json
+from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS
 from tests.smsl.texts import VALUES, texts
 
 SAMPLES = sorted((Path(__file__).parents[2] / "samples").glob("*.json"))
@@ -30,7 +31,7 @@ def test_a_sample_comes_back_byte_for_byte(path: Path) -> None:
     assert read_document(path).encoded() == path.read_bytes()
 
 
-@settings(max_examples=2000)
+@settings(max_examples=300)
 @given(texts())
 def test_any_document_comes_back_byte_for_byte(text: str) -> None:
     raw = text.encode("utf-8")
@@ -89,6 +90,21 @@ def test_a_refusal_names_the_place(text: str, line: int, column: int, words: str
     assert error.place == Place("f.json", line, column)
     assert words in error.sentence
     assert error.advice
+
+
+def test_a_text_has_an_end() -> None:
+    text = " " * (MAX_CHARACTERS + 1)
+    error = refusal(text)
+    assert error.sentence == "the file is larger than 64 million characters"
+    assert error.place == Place("f.json", 1, 1)
+    assert recover(text, "f.json").values == {}
+
+
+def test_a_whole_number_has_a_length() -> None:
+    assert parse_json('{"_a": ' + "7" * 4000 + "}", "f.json").values["_a"] > 10**3999
+    error = refusal('{"_a": ' + "7" * 4001 + "}")
+    assert "the number is too large" in error.sentence
+    assert (error.place, error.length) == (Place("f.json", 1, 8), 4001)
 
 
 def test_columns_count_characters_and_the_bom_is_none() -> None:
