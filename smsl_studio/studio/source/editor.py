@@ -8,11 +8,12 @@ neither a keystroke nor an edit ever sets the whole text anew, and caret and scr
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
 
 from PySide6.QtCore import QEvent, QMimeData, QPoint, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
+    QDragLeaveEvent,
+    QDropEvent,
     QFocusEvent,
     QHelpEvent,
     QKeyEvent,
@@ -21,7 +22,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from smsl_studio.studio.source.patches import Patch, common_prefix, common_suffix
+from smsl_studio.studio.source.answering import Keys
+from smsl_studio.studio.source.patches import Patch, common_prefix, common_suffix, joined
 from smsl_studio.studio.source.sheet import Sheet
 from smsl_studio.studio.source.spelling import from_units, units
 from smsl_studio.studio.source.surface import Surface
@@ -29,19 +31,6 @@ from smsl_studio.studio.theme import Tokens
 
 TOGETHER = 300
 """Patches from which on they are made as one."""
-
-
-class Keys(Protocol):
-    """Who answers the keys of an editor before the text does."""
-
-    def takes(self, event: QKeyEvent) -> bool:
-        """Whether the key is for the text, whatever it means elsewhere in the window."""
-
-    def answer(self, event: QKeyEvent) -> bool:
-        """Do what the key asks for; False where it is an ordinary one."""
-
-    def typed(self, event: QKeyEvent) -> None:
-        """An ordinary key was typed."""
 
 
 class Editor(Surface):
@@ -97,7 +86,7 @@ class Editor(Surface):
     def apply(self, patches: Sequence[Patch]) -> None:
         """Replace parts of the text, the last one first; what is seen stays where it is."""
         if len(patches) > TOGETHER:
-            patches = [_joined(self.sheet.text, patches)]
+            patches = [joined(self.sheet.text, patches)]
         top = self.firstVisibleBlock()
         for start, end, part in patches:
             first, old, new = self.sheet.put(start, end, part)
@@ -257,11 +246,45 @@ class Editor(Surface):
         if self.isReadOnly():
             return
         start, end = self.marked
-        plain = source.text().replace("\r\n", "\n")
-        part = plain.replace("\n", self.sheet.newline)
+        part = self._spelt(source.text())
         words = f"Paste in line {self.sheet.line_of(self.sheet.where(start)[0]) + 1}"
         self.replace(start, end, part, words, start + len(part))
         self.ensureCursorVisible()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Text that is dropped goes where it falls; what is dragged from here is moved."""
+        data = event.mimeData()
+        if self.isReadOnly() or not self.canInsertFromMimeData(data):
+            super().dropEvent(event)
+            return
+        place = self.place_of(self.cursorForPosition(event.position().toPoint()))
+        moved = (
+            event.source() in (self, self.viewport())
+            and event.dropAction() == Qt.DropAction.MoveAction
+        )
+        self.drop_text(data.text(), self.sheet.offset(*place), moved)
+        event.acceptProposedAction()
+        # The mark of where it would fall goes.
+        self.dragLeaveEvent(QDragLeaveEvent())
+
+    def drop_text(self, text: str, at: int, moved: bool) -> None:
+        """Put text at an offset; ``moved`` takes away what is marked."""
+        start, end = self.marked
+        if moved and start <= at <= end:
+            return
+        part = self._spelt(text)
+        patches = [(at, at, part)]
+        if moved:
+            patches = sorted([(start, end, ""), *patches], reverse=True)
+        self.begin_command()
+        self.apply(patches)
+        first = at - (end - start) if moved and at >= end else at
+        self.set_caret(first, first + len(part))
+        self.typed.emit("Move text" if moved else "Drop text")
+
+    def _spelt(self, text: str) -> str:
+        """Text from elsewhere with the line ends of this one."""
+        return text.replace("\r\n", "\n").replace("\n", self.sheet.newline)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
@@ -284,14 +307,3 @@ class Editor(Surface):
         if event.button() is Qt.MouseButton.LeftButton and not self.textCursor().hasSelection():
             control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
             (self.called if control else self.clicked).emit(event.position().toPoint())
-
-
-def _joined(text: str, patches: Sequence[Patch]) -> Patch:
-    """Several patches, the last one first, as one that spans them all."""
-    parts: list[str] = []
-    first, last = patches[-1][0], patches[0][1]
-    at = first
-    for start, end, part in reversed(patches):
-        parts += [text[at:start], part]
-        at = end
-    return first, last, "".join(parts)

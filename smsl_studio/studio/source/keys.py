@@ -64,7 +64,7 @@ class PaneKeys:
                 self._keys[one, _CTRL | _ALT] = everywhere
 
     def takes(self, event: QKeyEvent) -> bool:
-        """See ``editor.Keys``."""
+        """See ``answering.Keys``."""
         held = event.modifiers()
         popup = not self._popup.isHidden() and event.key() == Qt.Key.Key_Escape
         bar = not self._pane.find_bar.isHidden() and event.key() == Qt.Key.Key_Escape
@@ -72,7 +72,7 @@ class PaneKeys:
         return popup or bar or known
 
     def answer(self, event: QKeyEvent) -> bool:
-        """See ``editor.Keys``."""
+        """See ``answering.Keys``."""
         if self._popup.answer(event):
             return True
         call = self._keys.get((event.key(), event.modifiers()))
@@ -93,5 +93,5 @@ class PaneKeys:
         return self._manners.answer(event)
 
     def typed(self, event: QKeyEvent) -> None:
-        """See ``editor.Keys``."""
+        """See ``answering.Keys``."""
         self._popup.typed(event)

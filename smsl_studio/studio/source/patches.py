@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 Patch = tuple[int, int, str]
 
 
@@ -50,3 +52,14 @@ def common_suffix(a: str, b: str, most: int) -> int:
         else:
             high = middle - 1
     return low
+
+
+def joined(text: str, patches: Sequence[Patch]) -> Patch:
+    """Several patches, the last one first, as one that spans them all."""
+    parts: list[str] = []
+    first, last = patches[-1][0], patches[0][1]
+    at = first
+    for start, end, part in reversed(patches):
+        parts += [text[at:start], part]
+        at = end
+    return first, last, "".join(parts)

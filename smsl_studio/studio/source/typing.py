@@ -47,6 +47,8 @@ class Typing(QObject):
 
     def settle(self) -> None:
         """Take over now what was typed."""
+        if self._words and self.file not in self._session.texts:
+            self.forget()
         if self._words:
             self._take(read_text(self._session.blueprint, self.file, self._text()))
 
@@ -68,7 +70,7 @@ class Typing(QObject):
 
     def _paused(self) -> None:
         text = self._text()
-        if len(text) < LARGE:
+        if len(text) < LARGE or self.file not in self._session.texts:
             self.settle()
             return
         task = _Task(self._serial, self._session.blueprint, self.file, text)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from PySide6.QtCore import QMimeData, Qt, QUrl
+from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication
 
 from tests.studio.source.conftest import ALT, CTRL, HFSM, SHIFT, Writer
@@ -105,6 +106,27 @@ def test_a_file_that_is_dropped_is_not_text(at_text: At) -> None:
     assert writer.pane.editor.canInsertFromMimeData(data)
     data.setUrls([QUrl("file:///tmp/a.json")])
     assert not writer.pane.editor.canInsertFromMimeData(data)
+
+
+def test_text_is_dropped_where_it_falls_and_moved_within(at_text: At) -> None:
+    writer, data = at_text(), QMimeData()
+    data.setText('"State_3": {},\n        ')
+    editor = writer.pane.editor
+    at = QPointF(editor.cursorRect(editor.cursor_at(HFSM.index('"State_1": {'))).center())
+    buttons, keys = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    enter = QDragEnterEvent(at.toPoint(), Qt.DropAction.CopyAction, data, buttons, keys)
+    QApplication.sendEvent(editor.viewport(), enter)
+    drop = QDropEvent(at, Qt.DropAction.CopyAction, data, buttons, keys)
+    QApplication.sendEvent(editor.viewport(), drop)
+    writer.pane.settle()
+    assert writer.states() == ["State_0", "State_3", "State_1", "State_2"]
+    writer.mark('"State_3"', "{},\n        ")
+    moved = editor.textCursor().selectedText().replace("\u2029", "\n")
+    editor.drop_text(moved, writer.text.index('"State_2": {'), moved=True)
+    writer.pane.settle()
+    assert writer.states() == ["State_0", "State_1", "State_3", "State_2"]
+    assert writer.words == ["Drop text", "Move text"]
+    assert writer.lines == writer.text.split("\n")
 
 
 @pytest.mark.parametrize("key", [Qt.Key.Key_Tab, Qt.Key.Key_Return])
