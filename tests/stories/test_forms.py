@@ -108,6 +108,21 @@ def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:
     assert form.line("max_age").refusal.text() == ""
 
 
+def test_while_a_text_does_not_read_a_form_says_so_at_its_field(sit: Sit) -> None:
+    person = sit(HFSM)
+    session = person.window.session
+    person.select("SB1/State110")
+    session.write("Type", "{ broken")
+    person.window.docks.show_tab("Properties")
+    form = person.window.properties.state
+    person.write(form.title, "Half way")
+    assert "does not read" in form.line("title").refusal.text()
+    assert not person.window.toast.words
+    session.history.undo()
+    person.write(form.title, "Half way")
+    assert person.steps()[-1] == "Set title of State110 to “Half way”"
+
+
 # States
 
 

@@ -34,9 +34,10 @@ def test_the_nearest_stands_first() -> None:
     assert names(lines, "plan") == [
         "Plan", "PlanLong", "o\tplan it", "x_plan", "RePlan", "xplan", "replan", "pl_a_n"
     ]  # fmt: skip
-    assert names(["State_0110", "State_110", "State110x", "S1x1x0"], "110") == [
-        "State_110", "State110x", "State_0110", "S1x1x0"
+    assert names(["S_0110", "State_110", "State110long", "S1x1x0"], "110") == [
+        "State_110", "State110long", "S_0110", "S1x1x0"
     ]  # fmt: skip
+    assert names(["ab cab", "long_a and_b"], "a b")[0] == "long_a and_b"
 
 
 def test_signs_are_plain_signs() -> None:

@@ -41,6 +41,8 @@ def test_what_is_no_number_is_said_in_a_sentence(qtbot: QtBot) -> None:
     assert all(said[text] for text in said if text != "2"), said
     assert said["2"] == ""
     assert all(len(sentence) < 120 for sentence in said.values())
+    assert Bounds().sentence("inf") == "“inf” is too large. Write 1e+12 or less."
+    assert "too large" in Bounds().sentence("2e12")
 
 
 def test_values_that_differ_are_said_to_and_stay(qtbot: QtBot) -> None:
