@@ -153,6 +153,17 @@ def test_every_fault_of_a_text_is_told_in_its_order_and_the_rest_is_read() -> No
     assert parse_json(repaired(BROKEN, error.faults), "f.json").values == read
 
 
+def test_a_comment_beside_another_fault_is_a_fault_of_its_own() -> None:
+    text = '{\n  "a": {\n    "S": {"o": "S"}   // end\n'
+    error = refusal(text)
+    assert [fault.sentence for fault in error.faults] == [
+        "the file ends, and 2 brackets are not closed",
+        "JSON has no comments",
+    ]
+    fixed = '{\n  "a": {\n    "S": {"o": "S"}\n  }\n}\n'
+    assert repaired(text, error.faults) == fixed
+
+
 def test_what_could_be_read_is_a_document_of_its_own() -> None:
     document = recover('\ufeff{"a": {"S": {"o": \ud800"T"}, "_x": NaN}, "b" "c', "f.json")
     assert document.values == {"a": {"S": {"o": "T"}}, "b": "c"}

@@ -203,9 +203,7 @@ class Brackets:
         """The frame should have ended before this token."""
         at, closers, opener = frame.last_end, "", frame.token
         while True:
-            line = frame.token.line
-            closers += "\n" + self._text[line : line + frame.indent] if token.first else ""
-            closers += frame.closer
+            closers += self._on_its_line(frame, token.start) if token.first else frame.closer
             self._pop(at)
             frame = self._frames[-1]
             further = self._closes_further_out if token.kind in "}]" else self._ends_before
@@ -213,7 +211,7 @@ class Brackets:
                 break
         line = self._text.count("\n", 0, opener.start) + 1
         words = f"the {opener.kind} of line {line} is not closed before this"
-        marks = closers.replace("\n", "").replace(" ", "").replace("\t", "")
+        marks = "".join(closers.split())
         fix = (f"Insert {marks}", at, at, closers + behind)
         self._fault(token, words, f"Write {marks} before it.", fix)
 
@@ -248,12 +246,11 @@ class Brackets:
         """The text ends while brackets are open."""
         closers = "".join(one.closer for one in reversed(self._frames))
         what = f"{len(closers)} brackets are" if len(closers) > 1 else "a bracket is"
-        end = len(self._text.rstrip())
-        start, tail = end, self._text[end:]
-        if frame.expects in ("key", "item") and frame.comma:
-            start = frame.comma.start
+        end = self._taken_to
+        start = frame.comma.start if frame.comma else end
         fix: tuple[str, int, int, str] | None
-        fix = (f"Write {closers} at the end", start, end, closers)
+        lines = (self._on_its_line(one, end) for one in reversed(self._frames))
+        fix = (f"Write {closers} at the end", start, end, "".join(lines))
         if frame.expects in ("colon", "value") and frame.key:
             name = short(frame.key.value)
             sentence = f"the file ends before the value of {name!r}"
@@ -261,5 +258,12 @@ class Brackets:
         else:
             sentence = f"the file ends, and {what} not closed"
             advice = f"Write {closers} at the end."
-        at = max(0, end - 1) if tail or end else 0
-        self._fault(token._replace(start=at, end=max(end, at)), sentence, advice, fix)
+        self._fault(token._replace(start=max(0, end - 1), end=end), sentence, advice, fix)
+
+    def _on_its_line(self, frame: Frame, end: int) -> str:
+        """The closing bracket of a frame, under the line that opens it where that is another."""
+        if self._text.find("\n", frame.token.start, end) < 0:
+            return frame.closer
+        newline = "\r\n" if "\r\n" in self._text else "\n"
+        line = frame.token.line
+        return newline + self._text[line : line + frame.indent] + frame.closer

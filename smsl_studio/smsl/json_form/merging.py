@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.json_form.tokens import Fault
+from smsl_studio.smsl.json_form.tokens import COMMENT, Fault
 
 
 def merged(faults: list[Fault], text: str) -> list[Fault]:
@@ -18,7 +18,7 @@ def merged(faults: list[Fault], text: str) -> list[Fault]:
     kept: list[Fault | None] = list(faults)
     for index, fault in enumerate(faults):
         fix = fault.fix
-        if fix is None or fix.text or fix.start == fix.end:
+        if fix is None or fix.text or fix.start == fix.end or fault.sentence == COMMENT:
             continue
         first = _first_of_run(text, fix)
         found = next((at for at in (fix.start, fix.end, first) if at in coming), None)
@@ -31,7 +31,7 @@ def merged(faults: list[Fault], text: str) -> list[Fault]:
         begin = first if found == first else fix.start
         start, end = min(fault.at, partner.at), max(_end(fault), _end(partner))
         words = TextFix(
-            f"Write {partner.fix.text.strip()}",
+            f"Write {''.join(partner.fix.text.split())}",
             begin,
             begin + fix.end - fix.start,
             partner.fix.text,

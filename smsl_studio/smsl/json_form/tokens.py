@@ -43,6 +43,8 @@ class Token(NamedTuple):
 
 TEXT, NUMBER, WORD, ODD, END = "text", "number", "word", "odd", "end"
 
+COMMENT = "JSON has no comments"
+
 _GAP = re.compile(r"[ \t\r\n]+")
 _ODD_SPACE = re.compile(r"[^\S \t\r\n]+|[\ufeff\u200b]+")
 _COMMENT = re.compile(r"(?://|#)[^\r\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
@@ -116,7 +118,7 @@ class Tokens:
             Fault(
                 start,
                 end - start,
-                "JSON has no comments",
+                COMMENT,
                 'Remove it, write it as "_comment": "...", or keep the file in the native form'
                 " (.smsl), which has // comments.",
                 TextFix("Remove the comment", before, end, ""),
