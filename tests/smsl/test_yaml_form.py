@@ -154,6 +154,18 @@ def test_a_refusal_names_the_place(text: str, line: int, column: int, words: str
     recover(text, "f.yaml")
 
 
+def test_a_file_may_not_ask_for_too_much(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("smsl_studio.smsl.yaml_form.nodes.MAX_NODES", 50)
+    error = refusal("SB: {S: {a: S}}\n_x: [" + "a," * 50 + "]\nSC: {}\n")
+    assert "more than 50 names and values" in error.sentence
+    assert recover("SB: {}\n_x: [" + "a," * 50 + "]", "f.yaml").values["SB"] == {}
+    monkeypatch.setattr("smsl_studio.smsl.yaml_form.reading.MAX_CHARACTERS", 50)
+    text = "SB: {}\n" * 10
+    assert "larger than" in refusal(text).sentence
+    empty = recover(text, "f.yaml")
+    assert (empty.values, empty.place(("SB",)).line) == ({}, 1)
+
+
 def test_several_faults_are_told_at_once_and_the_rest_is_recovered() -> None:
     text = """\
 SB1: {S: !odd {a: S}, _x: .inf}

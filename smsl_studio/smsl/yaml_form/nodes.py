@@ -8,7 +8,7 @@ reading goes on at the next name that stands at the beginning of a line.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from itertools import islice
 from typing import Any
 
 import yaml
@@ -17,6 +17,7 @@ from smsl_studio.errors import TextFix
 from smsl_studio.smsl.yaml_form.faults import Fault, shown, syntax_fault
 
 MAX_DEPTH = 64
+MAX_NODES = 2_000_000
 MAX_REPEATED = 250_000
 """What all aliases together may stand for, in characters and nodes."""
 
@@ -67,32 +68,21 @@ class Tree:
         self.text = text
         self.faults: list[Fault] = []
         self.roots: list[Node] = []
+        self.count = 0
         self._anchors: dict[str, Node] = {}
         self._repeated = 0
         self._read()
 
-    def leaves(self) -> Iterator[Node]:
-        """Every name, text and alias, in the order of the text."""
-        waiting = self.roots[::-1]
-        while waiting:
-            node = waiting.pop()
-            if node.kind == "map":
-                waiting.extend(part for pair in reversed(node.value) for part in reversed(pair))
-            elif node.kind == "list":
-                waiting.extend(reversed(node.value))
-            else:
-                yield node
-
     def _read(self) -> None:
         text = self.text
-        odd = list(_ODD.finditer(text, 1 if text.startswith("\ufeff") else 0))
-        if odd:
-            self.faults.extend(_odd_character(match) for match in odd[:_RESUMES])
-            text = _ODD.sub("\ufffd", text)
         at = 1 if text.startswith("\ufeff") else 0
+        odd = islice(_ODD.finditer(text, at), _RESUMES)
+        self.faults.extend(map(_odd_character, odd))
+        if self.faults:
+            text = text[:at] + _ODD.sub("\ufffd", text[at:])
         for _ in range(_RESUMES):
             stopped = self._read_from(text, at)
-            if stopped is None:
+            if stopped is None or self.count > MAX_NODES:
                 return
             following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped - 1, at)))
             if following is None:
@@ -157,7 +147,11 @@ class _Building:
 
     def take(self, event: Any) -> None:
         kind = type(event)
-        if kind is yaml.ScalarEvent:
+        self._tree.count += 1
+        if self._tree.count > MAX_NODES:
+            words = f"the file holds more than {MAX_NODES:,} names and values"
+            self._stop(event.start_mark.index + self._shift, words, "Split it into several files.")
+        elif kind is yaml.ScalarEvent:
             self._scalar(event)
         elif kind is yaml.MappingStartEvent:
             self._begin(event, "map")
@@ -180,6 +174,12 @@ class _Building:
         """Close what is still open, because the text is no YAML from ``at`` on."""
         while self._open:
             self._finish(at)
+
+    def _stop(self, at: int, sentence: str, advice: str) -> None:
+        """Read no further: what follows would cost too much."""
+        self._tree.faults.append(Fault(at, 1, sentence, advice))
+        self.close_all(at)
+        self.done, self.stopped = True, at
 
     def _span(self, event: Any) -> tuple[int, int]:
         return event.start_mark.index + self._shift, event.end_mark.index + self._shift
@@ -219,9 +219,7 @@ class _Building:
     def _begin(self, event: Any, kind: str) -> None:
         start, end = self._span(event)
         if len(self._open) >= MAX_DEPTH:
-            self._tree.faults.append(Fault(start, 1, *_too_deep()))
-            self.close_all(start)
-            self.done, self.stopped = True, start
+            self._stop(start, *_too_deep())
             return
         node = Node(kind, start, -1, [], self._tag(event, start))
         node.flow = bool(event.flow_style) and end > start

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from smsl_studio.errors import Place, ReadError, TextFix
+from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.yaml_form import scalars
 from smsl_studio.smsl.yaml_form.faults import Fault, as_error, shown
@@ -42,11 +42,9 @@ def recover(text: str, file: str) -> Document:
 
 def _read(text: str, file: str) -> tuple[Document, list[Fault]]:
     if len(text) > MAX_CHARACTERS:
-        raise ReadError(
-            f"the file is larger than {MAX_CHARACTERS >> 20} million characters",
-            Place(file, 1, 1),
-            "Split it into several files.",
-        )
+        words = f"the file is larger than {MAX_CHARACTERS >> 20} million characters"
+        fault = Fault(0, 1, words, "Split it into several files.")
+        return Document(text, file, "yaml", {}, lambda _: YamlSpans("")), [fault]
     tree = Tree(text)
     reading = _Reading(tree.faults)
     values: dict[str, Json] = {}
