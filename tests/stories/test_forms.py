@@ -94,11 +94,17 @@ def test_a_fact_that_a_sub_sb_expands_has_no_sensor_of_its_own(sit: Sit) -> None
 
 
 def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:
-    odd = {"0": {"name": 7, "max_age": "soon"}}
-    person = sit(written(tmp_path, {"SB1": {"_facts": odd, "State0": {}, "State1": {}}}))
+    odd = {"0": {"name": 7, "max_age": "soon", "colour": "red"}}
+    states = {"State0": {"_seen": "often"}, "State1": {}}
+    notes = {"_facts": odd, "_states": {"State0": "words"}}
+    person = sit(written(tmp_path, {"SB1": {**notes, **states}}))
+    person.select("SB1/State0")
+    assert person.window.properties.state.kept.words.text() == "_seen: often"
+    assert "Not understood, and kept" in person.window.properties.state.odd.text()
     person.window.going.show_fact("SB1", 0)
     form = person.window.properties.fact
     assert "does not fit" in form.line("max_age").refusal.text()
+    assert "colour" in form.odd.text()
     person.write(form.line("unit").field, "mm")  # type: ignore[arg-type]
     assert person.blueprint["SB1"].fields["_facts"]["0"] == {**odd["0"], "unit": "mm"}
     person.write(form.line("max_age").field, "-1")  # type: ignore[arg-type]

@@ -31,6 +31,8 @@ AGGREGATIONS = (
     ("The first that is valid", "priority"),
     ("A person says it", "human"),
 )
+TABLED = ("values", "on", "failure")
+"""Words that the table of values shows."""
 SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age")
 """Words of a fact that is read; one that a sub-SB expands has none of them (R24)."""
 
@@ -98,6 +100,11 @@ class FactForm(NoteForm):
         self.add("unit", TextLine("Unit", "The unit of what the sensors read, such as mm"))
         self.add("max_age", NumberLine("Max. age", "A reading older than this counts as unknown",
                                        Bounds(0, open=True), "s", "sensor's own"))  # fmt: skip
+
+        self.column.addWidget(self.odd)
+
+    def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
+        return {k: v for k, v in super().unknown(misfits).items() if k not in TABLED}
 
     def show_fact(self, blueprint: Blueprint, name: str, digit: int) -> None:
         """Show one fact as it is now."""
@@ -175,5 +182,5 @@ def expansion(blueprint: Blueprint, branch: StateBranch, digit: int, sub: str) -
 
 
 def _value_misfits(misfits: Mapping[str, str]) -> str:
-    odd = [f"{word}: {misfits[word]}" for word in ("values", "on", "failure") if word in misfits]
+    odd = [f"{word}: {misfits[word]}" for word in TABLED if word in misfits]
     return f"What is written does not fit ({'; '.join(odd)}). It is kept." if odd else ""

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.lines.line import Line, Shown
+from smsl_studio.studio.panels.lines.line import Line, Said, Shown
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 
@@ -52,6 +52,7 @@ class NoteForm(Panel):
         self._session, self._table = session, table
         self._lines: dict[str, Line] = {}
         self._entries: tuple[Entry, ...] = ()
+        self.odd = Said("hint")
         self.column.setContentsMargins(12, 8, 12, 12)
         self.column.setSpacing(6)
 
@@ -65,6 +66,10 @@ class NoteForm(Panel):
     def line(self, word: str) -> Line:
         """The line of a word."""
         return self._lines[word]
+
+    def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
+        """Those of the misfits for which this form has no line."""
+        return {word: reason for word, reason in misfits.items() if word not in self._lines}
 
     def who(self) -> str:
         """Whom an edit is about, as its step says; subclasses know."""
@@ -82,6 +87,10 @@ class NoteForm(Panel):
                 line.refuse(
                     f"What is written does not fit: {odd}. It is kept until you replace it."
                 )
+
+        lost = self.unknown({k: v for e in entries for k, v in e.misfits.items()})
+        words = "; ".join(f"{w} ({r})" if w != r else r for w, r in list(lost.items())[:4])
+        self.odd.say(f"Not understood, and kept: {words}." if words else "")
 
     def give(self, word: str, value: Any) -> bool:
         """Write a word of all entries as one step; a default is not written."""

@@ -107,6 +107,8 @@ class OperationForm(NoteForm):
         self.binding = self.add("binding", BindingLine(
             "Function", "The library function that carries it out"))  # fmt: skip
 
+        self.column.addWidget(self.odd)
+
     def set_tokens(self, tokens: Tokens) -> None:
         self.requires.facts.set_tokens(tokens)
 

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.chips import Chips
 from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.panels.kept import Kept
 from smsl_studio.studio.panels.lines.box import BoxLine
 from smsl_studio.studio.panels.lines.choice import SwitchLine
 from smsl_studio.studio.panels.lines.line import Shown, labelled
@@ -62,6 +63,9 @@ class StateForm(NoteForm):
         self.note = self.add(
             "note", BoxLine("Note", "What people should know about this state")
         ).field
+        self.column.addWidget(self.odd)
+        self.kept = Kept("Kept in this state")
+        self.column.addWidget(self.kept)
         self._count = label("", "count")
         self._to = label("to state", "small")
         self._out = QWidget()
@@ -93,6 +97,8 @@ class StateForm(NoteForm):
             widget.setVisible(one is not None)
         shapes = [blueprint[name].shape for name in {at.branch for at in states}]
         self._lines["facts"].setVisible(any(shape.opaque or shape.width == 0 for shape in shapes))
+        fields = blueprint[one.branch].state_fields.get(one.state, {}) if one else {}
+        self.kept.show_values(fields)
         if one is None:
             self._none.hide()
             self.operations.hide()
