@@ -28,6 +28,7 @@ BENCHES = (
     "fuzz",
     "find",
     "journal",
+    "compare",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
