@@ -13,7 +13,7 @@ from typing import Literal
 
 from smsl_studio.errors import ConvertError
 
-_SOURCE = b"""#set document(title: sys.inputs.title)
+_SOURCE = b"""#set document(title: sys.inputs.title, date: none)
 #set page(width: auto, height: auto, margin: 0pt, fill: none)
 #for picture in json(bytes(sys.inputs.pictures)) {
   page(image(bytes(picture), format: "svg", alt: sys.inputs.title))
