@@ -21,7 +21,7 @@ SIDE = 18
 
 
 class Bulb(QToolButton):
-    """Lies at the right end of the caret's line while something there can be fixed."""
+    """Lies behind the caret's line while something there can be fixed."""
 
     def __init__(self, editor: Editor) -> None:
         super().__init__(editor.viewport())
@@ -46,9 +46,18 @@ class Bulb(QToolButton):
         self.setVisible(bool(repairs))
         if repairs:
             self.setToolTip("\n".join((*(one.words for one in repairs), "(Ctrl+.)")))
-            row = self._editor.cursorRect()
-            left = self._editor.viewport().width() - self.width() - 4
-            self.move(left, row.center().y() - SIDE // 2)
+            self._place()
+
+    def _place(self) -> None:
+        """Behind the line; where that has no room, at the edge and a row above or below."""
+        editor, cursor = self._editor, self._editor.textCursor()
+        row = editor.cursorRect(cursor)
+        cursor.movePosition(cursor.MoveOperation.EndOfBlock)
+        left, edge = editor.cursorRect(cursor).right() + 8, editor.viewport().width() - self.width()
+        top = row.center().y() - SIDE // 2
+        if left > edge - 2:
+            left, top = edge - 2, top + (row.height() if top < row.height() else -row.height())
+        self.move(left, top)
 
 
 def repair_menu(pane: Source, repairs: Sequence[Repair]) -> QMenu:
