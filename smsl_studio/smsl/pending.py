@@ -19,7 +19,7 @@ from typing import Any
 from smsl_studio.smsl.disk import short
 
 JOURNAL = re.compile(r"\.smsl-studio\.(?P<token>[0-9a-f]{12})\.journal")
-MARKER = ".saving"
+MARKER = ".smsl-studio-saving"
 _LARGEST = 1 << 22
 
 

@@ -86,8 +86,9 @@ def _save(files: list[_File], folders: list[Path]) -> None:
         settle(folders)
         fresh.replace(journal)
     except BaseException:
-        with suppress(OSError):
-            fresh.unlink()
+        for path in (journal, fresh):
+            with suppress(OSError):
+                path.unlink()
         clear(markers)
         raise
     settle(folders[:1])

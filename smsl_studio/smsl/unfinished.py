@@ -21,7 +21,7 @@ from smsl_studio.smsl.pending import (
 )
 
 _OF_SEVERAL = re.compile(r"\..+\.(?P<token>[0-9a-f]{12})-\d{1,6}\.(?:part|old)", re.DOTALL)
-_OF_ONE = re.compile(r"\..+\.[0-9a-f]{12}\.part", re.DOTALL)
+_OF_ONE = re.compile(r"\..+\.(?:json|smsl|ya?ml)\.[0-9a-f]{12}\.part", re.DOTALL | re.IGNORECASE)
 _LONG_AGO = 3600.0
 """Seconds."""
 
@@ -101,7 +101,8 @@ def _journals(folder: Path) -> set[Path]:
 
 def _finish(journal: Path) -> list[Path]:
     """Let the parts of a save that counts take their places."""
-    targets = _listed(journal)
+    # Who took a whole folder away took its files out of the save.
+    targets = [target for target in _listed(journal) if target.parent.is_dir()]
     with suppress(OSError), held({journal.parent, *(one.parent for one in targets)}) as alone:
         if not alone or not journal.is_file():
             return []

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -302,7 +303,8 @@ def test_a_part_that_cannot_take_its_place_brings_all_back(
 
 def test_what_looks_like_a_save_and_is_none_is_no_trap(three: list[Path]) -> None:
     folder, token = three[0].parent, "0" * 12
-    marker, journal = folder / ".0.json.saving", folder / f".smsl-studio.{token}.journal"
+    marker = folder / ".0.json.smsl-studio-saving"
+    journal = folder / f".smsl-studio.{token}.journal"
     outside = folder / "parts" / f".last.json.{token}-0.part"
     for written in (
         "",
@@ -329,9 +331,24 @@ def test_old_leftovers_of_saves_of_one_file_go(three: list[Path]) -> None:
     for path in (fresh, old):
         path.write_text("{")
     os.utime(old, (0, 0))
+    others = [three[0].with_name(name) for name in (".0.json.saving", f".0.{'1' * 12}.part")]
+    for path in others:
+        path.write_text("{")
+        os.utime(path, (0, 0))
     finish_saves(three[0].parent)
     assert fresh.exists()
     assert not old.exists()
+    assert all(path.exists() for path in others), "what is none of ours stays"
+
+
+def test_a_folder_that_was_taken_away_holds_up_nothing(
+    three: list[Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left_unfinished(three, monkeypatch)
+    shutil.rmtree(three[2].parent)
+    save(three[:2], "a")
+    assert stand(three[:2]) == {OLD}
+    assert left_in(three[0].parent) == []
 
 
 def test_a_file_without_end_and_a_pipe_are_read_as_far_as_is_sensible(tmp_path: Path) -> None:
