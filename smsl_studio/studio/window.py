@@ -187,6 +187,13 @@ class Window(QMainWindow):
     def mode(self) -> str:
         return self._mode
 
+    def new_window(self) -> None:
+        """Show another window, empty, on what the plugins offer here."""
+        window = Window(self._windows)
+        window.set_plugins(self._loaded)
+        window.move(self.pos() + QPoint(32, 32))
+        window.show()
+
     def set_mode(self, mode: str) -> None:
         """Show Draw or Run; each remembers its panels."""
         if mode == self._mode:

@@ -303,3 +303,15 @@ def test_menus_of_one_time_are_let_go_of(sit: Sit, tmp_path: Path) -> None:
     assert isinstance(popup, QMenu)
     popup.close()
     person.until(lambda: len(person.window.findChildren(QMenu)) == before)
+
+
+def test_a_new_window_is_beside_and_of_its_own(sit: Sit, tmp_path: Path) -> None:
+    person = sit(copy_of("hfsm.json", tmp_path))
+    before = set(person.windows)
+    person.window.actions_table["new_window"].trigger()
+    (other,) = set(person.windows) - before
+    assert isinstance(other, Window)
+    assert other.isVisible()
+    assert other.name == "untitled.json"
+    edit(person)
+    assert not other.session.edited

@@ -38,7 +38,7 @@ def all_actions(
 ) -> tuple[Action, ...]:
     """Every row, menu by menu."""
     return (
-        *file_actions(files, session, windows),
+        *file_actions(files, session, windows, shell),
         *sample_actions(files),
         *edit_actions(session, drawing, clipping, shell),
         *view_actions(drawing, docks, windows, shell),

@@ -5,18 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 
 from smsl_studio.studio.actions import Action
+from smsl_studio.studio.commands.shell import Shell
 from smsl_studio.studio.files import Files
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.windows import Windows
 
 
-def file_actions(files: Files, session: Session, windows: Windows) -> tuple[Action, ...]:
+def file_actions(
+    files: Files, session: Session, windows: Windows, shell: Shell
+) -> tuple[Action, ...]:
     def open_home() -> None:
         files.open(Path(session.blueprint.home(session.branch).file))
 
     return (
         Action("new", "New blueprint", files.new, "File", "file", ("Ctrl+N",),
                tip="An empty blueprint with one State Branch"),
+        Action("new_window", "New window", shell.new_window, "File", "", ("Ctrl+Alt+N",),
+               tip="Another window, for another blueprint; what is copied can be pasted there"),
         Action("open", "Open…", files.open, "File", "folder", ("Ctrl+O",)),
         Action("open_home", "Open the file of this State Branch", open_home, "File", "",
                enabled=lambda: session.branch in session.blueprint.imported,
