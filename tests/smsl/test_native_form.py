@@ -86,7 +86,7 @@ def test_separators_comments_and_line_ends_change_nothing(change: Any) -> None:
     assert document.encoded() == text.encode()
 
 
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_any_values_are_read_from_any_layout(values: Json, seed: int) -> None:
     text = native(values, seed)
@@ -95,7 +95,7 @@ def test_any_values_are_read_from_any_layout(values: Json, seed: int) -> None:
     assert json.dumps(document.values) == json.dumps(plain(values))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(VALUES)
 def test_new_text_reads_to_its_values(values: Json) -> None:
     assert json.dumps(read(write(values))) == json.dumps(plain(values))

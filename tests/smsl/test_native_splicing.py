@@ -41,7 +41,7 @@ def mixed(old: Json, new: Json, chance: random.Random) -> Json:
     return result
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(VALUES, VALUES, st.integers(0, 10**6))
 def test_any_text_comes_to_read_to_any_values(old: Json, new: Json, seed: int) -> None:
     chance = random.Random(seed)
@@ -55,7 +55,7 @@ def test_any_text_comes_to_read_to_any_values(old: Json, new: Json, seed: int) -
     assert reconcile(changed, new).text == changed.text
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_values_that_do_not_differ_change_nothing(values: Json, seed: int) -> None:
     document = parse(native(values, seed), "f.smsl")

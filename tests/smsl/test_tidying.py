@@ -25,7 +25,7 @@ def comments(text: str) -> list[str]:
     return sorted(found.rstrip() for found in _COMMENT.findall(text) if found[0] == "/")
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(texts())
 def test_a_tidied_json_text_says_the_same(text: str) -> None:
     tidied = json_form.tidy(json_form.parse(text, "f.json"))
@@ -34,7 +34,7 @@ def test_a_tidied_json_text_says_the_same(text: str) -> None:
     assert json_form.tidy(again) is again
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(VALUES, st.integers(0, 10**6))
 def test_a_tidied_native_text_says_the_same_with_all_its_comments(values: Json, seed: int) -> None:
     document = native_form.parse(native(values, seed), "f.smsl")

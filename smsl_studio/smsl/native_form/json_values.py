@@ -7,10 +7,9 @@ import re
 from math import isfinite
 from typing import Any, NoReturn
 
-from smsl_studio.smsl.json_form import MAX_DEPTH
+from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_DIGITS
 
 Json = Any
-MOST_DIGITS = 4000
 
 _BRACKET = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"|[\[\]{}]', re.DOTALL)
 _SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
@@ -82,7 +81,7 @@ def _float(text: str) -> float:
 
 
 def _int(text: str) -> int:
-    if len(text) > MOST_DIGITS:
+    if len(text) > MAX_DIGITS:
         raise _BadNumber("the number is too large")
     return int(text)
 

@@ -9,6 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Member
+from smsl_studio.smsl.json_form.limits import MAX_DIGITS
 from smsl_studio.smsl.native_form.json_values import BadJson, one_line, read_json
 from smsl_studio.smsl.native_form.tokens import BARE, NAME, QUOTED, bare, decoded, quoted
 
@@ -20,7 +21,6 @@ NAME_KEYS = ("INITIAL", "ACTIVATING")
 
 INTEGER = r"-?(?:0|[1-9][0-9]*+)"
 ENTRY = rf"({NAME})\s*+:\s*+({INTEGER})(?=[\s,)])"
-MOST_DIGITS = 4000
 
 _SPACE = r"[^\S\r\n]*+"
 _PREFIX = "HEADER."
@@ -217,7 +217,7 @@ def _map(raw: str, line: Line) -> Value | None:
     count = 0
     for entry in _ENTRY.finditer(match[0]):
         count += 1
-        if len(entry[2]) > MOST_DIGITS:
+        if len(entry[2]) > MAX_DIGITS:
             raise _too_large(line.value_start + entry.start(2), len(entry[2]))
         try:
             found[decoded(entry[1])] = int(entry[2])

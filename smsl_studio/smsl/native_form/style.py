@@ -193,11 +193,6 @@ def indent_of(text: str, at: int) -> str:
     return line[: len(line) - len(line.lstrip())]
 
 
-def commas_of(style: Style, depth: int) -> bool:
-    """Whether the elements of the file (0), a branch (1) or a state (2) are parted by commas."""
-    return (style.branch_commas, style.state_commas, style.edge_commas)[depth]
-
-
 def values_text(values: Mapping[str, Json], style: Style) -> str:
     """Values as a new text."""
     pieces: list[str] = []
