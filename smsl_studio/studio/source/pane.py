@@ -82,7 +82,7 @@ class Source(QWidget):
         editor.starting.connect(self.settle)
         editor.caret_moved.connect(self._tell_caret)
         editor.entered.connect(self._tell_caret)
-        editor.left.connect(self.settle)
+        editor.left.connect(self.typing.hurry)
         self.find_bar.changed.connect(self.marking.mark)
         self.files.chosen.connect(self._choose_file)
         self.yaml.agreed.connect(self._agree)

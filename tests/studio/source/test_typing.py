@@ -113,6 +113,8 @@ def test_a_large_text_is_read_beside_the_window(at_text: At) -> None:
     writer = at_text('{"SB1": {\n' + states + '"State_99999": {}\n}}\n')
     writer.go('"State_00250": {')
     writer.type('"Op": "State_00000"')
+    writer.pane.editor.clearFocus()
+    assert writer.pane.typing.pending
     writer.until(lambda: not writer.pane.typing.pending)
     assert writer.session.blueprint["SB1"].table["State_00250"] == {"Op": "State_00000"}
 
