@@ -17,7 +17,7 @@ class Line:
 
     ``right`` is the SB's level, or the values of a fact that has more than 0 and 1. ``file`` is
     where an SB stands that is imported. A line with a ``fault`` is an import that failed, and no
-    SB.
+    SB; ``right`` says why in a word.
     """
 
     depth: int
@@ -82,7 +82,8 @@ def _failed(fault: ImportFault) -> Line:
     chain = " > ".join(fault.chain)
     told = f"{capital(fault.sentence)} {chain}".strip()
     name = fault.chain[-1] if len(fault.chain) > 1 else "_imports"
-    return Line(0, "", None, name, "", severity="E", fault=told)
+    word = "cycle" if name in fault.chain[:-1] else "not read"
+    return Line(0, "", None, name, word, severity="E", fault=told)
 
 
 def _digits(branch: StateBranch) -> range:

@@ -168,11 +168,12 @@ class OutlineDelegate(QStyledItemDelegate):
         draw(painter, icon, box, tokens.acc if chosen else tokens.tx2, tokens.surf)
         room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
         if line.fault:
-            paint_text(painter, room, f"{line.text} (not imported)", Ink(tokens.tx2))
-            return
-        used = paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
-        if line.home and room.width() - used > NAMEABLE:
-            paint_text(painter, room.adjusted(used + 8, 0, 0, 0), line.home, Ink(tokens.tx2, 12))
+            used = paint_text(painter, room, line.text, Ink(tokens.tx2))
+        else:
+            used = paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
+        behind = line.right if line.fault else line.home
+        if behind and room.width() - used > NAMEABLE:
+            paint_text(painter, room.adjusted(used + 8, 0, 0, 0), behind, Ink(tokens.tx2, 12))
 
     def _active(self, painter: QPainter, rect: QRectF, right: float, branch: str) -> float:
         """The active state of an SB as a chip, filled while it runs; how far the name may go."""

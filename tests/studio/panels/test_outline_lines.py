@@ -51,3 +51,18 @@ def test_sbs_in_a_cycle_are_still_shown() -> None:
 
 def test_an_sb_without_states_has_no_facts() -> None:
     assert [line.text for line in lines_of(read({"A": {"HEADER": {}}}), ())] == ["A"]
+
+
+def test_imports_that_failed_stand_at_the_end_with_the_files_that_led_there(tmp_path: Path) -> None:
+    (tmp_path / "a.json").write_text('{"_imports": ["b.json", "gone.json"], "A": {"S_0": {}}}')
+    (tmp_path / "b.json").write_text('{"_imports": ["a.json"], "B": {"S_0": {}}}')
+    lines = lines_of(read_blueprint(read_document(tmp_path / "a.json")), ())
+    assert [(line.text, line.home) for line in lines if line.branch and line.digit is None] == [
+        ("A", ""), ("B", "b.json"),
+    ]  # fmt: skip
+    assert str(tmp_path / "b.json") in lines[2].tip
+    failed = [(line.text, line.right, line.tip.split(". ")[-1]) for line in lines if line.fault]
+    assert sorted(failed) == [
+        ("a.json", "cycle", "a.json > b.json > a.json"),
+        ("gone.json", "not read", "a.json > gone.json"),
+    ]
