@@ -228,6 +228,24 @@ def test_what_is_hostile_is_refused_in_one_pass(piece: str) -> None:
         assert recover(begin + piece * 1_500, "f.json").text
 
 
+def test_one_fault_in_a_large_text_is_one_fault_in_its_place() -> None:
+    states = {f"State_{n}": {"go": f"State_{n + 1}", "back": "State_0"} for n in range(400)}
+    values = {"SB": {**states, "State_400": {}}}
+    text = json.dumps(values, indent=2)
+    lines = text.split("\n")
+    line = lines.index('    "State_150": {') + 1
+    for at, broken, told in [
+        (line, '    "State_150" {', (line, 17)),
+        (line + 1, '      "go": "State_151"', (line + 2, 7)),
+        (line + 1, '      "go: "State_151",', (line + 1, 7)),
+        (line + 3, "", (line + 4, 5)),
+    ]:
+        damaged = "\n".join([*lines[: at - 1], broken, *lines[at:]])
+        error = refusal(damaged)
+        assert [place[:2] for place in places(error)] == [told]
+        assert recover(damaged, "f.json").values == values
+
+
 MARKS = '{}[],:"'
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_FAULTS, MAX_REMOVED
+from smsl_studio.smsl.json_form.strides import BALANCE, balance_of, flat_object
 from smsl_studio.smsl.json_form.tokens import END, TEXT, WORD, Fault, Token, Tokens, short
 
 Json = Any
@@ -22,7 +23,6 @@ _FEW = 8
 """Where more closing brackets are missing, the kind of a value says nothing about their places."""
 
 _CLOSER = {"{": "}", "[": "]"}
-_BALANCE = {"{": -1, "[": -1, "}": 1, "]": 1}
 
 
 class Enough(Exception):  # noqa: N818
@@ -54,12 +54,19 @@ class Brackets:
         self._text = text
         self.faults: list[Fault] = []
         self.values: Json = NOTHING
-        self._balance = sum(_BALANCE.get(token.kind, 0) for token in Tokens(text, lambda _: None))
-        self._source = iter(Tokens(text, self._say))
+        self._balance = balance_of(text)
+        self._tokens = Tokens(text, self._hear)
+        self._heard: set[int] = set()
         self._ahead: deque[Token] = deque()
         self._frames: list[Frame] = []
         self._taken_to = 0
         self._removed = 0
+
+    def _hear(self, fault: Fault) -> None:
+        """A fault within a token; one that was looked at ahead may be looked at again."""
+        if fault.at not in self._heard:
+            self._heard.add(fault.at)
+            self._say(fault)
 
     def _say(self, fault: Fault) -> None:
         self.faults.append(fault)
@@ -80,14 +87,14 @@ class Brackets:
         while len(self._ahead) <= index:
             if self._ahead and self._ahead[-1].kind == END:
                 return self._ahead[-1]
-            self._ahead.append(next(self._source))
+            self._ahead.append(self._tokens.take())
         return self._ahead[index]
 
     def _take(self) -> Token:
         token = self._peek()
         self._ahead.popleft()
         self._taken_to = token.end
-        self._balance -= _BALANCE.get(token.kind, 0)
+        self._balance -= BALANCE.get(token.kind, 0)
         return token
 
     @property
@@ -104,6 +111,22 @@ class Brackets:
             raise Enough
         holds: Json = {} if token.kind == "{" else []
         self._frames.append(Frame(token, holds, token.indent, last_end=token.end, name=key))
+
+    def _took_whole(self, frame: Frame, token: Token) -> bool:
+        """Read an object that holds nothing but names in one stride, where its end is beyond
+        doubt: under its beginning, or anywhere where no bracket of the file is amiss.
+        """
+        found = flat_object(self._text, token.start)
+        if found is None:
+            return False
+        value, end, indent = found
+        if self._excess != 0 and indent != token.indent:
+            return False
+        self._ahead.clear()
+        self._tokens.jump(end)
+        self._taken_to = end
+        self._put(frame, value, end)
+        return True
 
     def _pop(self, end: int) -> None:
         frame = self._frames.pop()

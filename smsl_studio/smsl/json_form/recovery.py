@@ -199,7 +199,7 @@ class Recovery(Brackets):
                 self._remove(self._take())
             elif kind == "[" and self._begins_member(1):
                 self._unopened(frame, token.start, self._take().end)
-            else:
+            elif not (kind == "{" and self._took_whole(frame, token)):
                 self._push(self._take(), frame.key.value if frame.key else "_")
         elif kind in (TEXT, WORD, NUMBER):
             if kind == WORD and (value_follows or self._is_glued(token)):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import NamedTuple
 
 from smsl_studio.errors import TextFix
@@ -45,6 +45,7 @@ TEXT, NUMBER, WORD, ODD, END = "text", "number", "word", "odd", "end"
 
 COMMENT = "JSON has no comments"
 
+_BLANKS = re.compile(r"[ \t]*")
 _GAP = re.compile(r"[ \t\r\n]+")
 _ODD_SPACE = re.compile(r"[^\S \t\r\n]+|[\ufeff\u200b]+")
 _COMMENT = re.compile(r"(?://|#)[^\r\n]*|/\*.*?(?:\*/|\Z)", re.DOTALL)
@@ -75,16 +76,24 @@ class Tokens:
         self._line, self._indent, self._first = self._at, 0, True
         self._counted, self._odd = 0, False
 
-    def __iter__(self) -> Iterator[Token]:
+    def take(self) -> Token:
+        """The next token; ``END`` at the end, again and again."""
         while True:
             self._skip()
             if self._at >= len(self._text):
-                break
+                return self._made(END, self._at, self._at)
             token = self._token(self._at)
             if token is not None:
                 self._first = False
-                yield token
-        yield self._made(END, self._at, self._at)
+                return token
+
+    def jump(self, end: int) -> None:
+        """Go on behind an object that was read in one piece and ends there."""
+        line = self._text.rfind("\n", self._line, end) + 1
+        if line > self._line:
+            self._line = line
+            self._indent = _BLANKS.match(self._text, line).end() - line  # type: ignore[union-attr]
+        self._at, self._first = end, False
 
     def _made(self, kind: str, start: int, end: int, value: str = "") -> Token:
         self._at = end

@@ -1,0 +1,54 @@
+"""What can be said of a broken JSON text in long strides, without looking at every token."""
+
+from __future__ import annotations
+
+import json
+import re
+
+from smsl_studio.smsl.json_form.tokens import Tokens
+
+BALANCE = {"{": -1, "[": -1, "}": 1, "]": 1}
+
+_PIECES = re.compile(
+    r'"[^"\\\r\n]*(?:\\[^\r\n][^"\\\r\n]*)*"|\'[^\'\r\n]*\'|(?://|#)[^\r\n]*|/\*.*?(?:\*/|\Z)',
+    re.DOTALL,
+)
+_NAME, _GAP = r'"[^"\\\x00-\x1f\ud800-\udfff]*"', r"[ \t\r\n]*"
+_MEMBER = rf"{_NAME}{_GAP}:{_GAP}{_NAME}{_GAP}"
+_FLAT = re.compile(rf"\{{{_GAP}(?:{_MEMBER}(?:,{_GAP}{_MEMBER})*)?\}}")
+
+
+def balance_of(text: str) -> int:
+    """How many closing brackets a text has beyond the opening ones, outside of texts."""
+    bare = _PIECES.sub("", text)
+    if '"' not in bare:
+        return _balance(bare)
+    return sum(map(_line_balance, text.split("\n")))
+
+
+def _line_balance(line: str) -> int:
+    """The balance of one line; where a quote is missing in it, token by token."""
+    bare = _PIECES.sub("", line)
+    if '"' not in bare:
+        return _balance(bare)
+    tokens, total = Tokens(line, lambda _: None), 0
+    while (token := tokens.take()).kind != "end":
+        total += BALANCE.get(token.kind, 0)
+    return total
+
+
+def _balance(bare: str) -> int:
+    return sum(bare.count(mark) * weight for mark, weight in BALANCE.items())
+
+
+def flat_object(text: str, at: int) -> tuple[dict[str, str], int, int] | None:
+    """The object at ``at`` if it is whole and holds nothing but names, as nearly all states do:
+    its value, where it ends, and how far its last brace is indented (-1: not first on its line).
+    """
+    found = _FLAT.match(text, at)
+    if found is None:
+        return None
+    end = found.end()
+    line = text.rfind("\n", at, end) + 1
+    blanks = text[line : end - 1] if line else "x"
+    return json.loads(found[0]), end, -1 if blanks.strip(" \t") else len(blanks)
