@@ -170,6 +170,9 @@ class Window(QMainWindow):
         self.outline.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self.files.open(Path(file)))
         self.outline.verb_wanted.connect(self.clipping.on_branch)
+        self.canvas.fact_wanted.connect(
+            lambda digit: self.going.show_fact(self.session.branch, digit)
+        )
         self.canvas.verb_wanted.connect(lambda name: actions[name].trigger())
         self.properties.file.ask_file = Dialogs(self).file_to_open
         self.canvas.context_wanted.connect(self._open_context_menu)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
@@ -91,6 +91,24 @@ def test_a_fact_that_a_sub_sb_expands_has_no_sensor_of_its_own(sit: Sit) -> None
     person.window.going.show_fact("SB1", 1)
     person.click(form.enter)
     assert person.window.session.branch == "SB2"
+
+
+def test_a_fact_of_a_selected_state_is_clicked_on_the_canvas(sit: Sit) -> None:
+    person = sit(HFSM)
+    canvas = person.window.canvas
+    assert canvas.sheet is not None
+    canvas.zoom_to(1.0)
+    state = canvas.sheet.picture.index["State110"]
+    x, y = canvas.positions["State110"]
+    spots = [(x + dx, y + dy) for dx in range(-50, 51, 4) for dy in range(-24, 26, 4)]
+    facts = {canvas.hand.fact_at(state, QPointF(*spot)): spot for spot in spots}
+    at = person.on_canvas(facts[2])
+    person.click_canvas(at)
+    assert person.window.properties.state.isVisible(), "the first click selects"
+    person.click_canvas(at)
+    form = person.window.properties.fact
+    assert form.isVisible()
+    assert form.who() == "fact 2 of SB1"
 
 
 def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:

@@ -74,6 +74,8 @@ class Canvas(Stage):
     """A mouse button went down on the canvas."""
     delete_wanted = Signal()
     """Del: the selection shall go."""
+    fact_wanted = Signal(int)
+    """A fact of a selected state was clicked: its digit."""
     verb_wanted = Signal(str)
     """A key asks for an action of the window by its id: copy, cut, paste, duplicate, find."""
     hover_changed = Signal(object)

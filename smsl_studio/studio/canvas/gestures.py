@@ -112,6 +112,7 @@ class DragStates:
         selection = canvas.marks.selection
         self._only = selection_after(selection, address, event.modifiers())
         self._late = address in selection and self._only == (address,)
+        self._alone = selection == (address,)
         if not self._late:
             canvas.selection_wanted.emit(self._only)
         chosen = canvas.marks.selection if address in canvas.marks.selection else (address,)
@@ -138,6 +139,8 @@ class DragStates:
         if not self._begun or sheet is None:
             if self._late:
                 self._canvas.selection_wanted.emit(self._only)
+                if self._alone:
+                    self._want_fact()
             return
         names = sheet.picture.names
         places = {names[i]: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in self._places}
@@ -145,6 +148,13 @@ class DragStates:
         self._canvas.settle()
         if places != before:
             self._canvas.moved.emit(places)
+
+    def _want_fact(self) -> None:
+        """A click on a fact of the one state that was selected before asks for the fact."""
+        canvas = self._canvas
+        digit = canvas.hand.fact_at(self._state, canvas.mapToScene(self._start))
+        if digit >= 0:
+            canvas.fact_wanted.emit(digit)
 
     def cancel(self) -> None:
         if self._begun:

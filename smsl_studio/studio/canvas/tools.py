@@ -146,16 +146,21 @@ class Hand:
 
     def sub_at(self, state: int, at: QPointF) -> str:
         """The sub-SB of the fact whose chip lies at a scene point; the empty text for none."""
+        sheet, digit = self._canvas.sheet, self.fact_at(state, at)
+        return sheet.picture.face(state).chips[digit].sub if sheet and digit >= 0 else ""
+
+    def fact_at(self, state: int, at: QPointF) -> int:
+        """The digit of the fact whose chip lies at a scene point; -1 for none."""
         sheet = self._canvas.sheet
         if sheet is None or sheet.level is not Level.FULL:
-            return ""
+            return -1
         face = sheet.picture.face(state)
         here = QPointF(at.x() - sheet.at[state, 0], at.y() - sheet.at[state, 1])
         places = chip_places(face, sheet.ink, float(sheet.full_widths[state]))
-        for chip, place in zip(face.chips, places, strict=False):
-            if chip.sub and place.adjusted(-2, -2, 2, 5).contains(here):
-                return chip.sub
-        return ""
+        for digit, (_, place) in enumerate(zip(face.chips, places, strict=False)):
+            if place.adjusted(-2, -2, 2, 5).contains(here):
+                return digit
+        return -1
 
     def _select_for_menu(self, event: QMouseEvent) -> None:
         """A right click selects what it is about, unless that is selected already."""
