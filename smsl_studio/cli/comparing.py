@@ -52,13 +52,25 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def print_difference(difference: Difference, out: Output) -> None:
-    """Every change on a line: its sign, its address, its sentence, its places; then the sum."""
+    """Every change on a line: its sign, its address, its sentence, its places; then the sum.
+
+    What differs beside the meaning stands apart, under a line of its own.
+    """
     for change in difference.changes:
         sign = SIGNS.get(change.kind, CHANGED)
         paint = {"+": out.green, "-": out.red}.get(sign, out.yellow)
-        where = "" if change.address is None else f"{change.address}: "
-        out.line(paint(one_line(f"{sign} {where}{change.words}")) + _places(difference, change))
-    out.line(difference.words)
+        out.line(paint(_told(sign, change)) + _places(difference, change))
+    if difference.fields:
+        out.line("Beside the meaning:")
+    for change in difference.fields:
+        sign = SIGNS.get(change.kind, CHANGED)
+        out.line(f"  {_told(sign, change)}{_places(difference, change)}")
+    out.line(one_line(difference.words))
+
+
+def _told(sign: str, change: Change) -> str:
+    where = "" if change.address is None else f"{change.address}: "
+    return one_line(f"{sign} {where}{change.words}")
 
 
 def _draw(difference: Difference, output: str) -> None:

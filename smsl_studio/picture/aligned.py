@@ -22,8 +22,9 @@ def branch_pairs(difference: Difference) -> Iterator[tuple[str, str]]:
 
 def changed_pairs(difference: Difference) -> list[tuple[str, str]]:
     """Those of the SBs about which the difference says something."""
-    before = {change.before.branch for change in difference.changes if change.before}
-    after = {change.after.branch for change in difference.changes if change.after}
+    told = (*difference.changes, *difference.fields)
+    before = {change.before.branch for change in told if change.before}
+    after = {change.after.branch for change in told if change.after}
     after |= {address.branch for address in difference.moved}
     return [pair for pair in branch_pairs(difference) if pair[0] in before or pair[1] in after]
 

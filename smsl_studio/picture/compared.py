@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing import Difference
+from smsl_studio.blueprint.comparing import Change, Difference
 from smsl_studio.blueprint.comparing.signs import Signs, signs_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.aligned import changed_pairs, places_of
@@ -73,18 +73,32 @@ def _in_words(difference: Difference, colours: Colours) -> Panel:
         text((EDGE, 54.0), difference.words, SIZE, colours["tx2"], 400, "start"),
     ]
     parts.extend(_key(colours))
-    y = 104.0
-    for change in difference.changes[:MOST_ROWS]:
+    rows, y = _rows(difference.changes, 104.0, colours, "tx")
+    parts.extend(rows)
+    if difference.fields:
+        words = "Beside the meaning"
+        parts.append(text((EDGE, y), words, SIZE, colours["tx2"], 600, "start"))
+        rows, y = _rows(difference.fields, y + ROW, colours, "tx2")
+        parts.extend(rows)
+    return Panel(WIDE + 3 * EDGE, y + 8.0, "\n".join(parts))
+
+
+def _rows(
+    changes: Sequence[Change], y: float, colours: Colours, ink: str
+) -> tuple[list[str], float]:
+    """A sentence a row, from a height on; and the height below them."""
+    parts: list[str] = []
+    for change in changes[:MOST_ROWS]:
         sign = {"added": "+", "removed": "-"}.get(change.kind.value, "~")
         parts.extend(sign_at((EDGE + 7.0, y - 4.5), sign, colours))
         words = elided(change.words, SIZE, WIDE)
-        parts.append(text((EDGE + 22.0, y), words, SIZE, colours["tx"], 400, "start"))
+        parts.append(text((EDGE + 22.0, y), words, SIZE, colours[ink], 400, "start"))
         y += ROW
-    left = len(difference.changes) - MOST_ROWS
+    left = len(changes) - MOST_ROWS
     if left > 0:
         parts.append(text((EDGE + 22.0, y), f"and {left} more", SIZE, colours["tx3"], 400, "start"))
         y += ROW
-    return Panel(WIDE + 3 * EDGE, y + 8.0, "\n".join(parts))
+    return parts, y
 
 
 def _key(colours: Colours) -> Iterator[str]:

@@ -63,6 +63,25 @@ def test_moved_boxes_are_layout_only(shell: Shell, tmp_path: Path) -> None:
     assert (told["layout_only"], told["same"], told["moved"]) == (True, False, 1)
 
 
+def test_a_comment_field_is_listed_apart_and_is_no_change(shell: Shell, tmp_path: Path) -> None:
+    values = json.loads(Path(sample("hanoi")).read_text())
+    values["SB1"]["_comment"] = "who reads this"
+    other, picture = tmp_path / "told.json", tmp_path / "told.svg"
+    other.write_text(json.dumps(values, indent=4))
+    answer = shell("diff", sample("hanoi"), str(other), "-o", str(picture))
+    assert answer.status == 0
+    first, second, last = answer.out.splitlines()
+    assert first == "Beside the meaning:"
+    assert second.startswith("  + SB1: The field _comment of SB1 is added: who reads this. (")
+    assert last == "Same meaning: only _comment differs."
+    told = shell("diff", sample("hanoi"), str(other), "--format", "json").json
+    assert (told["changes"], told["same"], told["same_meaning"]) == ([], False, True)
+    assert [one["field"] for one in told["fields"]] == ["_comment"]
+    drawn = picture.read_text("utf-8")
+    assert "Same meaning: only _comment differs." in drawn
+    assert "The field _comment of SB1 is added" in drawn
+
+
 def test_what_cannot_be_compared(shell: Shell, tmp_path: Path) -> None:
     broken = tmp_path / "broken.json"
     broken.write_text('{"SB": ')

@@ -15,7 +15,8 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 
 def compare(before: Blueprint, after: Blueprint) -> Difference:
-    """What changed in meaning from ``before`` to ``after``, and which boxes were moved.
+    """What changed in meaning from ``before`` to ``after``; apart from it, which boxes were moved
+    and which ``_`` fields differ that no reader reads.
 
     Deterministic, and the same read the other way round: an addition there is a removal here.
     Time grows with the number of operations, not with its square.
@@ -37,7 +38,9 @@ def compare(before: Blueprint, after: Blueprint) -> Difference:
         elif other is not None:
             sides.changes.append(_whole(other, Kind.ADDED))
     compare_order(sides)
-    return Difference(before, after, tuple(sides.changes), tuple(moved), renamed, states)
+    changes = tuple(one for one in sides.changes if one.what != "field")
+    fields = tuple(one for one in sides.changes if one.what == "field")
+    return Difference(before, after, changes, tuple(moved), renamed, states, fields)
 
 
 def _compare_branch(

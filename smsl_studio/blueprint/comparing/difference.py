@@ -10,11 +10,14 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing.places import Places
+from smsl_studio.blueprint.comparing.values import said
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
 
 Json = Any
 Path = tuple[str, ...]
+_TOLD = 5
+"""So many fields without meaning are named in the sentence."""
 
 
 class Kind(Enum):
@@ -73,7 +76,8 @@ class Difference:
 
     ``moved`` are the states (on the later side) whose boxes stand elsewhere. ``states`` gives, for
     each SB of the earlier side that is still there, the new names of the states that were renamed;
-    ``branches`` the same for SBs.
+    ``branches`` the same for SBs. ``fields`` are the ``_`` fields that differ and have no meaning,
+    such as ``_comment``: like the layout they are no changes.
     """
 
     before: Blueprint
@@ -82,16 +86,22 @@ class Difference:
     moved: tuple[Address, ...] = ()
     branches: dict[str, str] = field(default_factory=dict)
     states: dict[str, dict[str, str]] = field(default_factory=dict)
+    fields: tuple[Change, ...] = ()
 
     @property
     def same(self) -> bool:
-        """Whether nothing differs, layout included."""
-        return not self.changes and not self.moved
+        """Whether nothing differs, layout and fields without meaning included."""
+        return not (self.changes or self.moved or self.fields)
+
+    @property
+    def same_meaning(self) -> bool:
+        """Whether nothing differs but layout and fields without meaning."""
+        return not self.changes
 
     @property
     def layout_only(self) -> bool:
         """Whether boxes were moved and nothing else happened."""
-        return not self.changes and bool(self.moved)
+        return bool(self.moved) and not (self.changes or self.fields)
 
     @property
     def removals_first(self) -> tuple[Change, ...]:
@@ -119,29 +129,45 @@ class Difference:
         """The whole in one sentence."""
         if self.same:
             return "No difference."
+        boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"
         if self.layout_only:
-            boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"
             return f"Layout only: {boxes} moved."
+        if self.same_meaning:
+            layout = f"; {boxes} moved" if self.moved else ""
+            return f"Same meaning: only {self._fields_differ}{layout}."
         parts = [f"{self.count(kind)} {kind.value}" for kind in Kind if self.count(kind)]
         boxes = f"; {len(self.moved)} moved in the layout" if self.moved else ""
+        fields = f"; beside the meaning {self._fields_differ}" if self.fields else ""
         total = len(self.changes)
-        return f"{total} change{'' if total == 1 else 's'}: {', '.join(parts)}{boxes}."
+        return f"{total} change{'' if total == 1 else 's'}: {', '.join(parts)}{boxes}{fields}."
+
+    @property
+    def _fields_differ(self) -> str:
+        """The fields without meaning, each named once."""
+        names = [said(name) for name in dict.fromkeys(one.field for one in self.fields)]
+        if len(names) == 1:
+            return f"{names[0]} differs"
+        told, left = names[:_TOLD], len(names) - _TOLD
+        last = f"{left} more" if left > 0 else told.pop()
+        return f"{', '.join(told)} and {last} differ"
 
     def as_json(self) -> dict[str, Json]:
         return {
             "before": self.before.file,
             "after": self.after.file,
             "same": self.same,
+            "same_meaning": self.same_meaning,
             "layout_only": self.layout_only,
             "moved": len(self.moved),
-            "changes": [
-                {
-                    **change.as_json(),
-                    "place_before": _line_and_column(self.place_before(change)),
-                    "place_after": _line_and_column(self.place_after(change)),
-                }
-                for change in self.changes
-            ],
+            "changes": [self._with_places(change) for change in self.changes],
+            "fields": [self._with_places(change) for change in self.fields],
+        }
+
+    def _with_places(self, change: Change) -> dict[str, Json]:
+        return {
+            **change.as_json(),
+            "place_before": _line_and_column(self.place_before(change)),
+            "place_after": _line_and_column(self.place_after(change)),
         }
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import Change, Difference, Kind
 from smsl_studio.errors import Place
@@ -12,8 +14,11 @@ MOST_MOVED = 500
 
 
 def rows_of(difference: Difference) -> list[Row]:
-    """A row for every change, then for every state whose box was moved."""
+    """A row for every change; then for what is none: other fields, states that were moved."""
     rows = [_row(difference, change) for change in difference.changes]
+    if difference.fields:
+        rows.append(Row("Fields without meaning, which are no change", kind="section"))
+    rows.extend(replace(_row(difference, one), pale=True) for one in difference.fields)
     if difference.moved:
         rows.append(Row("Moved in the layout, which is no change of meaning", kind="section"))
     for address in difference.moved[:MOST_MOVED]:

@@ -121,7 +121,7 @@ class CompareDialog(QDialog):
         self.branches.setVisible(len(self._pairs) > 1)
         self.changes.show_rows(rows_of(difference))
         for button in (self.next, self.previous):
-            button.setEnabled(bool(difference.changes or difference.moved))
+            button.setEnabled(not difference.same)
         kept = self._shown if self._shown in self._pairs else next(iter(self._pairs), None)
         self._shown = None
         if kept is not None:

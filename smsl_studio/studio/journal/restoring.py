@@ -181,7 +181,7 @@ def tallied(found: Difference) -> str:
     """How much of what changed: 2 states added, 1 operation retargeted."""
     if found.same:
         return "Order, comments or spelling."
-    counts = Counter((change.what, change.kind.value) for change in found.changes)
+    counts = Counter((change.what, change.kind.value) for change in (*found.changes, *found.fields))
     parts = [f"{counted(n, NOUNS.get(what, what), *PLURALS.get(what, ()))} {happened}"
              for (what, happened), n in counts.items()]  # fmt: skip
     if found.moved:

@@ -214,14 +214,30 @@ def test_what_differs_beside_the_known_keys_is_told_with_its_place() -> None:
     before = of({"S": {"HEADER": {"COLOUR": "red", "_h": 1}, "A": {"_s": 1}}, "_f": True})
     after = of({"S": {"HEADER": {"_h": 2}, "A": {"_s": 2}, "_b": 3}, "_f": 1})
     found = compare(before, after)
-    assert [(c.kind.value, c.what, c.field) for c in found.changes] == [
-        ("changed", "field", "_f"),
+    assert [(c.kind.value, c.what, c.field) for c in (*found.changes, *found.fields)] == [
         ("removed", "header", "COLOUR"),
+        ("changed", "field", "_f"),
         ("changed", "field", "_h"),
         ("changed", "field", "_s"),
         ("added", "field", "_b"),
     ]
     assert before == after
+    assert found.words == ("1 change: 1 removed; beside the meaning _f, _h, _s and _b differ.")
+
+
+def test_a_field_without_meaning_is_no_change() -> None:
+    before = of({"S": {"A": {}, "_comment": "one", "_x": 1}})
+    after = of({"S": {"A": {}, "_comment": "two", "_x": 1}})
+    found = compare(before, after)
+    assert (found.changes, found.same, found.same_meaning, found.layout_only) == (
+        (), False, True, False)  # fmt: skip
+    assert [(one.field, one.old, one.new) for one in found.fields] == [("_comment", "one", "two")]
+    assert found.words == "Same meaning: only _comment differs."
+    moved = compare(before, edit.set_layout(after, "S", {"A": (1.0, 2.0)}))
+    assert moved.words == "Same meaning: only _comment differs; 1 state was moved."
+    assert not moved.layout_only
+    many = compare(before, of({"S": {"A": {}, **{f"_{n}": n for n in range(9)}}}))
+    assert many.words == "Same meaning: only _comment, _x, _0, _1, _2 and 6 more differ."
 
 
 def rename_all(blueprint: Blueprint, new_name: Callable[[str], str]) -> Blueprint:
