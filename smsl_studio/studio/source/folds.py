@@ -61,11 +61,12 @@ class Folds:
     def changed(self, first: int, before: int, after: int) -> None:
         """``before`` lines from ``first`` on have become ``after``: later folds move with them.
 
-        Folds whose lines became more or fewer, or were typed in, are unfolded.
+        Folds of which more than one line changed are unfolded: their lines may be others now.
         """
         moved = after - before
         for fold in tuple(self.all):
-            if fold.first < first + before and fold.last >= first and moved:
+            touched = fold.first < first + before and fold.last >= first
+            if touched and (before > 1 or after > 1):
                 self.all.remove(fold)
                 self._show(min(fold.first, first), max(fold.last, fold.last + moved), True)
         self.all = [

@@ -90,7 +90,7 @@ class Sheet:
         (p, start), (q, end) = self._walk(first, head), self._walk(first, len(old) - tail)
         parts = new[head : len(new) - tail].split("\n")
         before, after = self.pieces[p][:start], self.pieces[q][end:]
-        gone = before + "".join(self.pieces[p:q]) + self.pieces[q]
+        gone = "".join(self.pieces[p : q + 1])
         fresh = [part + self.newline for part in parts]
         fresh[-1] = parts[-1] + after
         fresh[0] = before + fresh[0]
@@ -98,7 +98,7 @@ class Sheet:
         for at, piece in enumerate(fresh):
             fresh[at] = _spelt(piece, lines[known + at])
         self._replace(p, q, fresh)
-        return gone[len(before) :] != "".join(fresh)[len(before) :] or p != q
+        return gone != "".join(fresh)
 
     def put(self, start: int, end: int, part: str) -> tuple[int, list[str], list[str]]:
         """Replace what stands between two offsets by ``part``.

@@ -42,7 +42,8 @@ def test_what_is_shown_is_what_was_typed(case: tuple[str, int, int, str]) -> Non
     text, start, end, words = case
     sheet = Sheet(text)
     before = sheet.shown
-    type_into(sheet, start, end, words)
+    changed = type_into(sheet, start, end, words)
+    assert changed == (sheet.text != text)
     assert sheet.shown == before[:start] + words + before[end:]
     assert sheet.shown == Sheet(sheet.text).shown
 
