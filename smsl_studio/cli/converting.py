@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-import os
 from pathlib import Path
 
+from smsl_studio.blueprint.relocating import relocated
 from smsl_studio.cli.arguments import Parser
 from smsl_studio.cli.output import Output, note, one_line
 from smsl_studio.cli.reading import read_argument
@@ -34,16 +34,12 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             advice=f"End it with {', '.join(SUFFIXES)}.",
         )
     document = read_argument(options.file).document
-    converted = convert(document, form, options.output)
+    moved = relocated(document, options.output)
+    converted = convert(moved, form, options.output)
     save_document(converted.document, options.output)
     if left := converted.comments_left:
         words = "1 comment was" if left == 1 else f"{left} comments were"
         note(f"{words} left behind: {WORDS[form]} has no place for comments.")
-    if document.values.get("_imports") and _folder(document.file) != _folder(options.output):
-        name = one_line(options.output)
-        note(f"{name} stands in another folder, and _imports are named from the file's own.")
+    if moved is not document:
+        note(f"_imports are named from the folder of {one_line(options.output)}.")
     return 0
-
-
-def _folder(file: str) -> Path:
-    return Path(os.path.realpath(file)).parent

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
+from smsl_studio.blueprint.relocating import relocated
 from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.converting import convert
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import SUFFIXES, WORDS, form_of
-from smsl_studio.smsl.splicing import reconcile
-
-IMPORTS = "_imports"
 
 
 @dataclass(frozen=True)
@@ -33,7 +29,7 @@ def moved(document: Document, path: Path, whole: bool = True) -> Moved:
     """
     if not whole:
         return _as_it_is(document, path)
-    found = _with_imports(document, path)
+    found = relocated(document, path)
     form = form_of(str(path), found.text)
     if form == found.form:
         return Moved(replace(found, file=str(path)), found is not document)
@@ -63,27 +59,3 @@ def leaves_comments(document: Document, path: Path) -> bool:
         return convert(document, form, str(path)).comments_left > 0
     except ConvertError:  # which is told when it is saved
         return False
-
-
-def _with_imports(document: Document, path: Path) -> Document:
-    """Imports are named from the folder of the file; from another folder they have other names."""
-    listed: Any = document.values.get(IMPORTS)
-    old, new = _folder(document.file), _folder(str(path))
-    if old == new or not isinstance(listed, list):
-        return document
-    names = [_from(old, new, name) if isinstance(name, str) else name for name in listed]
-    return reconcile(document, {**document.values, IMPORTS: names})
-
-
-def _folder(file: str) -> str:
-    return os.path.realpath(os.path.dirname(file))  # noqa: PTH120
-
-
-def _from(old: str, new: str, name: str) -> str:
-    if os.path.isabs(name) or "\0" in name:  # noqa: PTH117
-        return name
-    try:
-        found = os.path.relpath(os.path.join(old, name), new)  # noqa: PTH118
-    except ValueError:
-        return os.path.join(old, name)  # noqa: PTH118
-    return found.replace(os.sep, "/")

@@ -100,14 +100,25 @@ def test_standard_input_is_a_file_too(
     assert digests(shell, tmp_path / "x.smsl") == digests(shell, sample("hfsm"))
 
 
-def test_imports_that_no_longer_lead_there_are_told(shell: Shell, tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["b.json", "b.smsl", "b.yaml"])
+def test_imports_lead_to_the_same_files_from_another_folder(
+    shell: Shell, tmp_path: Path, name: str
+) -> None:
     (tmp_path / "inner").mkdir()
-    (tmp_path / "sub.json").write_text('{"B": {}}', "utf-8")
-    source = tmp_path / "a.json"
-    source.write_text('{"_imports": ["sub.json"], "A": {}}', "utf-8")
-    assert shell("convert", str(source), "-o", str(tmp_path / "a.yaml")).err == ""
-    assert "_imports" in shell("convert", str(source), "-o", str(tmp_path / "inner/a.yaml")).err
-    assert "\nB:" not in (tmp_path / "a.yaml").read_text("utf-8")
+    (tmp_path / "sub.json").write_text('{"B": {"State0": {}, "State1": {}}}', "utf-8")
+    source, target = tmp_path / "a.json", tmp_path / "inner" / name
+    outside = tmp_path / "inner" / "no.json"
+    written = '{\n "_imports": ["sub.json", "%s"],\n  "A": {"HEADER": {"SUB_SBS": {"B": 0}},'
+    source.write_text(written % outside + '\n\n "State0": {}}}', "utf-8")
+    answer = shell("convert", str(source), "-o", str(target))
+    assert (answer.status, answer.err) == (0, f"_imports are named from the folder of {target}.\n")
+    assert digests(shell, source) == digests(shell, target)
+    assert "\nB:" not in target.read_text("utf-8")
+    assert shell("diff", str(source), str(target)).out == "No difference.\n"
+    if name == "b.json":
+        text = source.read_text("utf-8").replace('"sub.json"', '"../sub.json"')
+        assert target.read_text("utf-8") == text
+    assert shell("convert", str(source), "-o", str(tmp_path / name)).err == ""
 
 
 def test_digest_answers_for_every_file_that_can_be_read(shell: Shell, tmp_path: Path) -> None:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import Any
 
 from smsl_studio.blueprint.comparing.difference import Change, Kind, Path
 from smsl_studio.blueprint.comparing.sides import Sides
 from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged, said
+from smsl_studio.blueprint.importing import real_path
 from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint
 
@@ -132,17 +134,51 @@ def _facts(hazard: Json) -> Json:
     return hazard.get("facts", hazard) if isinstance(hazard, dict) else hazard
 
 
+def _first_places(listed: Json) -> dict[str, int]:
+    """Where in the list each import stands first."""
+    places: dict[str, int] = {}
+    for at, name in enumerate(listed if isinstance(listed, list) else ()):
+        places.setdefault(_import(name), at)
+    return places
+
+
+def _named_alike(sides: Sides, one: Json, other: Json) -> Json:
+    """The imports of the earlier side, each as the later one calls the same file."""
+    if not isinstance(one, list) or not isinstance(other, list):
+        return one
+    ours, kept = set(map(_import, one)), set(map(_import, other))
+    theirs = {_file(sides.after, name): name for name in other if _import(name) not in ours}
+    return [
+        name if _import(name) in kept or not theirs else theirs.get(_file(sides.before, name), name)
+        for name in one
+    ]
+
+
+def _import(name: Json) -> str:
+    """An import, or the text of what is none."""
+    return name if isinstance(name, str) else word_for_word(name)
+
+
+def _file(blueprint: Blueprint, name: Json) -> str:
+    """The file that an import means, or the text of what is none."""
+    if not isinstance(name, str):
+        return word_for_word(name)
+    folder = os.path.dirname(blueprint.file)  # noqa: PTH120
+    return real_path(os.path.join(folder, name))  # noqa: PTH118
+
+
 def _compare_imports(sides: Sides) -> None:
     one, other = sides.before.fields.get("_imports"), sides.after.fields.get("_imports")
+    one = _named_alike(sides, one, other)
     if alike(one or None, other or None):
         return
-    old, new = ([said(v) for v in raw] if isinstance(raw, list) else [] for raw in (one, other))
-    for name in merged(list(dict.fromkeys(old)), list(dict.fromkeys(new))):
+    old, new = (_first_places(raw) for raw in (one, other))
+    for name in merged(list(old), list(new)):
         here, there = name in old, name in new
         if here == there:
             continue
-        words = f"The import of {name} is {'removed' if here else 'added'}."
-        path: Path = ("_imports", str((old if here else new).index(name)))
+        words = f"The import of {said(name)} is {'removed' if here else 'added'}."
+        path: Path = ("_imports", str((old if here else new)[name]))
         sides.changes.append(
             Change(
                 kind_of(here, there),
@@ -157,7 +193,7 @@ def _compare_imports(sides: Sides) -> None:
                 path if there else (),
             )
         )
-    if set(old) == set(new):
+    if old.keys() == new.keys():
         words = f"The imports are {said(other)} instead of {said(one)}."
         sides.changes.append(
             Change(

@@ -193,6 +193,17 @@ def test_hazards_are_told_by_name_and_their_order_means_nothing() -> None:
     ]
 
 
+def test_imports_with_long_names_are_told_apart() -> None:
+    far = "../" + "a-long-way/" * 9
+    before = of({"_imports": [f"{far}one.json"]})
+    found = compare(before, of({"_imports": [f"{far}two.json"]}))
+    assert [(c.kind.value, c.field, c.path_before or c.path_after) for c in found.changes] == [
+        ("removed", f"{far}one.json", ("_imports", "0")),
+        ("added", f"{far}two.json", ("_imports", "0")),
+    ]
+    assert compare(before, of({"_imports": [f"./{far}x/../one.json"]})).same
+
+
 def test_notes_are_told_by_what_they_say() -> None:
     state = {"State0": {"go": "State0"}}
     before = of({"S": {**state, "_operations": {"go": {"cost": 2, "actor": "human"}}}})
