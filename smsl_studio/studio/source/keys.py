@@ -90,7 +90,10 @@ class PaneKeys:
             self._pane.leave(event.key() == Qt.Key.Key_Tab)
             return True
         self._leaving = False
-        return self._manners.answer(event)
+        answered = self._manners.answer(event)
+        if answered and event.text():
+            self._popup.typed(event)
+        return answered
 
     def typed(self, event: QKeyEvent) -> None:
         """See ``answering.Keys``."""

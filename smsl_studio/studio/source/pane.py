@@ -164,6 +164,10 @@ class Source(QWidget):
         self.settle()
         self._session.history.redo()
 
+    def stop(self) -> None:
+        """The window goes away: nothing is read any more."""
+        self.typing.stop()
+
     def leave(self, onwards: bool) -> None:
         """Give the focus to what comes after the text, or before it."""
         self.focusNextPrevChild(onwards)

@@ -96,8 +96,7 @@ class Popup(QListWidget):
         known = self._here.path if self._here and self._goes_on else None
         here = around(editor.sheet.pieces, self._line, column, editor.form, known)
         found = offers(self._blueprint(), self.library, here)
-        done = [one.name for one in found[:2]] == [here.typed]
-        if not found or done or (not here.word and not self._in_quotes(column) and not self._asked):
+        if not found or not (self._asked or self._wanted(here, found, column)):
             self.hide()
             return
         self._here = here
@@ -111,8 +110,14 @@ class Popup(QListWidget):
         self.setCurrentRow(0)
         self._place()
 
-    def _in_quotes(self, column: int) -> bool:
-        return self._editor.sheet.shown_piece(self._line)[column - 1 : column] == '"'
+    def _wanted(self, here: Around, found: Sequence[Offer], column: int) -> bool:
+        """Whether somebody who did not ask has begun a name here that is not complete."""
+        shown = self._editor.sheet.shown_piece(self._line)
+        quoted = shown[column - 1 : column] == '"'
+        if not here.word:
+            return quoted
+        closed = quoted and column - 1 > here.start
+        return not closed and [one.name for one in found[:2]] != [here.typed]
 
     def _place(self) -> None:
         """Below the caret, or above where there is more room."""

@@ -96,6 +96,19 @@ def test_a_name_that_is_asked_for_gets_its_quotes_and_colon(at_text: At) -> None
     assert not writer.pane.popup.isVisible()
 
 
+def test_a_name_that_is_complete_leaves_enter_to_the_text(at_text: At) -> None:
+    writer = at_text(TEXT.replace('"State_1": {},', '"State_1": {}, "State_10": {},', 1))
+    writer.go('"Op_2": "State_2"')
+    writer.key(Qt.Key.Key_Return)
+    writer.type(', "New": "State_1')
+    writer.until(writer.pane.popup.isVisible)
+    assert writer.pane.popup.names == ["State_1", "State_10"]
+    writer.type('"')
+    writer.until(lambda: not writer.pane.popup.isVisible())
+    writer.key(Qt.Key.Key_Return)
+    assert writer.text.count("\n") == TEXT.count("\n") + 2
+
+
 def test_names_are_written_as_native_text_writes_them(at_text: At) -> None:
     text = '{\n    # NAME: SB1\n    "a b": [Op -> State_1]\n    State_1: []\n}\n'
     writer = at_text(text, "a.smsl")
