@@ -21,8 +21,9 @@ _SOURCE = b"""#set document(title: sys.inputs.title, date: none)
 """
 MOST_PIXELS = 40e6
 """More than these, and many programs would not open the picture."""
-_SCALES = (2.0, 1.0, 0.5, 0.25)
-"""Pictures are as wide and high as multiples of four: at these scales no row of pixels is lost."""
+_LARGEST_SCALE = 2.0
+"""Pictures are as wide and high as multiples of four: halved down to a quarter of their size, no
+row of pixels is lost."""
 
 
 def as_pdf(svgs: Sequence[str], title: str) -> bytes:
@@ -34,7 +35,9 @@ def as_png(svg: str, title: str) -> bytes:
     """At twice its size in pixels, or smaller where that would be more than anyone can open."""
     size = re.match(r'.*?width="([\d.]+)" height="([\d.]+)"', svg, re.DOTALL)
     area = float(size[1]) * float(size[2]) if size else 1e6
-    scale = next((one for one in _SCALES if area * one**2 <= MOST_PIXELS), _SCALES[-1])
+    scale = _LARGEST_SCALE
+    while area * scale**2 > MOST_PIXELS:
+        scale /= 2
     # A pixel of the picture is three quarters of a point, and a point is a pixel at 72 per inch.
     return _compiled([svg], title, "png", 96.0 * scale)
 

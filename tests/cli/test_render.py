@@ -43,6 +43,18 @@ def test_what_cannot_be_drawn_or_written(shell: Shell, tmp_path: Path) -> None:
     assert shell("render", str(empty), "-o", str(tmp_path / "out.svg")).status == 2
 
 
+@pytest.mark.parametrize("form", BEGIN)
+def test_states_that_stand_very_far_apart_are_drawn(
+    form: str, shell: Shell, tmp_path: Path
+) -> None:
+    far, out = tmp_path / "far.json", tmp_path / f"out.{form}"
+    layout = '"_layout": {"S": [-1000000, 0], "T": [1000000, 1000000]}'
+    far.write_text('{"A": {"S": {"x": "T"}, "T": {"y": "S"}, %s}}' % layout)
+    answer = shell("render", str(far), "-o", str(out))
+    assert (answer.status, answer.err) == (0, "")
+    assert out.read_bytes().startswith(BEGIN[form])
+
+
 def test_diff_draws_both_sides(shell: Shell, tmp_path: Path) -> None:
     out = tmp_path / "out.svg"
     answer = shell("diff", sample("hanoi"), sample("hanoi-corrected"), "-o", str(out))
