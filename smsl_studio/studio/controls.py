@@ -29,6 +29,8 @@ from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL, RADIUS_CONTROL
 
 Role = QPalette.ColorRole
+LEFT, BESIDE_TEXT = 9, 31
+"""Of a choice: what is left of its text, and on both sides together (the chevron too)."""
 
 
 def label(text: str, role: str, parent: QWidget | None = None) -> QLabel:
@@ -106,6 +108,13 @@ class Combo(QComboBox):
         self.setMaxVisibleItems(16)
         self.setItemDelegate(QStyledItemDelegate(self))
 
+    def width_of_entries(self, least: int, most: int) -> int:
+        """The width in which every entry can be read, within limits."""
+        metrics = self.fontMetrics()
+        texts = (self.itemText(at) for at in range(self.count()))
+        widest = max((metrics.horizontalAdvance(text) for text in texts), default=0)
+        return max(least, min(most, widest + BESIDE_TEXT + 1))
+
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
 
@@ -131,7 +140,7 @@ class Combo(QComboBox):
         font = self.font()
         font.setWeight(font.Weight.Medium if self.accent else font.Weight.Normal)
         painter.setFont(font)
-        room = self.rect().adjusted(9, 0, -22, 0)
+        room = self.rect().adjusted(LEFT, 0, LEFT - BESIDE_TEXT, 0)
         text = painter.fontMetrics().elidedText(
             self.currentText(), Qt.TextElideMode.ElideMiddle, room.width()
         )

@@ -163,3 +163,16 @@ def test_without_a_file_there_is_nothing_saved_to_compare_with(sit: Sit) -> None
     assert not actions["compare_revision"].isEnabled()
     assert not actions["next_change"].isEnabled()
     assert actions["compare_file"].isEnabled()
+
+
+def test_the_choice_of_a_state_branch_is_as_wide_as_its_names(sit: Sit, tmp_path: Path) -> None:
+    now, before = at(tmp_path, "three-levels.json"), tmp_path / "before.json"
+    longer = "REGISTRATION_OF_THE_PATIENT"
+    before.write_text(now.read_text("utf-8").replace("REGISTRATION", longer), "utf-8")
+    person = sit(now)
+    person.window.comparing.ask_file = lambda folder: before
+    choice = asked(person, "compare_file").branches
+    assert choice.currentText() == f"{longer} → REGISTRATION"
+    assert choice.toolTip() == choice.currentText()
+    # Beside the words stand the margin and the arrow.
+    assert choice.width() > choice.fontMetrics().horizontalAdvance(choice.currentText()) + 30

@@ -28,7 +28,8 @@ from smsl_studio.studio.theme import Tokens
 
 NEXT_KEYS, PREVIOUS_KEYS = "F7", "Shift+F7"
 SIZE = (1200, 760)
-CHOICE = 220
+CHOICE = 220, 560
+"""The choice of a State Branch is as wide as its longest name, within these."""
 LIST = (96, 240)
 """The list is at first as high as its rows, within these."""
 Pair = tuple[str, str]
@@ -60,7 +61,7 @@ class CompareDialog(QDialog):
         self._words = Elided()
         self.branches = Combo()
         self.branches.setAccessibleName("State Branch")
-        self.branches.setMinimumWidth(CHOICE)
+        self.branches.currentTextChanged.connect(self.branches.setToolTip)
         self.branches.activated.connect(self._branch_chosen)
         self.previous = self._tool("Previous change", PREVIOUS_KEYS, self.show_previous)
         self.next = self._tool("Next change", NEXT_KEYS, self.show_next)
@@ -118,6 +119,7 @@ class CompareDialog(QDialog):
         for pair in self._pairs:
             same = "" if pair in changed else "  (no difference)"
             self.branches.addItem(f"{_name(pair)}{same}")
+        self.branches.setMinimumWidth(self.branches.width_of_entries(*CHOICE))
         self.branches.setVisible(len(self._pairs) > 1)
         self.changes.show_rows(rows_of(difference))
         for button in (self.next, self.previous):
