@@ -90,6 +90,9 @@ class Tidings(QObject):
         self._findings.set_checking()
 
     def _found(self, findings: tuple[Finding, ...]) -> None:
+        if self._session.broken is not None and self._session.blueprint is self._salvaged:
+            # What could not be read is missing in it: that is no finding, and no fix is one.
+            findings = ()
         for part in (self._findings, *self._marked):
             part.set_findings(findings)
         self._editor.set_findings(worst(findings))

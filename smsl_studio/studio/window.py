@@ -280,6 +280,8 @@ class Window(QMainWindow):
         session = self.session
         chosen = next(iter(session.selection), Address(session.branch))
         self.status_line.show_place(session.blueprint, chosen)
+        # Whoever types wants to know where the caret is, not where the graph follows it.
+        self.source.tell_caret()
 
     def _show_broken(self) -> None:
         """A text that does not read is repaired in the source, where its faults are marked."""

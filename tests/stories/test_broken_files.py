@@ -135,3 +135,36 @@ def test_a_file_with_nothing_that_reads_is_no_blank_pane(sit: Sit, tmp_path: Pat
     assert "fault" in person.window.findings.empty.text()
     person.window.set_mode("run")
     person.window.set_mode("draw")
+
+
+def test_what_could_not_be_read_is_no_finding(sit: Sit, tmp_path: Path) -> None:
+    """State_1 stands in the text; that the drawing lacks it is the fault's doing."""
+    path = tmp_path / "a.yaml"
+    path.write_text("SB1:\n  State_0:\n    Up: State_1\n   State_1: {}\n")
+    person = sit(path)
+    window = person.window
+    person.until(lambda: window.inspector.current)
+    assert any("State_1" in str(one) for one in window.inspector.findings)
+    assert list(window.source.editor.gutter.marks) == [3]
+    assert window.source.repairing.every() == ()
+    assert not window.editor.canvas.marks.findings
+    person.window.session.write("Type", "SB1:\n  State_0:\n    Up: State_9\n")
+    person.until(lambda: bool(window.editor.canvas.marks.findings))
+
+
+def test_all_that_is_said_of_the_faults_can_be_read(sit: Sit, tmp_path: Path) -> None:
+    """A mark, an empty line, and a fault that says what it is: longer than the panel is high."""
+    path = tmp_path / "a.smsl"
+    path.write_text("SB1 {\n  HEADER {\n  State_0 { Op_1: State_1, Op_2 State_2 }\n")
+    person = sit(path, (1280, 800))
+    told = person.window.findings.empty
+    person.until(told.isVisible)
+    assert told.height() >= told.heightForWidth(told.width())
+
+
+def test_the_offered_fix_says_in_which_line_it_is(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "a.smsl"
+    path.write_text("nothing of it\n{\n  # NAME: SB1\n  State_0 [ ]\n}\n")
+    faults = sit(path).window.source.faults
+    assert faults.said.text().startswith("2 faults: line 1, ")
+    assert faults.fix_button.text().startswith("Line 4: ")

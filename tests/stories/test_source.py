@@ -140,3 +140,11 @@ def test_the_status_line_says_where_the_caret_is(sit: Sit) -> None:
     caret_behind(person, '"State111": { }')
     line, column = person.window.source.editor.caret
     assert person.window.status_line.place.text() == f"Line {line + 1}, column {column + 1}"
+    person.type(",")
+    person.window.source.settle()
+    assert person.window.session.broken is not None
+    person.type('"State001": {}')
+    person.window.source.settle()
+    column += len(',"State001": {}')
+    assert person.window.session.broken is None
+    assert person.window.status_line.place.text() == f"Line {line + 1}, column {column + 1}"

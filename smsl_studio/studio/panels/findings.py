@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import reduce
 
 from PySide6.QtCore import QModelIndex, Qt, Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QStackedWidget, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding, Fix, Severity
@@ -45,7 +45,11 @@ class Findings(Panel):
         self.empty.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.empty.setTextFormat(Qt.TextFormat.PlainText)
         self._pages = QStackedWidget()
-        self._pages.addWidget(self.empty)
+        self._told = QScrollArea()
+        self._told.setWidgetResizable(True)
+        self._told.setFrameShape(QScrollArea.Shape.NoFrame)
+        self._told.setWidget(self.empty)
+        self._pages.addWidget(self._told)
         self._pages.addWidget(self.list)
         self.column.addWidget(self._pages)
         self.tools = QWidget()
@@ -77,7 +81,7 @@ class Findings(Panel):
         self._findings = ()
         self.list.show_findings(())
         self.fix_all_button.hide()
-        self._pages.setCurrentWidget(self.empty)
+        self._pages.setCurrentWidget(self._told)
         self.count_changed.emit(0)
         self.set_checking()
 
@@ -88,8 +92,8 @@ class Findings(Panel):
             self.set_findings(self._findings)
             self.set_checking()
             return
-        self._pages.setCurrentWidget(self.empty)
-        self.empty.setText(_told(broken))
+        self._pages.setCurrentWidget(self._told)
+        self.empty.setText(_faults_told(broken))
         self.summary.setText("The text does not read")
         self.fix_all_button.hide()
         self.count_changed.emit(len(broken.error.faults))
@@ -106,7 +110,7 @@ class Findings(Panel):
             f"Checked, {counted(self._rules, 'rule')}"
         )  # fmt: skip
         self.empty.setText(f"No findings. {counted(self._rules, 'rule')} checked.")
-        self._pages.setCurrentWidget(self.list if findings else self.empty)
+        self._pages.setCurrentWidget(self.list if findings else self._told)
         fixes = len(self._fixes())
         self.fix_all_button.setVisible(fixes > 1)
         self.fix_all_button.setText("Fix both" if fixes == 2 else f"Fix all {fixes}")
@@ -156,7 +160,7 @@ class Findings(Panel):
         self._session.jump(finding.address)
 
 
-def _told(broken: Broken) -> str:
+def _faults_told(broken: Broken) -> str:
     """The faults of a text, line by line."""
     faults = broken.error.faults
     lines = [f"{faults_of(broken)}. What is drawn has its findings listed when it reads again."]

@@ -43,8 +43,9 @@ class Marking:
         return broken.error.faults if broken.text == self._pane.editor.sheet.text else ()
 
     def findings_here(self) -> tuple[Finding, ...]:
-        """The findings of the text that is shown, where it is the one that was inspected."""
-        if not self._pane.elements.exact:
+        """The findings of the text that is shown, where it reads and is the one inspected."""
+        broken = self._session.broken
+        if (broken is not None and broken.file == self._pane.file) or not self._pane.elements.exact:
             return ()
         return tuple(one for one in self._findings if one.place.file == self._pane.file)
 

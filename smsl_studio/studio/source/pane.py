@@ -80,8 +80,8 @@ class Source(QWidget):
         session.settling.connect(self.settle)
         editor.typed.connect(self.typing.begin)
         editor.starting.connect(self.settle)
-        editor.caret_moved.connect(self._tell_caret)
-        editor.entered.connect(self._tell_caret)
+        editor.caret_moved.connect(self.tell_caret)
+        editor.entered.connect(self.tell_caret)
         editor.left.connect(self.typing.hurry)
         self.find_bar.changed.connect(self.marking.mark)
         self.files.chosen.connect(self._choose_file)
@@ -171,6 +171,14 @@ class Source(QWidget):
     def leave(self, onwards: bool) -> None:
         """Give the focus to what comes after the text, or before it."""
         self.focusNextPrevChild(onwards)
+
+    def tell_caret(self) -> None:
+        """Say where the caret is, while one works here: in the text, or in the bar that finds."""
+        focus = QApplication.focusWidget()
+        if focus is not None and self.isAncestorOf(focus):
+            line, column = self.editor.caret
+            self.caret_moved.emit(self.editor.sheet.line_of(line) + 1, column + 1)
+            self.repairing.show_bulb()
 
     # Following the session.
 
@@ -275,11 +283,3 @@ class Source(QWidget):
         elsewhere = broken is not None and broken.file != self._file
         name = broken.file if broken and elsewhere else ""
         self.faults.show_faults(broken.error if broken else None, name, self._salvaged)
-
-    def _tell_caret(self) -> None:
-        """Say where the caret is, while one works here: in the text, or in the bar that finds."""
-        focus = QApplication.focusWidget()
-        if focus is not None and self.isAncestorOf(focus):
-            line, column = self.editor.caret
-            self.caret_moved.emit(self.editor.sheet.line_of(line) + 1, column + 1)
-            self.repairing.show_bulb()

@@ -23,12 +23,11 @@ class Repairing:
         pane.faults.fix_wanted.connect(self._fix_first)
 
     def every(self) -> tuple[Repair, ...]:
-        """Every fix for the text that is shown."""
+        """Every fix for the text that is shown; while one does not read, those of its faults."""
         pane, sheet = self._pane, self._pane.editor.sheet
-        return (
-            *of_faults(self._session, sheet, pane.marking.faults_here()),
-            *of_findings(self._session, sheet, pane.marking.findings_here()),
-        )
+        if self._session.broken is not None:
+            return tuple(of_faults(self._session, sheet, pane.marking.faults_here()))
+        return tuple(of_findings(self._session, sheet, pane.marking.findings_here()))
 
     def at(self, line: int) -> tuple[Repair, ...]:
         """The fixes of one line."""

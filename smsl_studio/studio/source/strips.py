@@ -110,9 +110,13 @@ class FaultStrip(Strip):
         name = f" in {PurePath(file).name}" if file else ""
         self.said.setText(f"{count}{name}: {where}{error.sentence}; {graph}.")
         self.said.setToolTip(error.advice)
-        fix = next((fault.fix for fault in error.faults if fault.fix), None)
+        first = next((fault for fault in error.faults if fault.fix), None)
+        fix = first.fix if first else None
+        line = first.place.line if first and first.place else 0
+        # The sentence is about the first fault; a fix of another one says where it is.
+        other = f"Line {line}: " if first is not error.faults[0] and line else ""
         self.fix_button.setVisible(fix is not None)
-        self.fix_button.setText(fix.words if fix else "")
+        self.fix_button.setText(f"{other}{fix.words}" if fix else "")
 
 
 class YamlStrip(Strip):
