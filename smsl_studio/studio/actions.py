@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
 
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.theme import Tokens
@@ -124,6 +125,8 @@ class Actions(QObject):
             self._before()
             if action.enabled():
                 action.call()
-            self.refresh()
+            # The window may have been closed by it.
+            if isValid(self):
+                self.refresh()
 
         return call

@@ -6,11 +6,14 @@ findings of a blueprint that is no longer shown are dropped.
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QRunnable, QThreadPool, QTimer, Signal
+from functools import partial
+
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.inspect import RULES, inspect
+from smsl_studio.studio.beside import Beside
 from smsl_studio.studio.session import Session
 
 WAIT = 120
@@ -28,8 +31,7 @@ class Inspector(QObject):
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._pool = QThreadPool(self)
-        self._pool.setMaxThreadCount(1)
+        self._beside = Beside(self)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(WAIT)
@@ -50,8 +52,7 @@ class Inspector(QObject):
         """Wait for the last inspection; the window is going away."""
         self._timer.stop()
         self._wanted = None
-        self._pool.clear()
-        self._pool.waitForDone()
+        self._beside.stop()
 
     def _changed(self) -> None:
         self.current = False
@@ -59,38 +60,11 @@ class Inspector(QObject):
         self._timer.start()
 
     def _inspect(self) -> None:
-        self._wanted = self._session.blueprint
-        task = _Task(self._wanted)
-        task.signals.done.connect(self._arrived)
-        task.signals.failed.connect(self._failed)
-        self._pool.clear()
-        self._pool.start(task)
+        blueprint = self._wanted = self._session.blueprint
+        self._beside.drop()
+        self._beside.do(partial(inspect, blueprint), partial(self._arrived, blueprint))
 
     def _arrived(self, blueprint: Blueprint, findings: tuple[Finding, ...]) -> None:
         if blueprint is self._session.blueprint and blueprint is self._wanted:
             self.findings, self.current = findings, True
             self.found.emit(findings)
-
-    def _failed(self, error: Exception) -> None:
-        """A fault of ours in a rule: it crashes here, where the person's work is kept."""
-        raise error
-
-
-class _Signals(QObject):
-    done = Signal(object, object)
-    failed = Signal(object)
-
-
-class _Task(QRunnable):
-    def __init__(self, blueprint: Blueprint) -> None:
-        super().__init__()
-        self._blueprint = blueprint
-        self.signals = _Signals()
-
-    def run(self) -> None:
-        try:
-            findings = inspect(self._blueprint)
-        except Exception as error:
-            self.signals.failed.emit(error)
-        else:
-            self.signals.done.emit(self._blueprint, findings)

@@ -362,12 +362,13 @@ class Window(QMainWindow):
         paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         if paths:
             event.acceptProposedAction()
-            QTimer.singleShot(0, lambda: self.files.open(paths[0]))
+            QTimer.singleShot(0, self, lambda: self.files.open(paths[0]))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self.files.may_leave():
             event.ignore()
             return
+        self.source.stop()
         self.safety.close()
         self._settings.store("window", self.saveGeometry())
         if self._mode == "draw":

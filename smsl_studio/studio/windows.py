@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterator
 from typing import Protocol
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.safety import Safety
@@ -29,6 +29,7 @@ class Shown(Protocol):
     def stop_run(self) -> None: ...
     def settle(self) -> None: ...
     def warn(self, words: str) -> None: ...
+    def deleteLater(self) -> None: ...
 
 
 class Windows(QObject):
@@ -49,11 +50,14 @@ class Windows(QObject):
         self._open.append(window)
 
     def remove(self, window: Shown) -> None:
-        """The window was closed."""
+        """The window was closed; it is let go of with all that it held."""
         if window in self._open:
             self._open.remove(window)
-            # A window that is let go of while it is being closed takes Qt along.
+            # Its own connections would keep it for ever.
+            window.deleteLater()
+            # One that is let go of while it is being closed takes Qt along.
             self._closed.append(window)
+            QTimer.singleShot(0, self, self._closed.clear)
 
     @property
     def theme(self) -> str:

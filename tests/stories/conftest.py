@@ -24,14 +24,12 @@ Sit = Callable[..., Person]
 @pytest.fixture
 def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
     """Open a window on a copy of a file (or an empty one) and sit down at it."""
-    shown: list[Window] = []
     windows = Windows(qapp, Settings(home))
 
     def open_on(path: Path | None = None, size: tuple[int, int] = (1440, 900)) -> Person:
         windows.settings.theme = "light"
         dress(qapp, LIGHT)
         window = make_window(windows, str(path) if path else "")
-        shown.append(window)
         window.resize(*size)
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)
@@ -39,9 +37,8 @@ def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
         return Person(window, qtbot, windows)
 
     yield open_on
-    shown += [window for window in windows if isinstance(window, Window) and window not in shown]
-    for window in shown:
+    for window in windows:
+        assert isinstance(window, Window)
         window.session.history.setClean()
         window.close()
-        window.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -8,10 +8,12 @@ waits for the disk.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QRunnable, QThreadPool, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
+from smsl_studio.studio.beside import Beside
 from smsl_studio.studio.journal.entry import Entry, encode
 from smsl_studio.studio.journal.place import Place
 
@@ -36,8 +38,7 @@ class Journal(QObject):
         self._busy = self._again = self._told = self._closed = False
         self.changes = self.safe = 0
         """How many changes there were, and how many of them the disk holds."""
-        self._pool = QThreadPool(self)
-        self._pool.setMaxThreadCount(1)
+        self._beside = Beside(self)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(WAIT)
@@ -59,7 +60,7 @@ class Journal(QObject):
     def flush(self) -> bool:
         """Write now and wait for the disk; whether unsaved work stands in the journal."""
         self._timer.stop()
-        self._pool.waitForDone()
+        self._beside.wait()
         entry = self._unsaved(self.changes)
         if entry is None:
             return False
@@ -92,8 +93,7 @@ class Journal(QObject):
     def _end(self) -> None:
         self._closed = True
         self._timer.stop()
-        self._pool.clear()
-        self._pool.waitForDone()
+        self._beside.stop()
 
     def _held(self) -> Place:
         if self._place is None:
@@ -111,13 +111,12 @@ class Journal(QObject):
             self._done(self.changes)
             return
         try:
-            task = _Task(self._held(), entry)
+            place = self._held()
         except OSError as error:
             self._fail(error)
             return
         self._busy = True
-        task.signals.done.connect(self._arrived)
-        self._pool.start(task)
+        self._beside.do(partial(_write, place, entry), partial(self._arrived, entry.changes))
 
     def _arrived(self, changes: int, error: OSError | None) -> None:
         self._busy = False
@@ -145,20 +144,10 @@ class Journal(QObject):
             )
 
 
-class _Signals(QObject):
-    done = Signal(int, object)
-
-
-class _Task(QRunnable):
-    def __init__(self, place: Place, entry: Entry) -> None:
-        super().__init__()
-        self._place, self._entry = place, entry
-        self.signals = _Signals()
-
-    def run(self) -> None:
-        failed: OSError | None = None
-        try:
-            self._place.write(encode(self._entry))
-        except OSError as error:
-            failed = error
-        self.signals.done.emit(self._entry.changes, failed)
+def _write(place: Place, entry: Entry) -> OSError | None:
+    """Put the entry on the disk; why that went wrong."""
+    try:
+        place.write(encode(entry))
+    except OSError as error:
+        return error
+    return None

@@ -6,10 +6,12 @@ A large text is read beside the window's own thread; what was typed meanwhile is
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
-from PySide6.QtCore import QObject, QRunnable, QThreadPool, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.beside import Beside
 from smsl_studio.studio.broken import Reading, read_text
 from smsl_studio.studio.session import Session
 
@@ -31,8 +33,7 @@ class Typing(QObject):
         self._timer.setSingleShot(True)
         self._timer.setInterval(PAUSE)
         self._timer.timeout.connect(self._paused)
-        self._pool = QThreadPool(self)
-        self._pool.setMaxThreadCount(1)
+        self._beside = Beside(self)
 
     @property
     def pending(self) -> bool:
@@ -66,8 +67,7 @@ class Typing(QObject):
     def stop(self) -> None:
         """Wait for what is being read; the window is going away."""
         self.forget()
-        self._pool.clear()
-        self._pool.waitForDone()
+        self._beside.stop()
 
     def _take(self, reading: Reading) -> None:
         words = self._words
@@ -79,11 +79,12 @@ class Typing(QObject):
         if len(text) < LARGE or self.file not in self._session.texts:
             self.settle()
             return
-        task = _Task(self._serial, self._session.blueprint, self.file, text)
-        task.signals.done.connect(self._arrived)
-        task.signals.failed.connect(self._failed)
-        self._pool.clear()
-        self._pool.start(task)
+        former = self._session.blueprint
+        self._beside.drop()
+        self._beside.do(
+            partial(read_text, former, self.file, text),
+            partial(self._arrived, self._serial, former),
+        )
 
     def _arrived(self, serial: int, former: Blueprint, reading: Reading) -> None:
         if not self._words or serial != self._serial:
@@ -92,28 +93,3 @@ class Typing(QObject):
             self._take(reading)
         else:
             self._timer.start()
-
-    def _failed(self, error: Exception) -> None:
-        """A fault of ours in reading: it crashes here, where the person's work is kept."""
-        raise error
-
-
-class _Signals(QObject):
-    done = Signal(object, object, object)
-    failed = Signal(object)
-
-
-class _Task(QRunnable):
-    def __init__(self, serial: int, former: Blueprint, file: str, text: str) -> None:
-        super().__init__()
-        self._given = (serial, former, file, text)
-        self.signals = _Signals()
-
-    def run(self) -> None:
-        serial, former, file, text = self._given
-        try:
-            reading = read_text(former, file, text)
-        except Exception as error:
-            self.signals.failed.emit(error)
-        else:
-            self.signals.done.emit(serial, former, reading)

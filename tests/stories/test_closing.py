@@ -1,0 +1,102 @@
+"""A window that is closed is gone, with all that it held and whatever was going on in it."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.blueprint import editing
+from smsl_studio.studio.window import Window
+from tests.stories.conftest import Sit
+from tests.stories.person import Person
+from tests.stories.test_files import copy_of
+
+OPENED = 4
+
+
+def work(person: Person) -> None:
+    """Use what is built only when it is asked for, and leave dialogs and menus open."""
+    window = person.window
+    person.select("SB1/State100")
+    window.show_tab("Source")
+    window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB7"))
+    window.session.show_branch("SB7")
+    window.comparing.with_saved()
+    window.open_palette()
+    window.show_shortcuts()
+    window.session.history.setClean()
+
+
+def gone(person: Person) -> None:
+    """Close the window and let everything that was posted happen."""
+    assert person.window.close()
+    QApplication.processEvents()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def held() -> tuple[int, int]:
+    """How many widgets there are, and how many objects of ours."""
+    gc.collect()
+    ours = [
+        one for one in gc.get_objects() if type(one).__module__.startswith("smsl_studio.studio")
+    ]
+    return len(QApplication.allWidgets()), len(ours)
+
+
+def test_windows_that_were_closed_leave_nothing_behind(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    refs: list[weakref.ref[QObject]] = []
+    counts = []
+    for _ in range(OPENED):
+        person = sit(path)
+        work(person)
+        refs += [weakref.ref(person.window), weakref.ref(person.window.session)]
+        gone(person)
+        del person
+        counts.append(held())
+    assert [ref for ref in refs if ref() is not None] == []
+    assert counts[1:] == counts[1:2] * (OPENED - 1)
+
+
+def begin_inspection(window: Window) -> None:
+    window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB7"))
+    window.inspector._inspect()
+
+
+def begin_reading(window: Window) -> None:
+    window.show_tab("Source")
+    window.source.editor.setFocus()
+    window.source.typing.begin("Type")
+    window.source.typing.hurry()
+
+
+def begin_journal(window: Window) -> None:
+    window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB7"))
+    window.safety.journal._write()
+    window.session.history.setClean()
+
+
+def begin_look(window: Window) -> None:
+    assert window.files.path is not None
+    window.files.path.write_text(window.files.path.read_text().replace("SB1", "SB3"))
+    window.safety.outside.watcher._stir()
+
+
+@pytest.mark.parametrize("begin", [begin_inspection, begin_reading, begin_journal, begin_look])
+def test_a_window_is_closed_while_something_goes_on(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, begin: Callable[[Window], None]
+) -> None:
+    monkeypatch.setattr("smsl_studio.studio.source.typing.LARGE", 1)
+    person = sit(copy_of("hfsm.json", tmp_path))
+    told: list[object] = []
+    begin(person.window)
+    person.window.session.history.setClean()
+    person.window.session.blueprint_changed.connect(lambda *_: told.append(1))
+    gone(person)
+    assert told == []
