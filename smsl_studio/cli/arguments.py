@@ -32,6 +32,7 @@ COMMANDS = {
     "route": Command("routing", "plan the cheapest route between two states"),
     "run": Command("running", "run a blueprint in a world, headless"),
     "sweep": Command("sweeping", "run every single edge in a world and check where it leads"),
+    "replay": Command("replaying", "tell a run again from its log, or verify the log"),
     "worlds": Command("worlds", "list the worlds there are"),
     "plugins": Command("plugins", "list the plugins there are, and those that do not load"),
 }

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-import platform
-import sys
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime
-from os import getpid
 from pathlib import Path
-from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.reading import refusals
-from smsl_studio.front.version import version
+from smsl_studio.front.run_header import log_header
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.seal.digest import sha256_hex
 
 HOSTS = ("local", "process")
 NAP = 0.1
@@ -106,6 +100,9 @@ def run(
     not exist; whatever else goes wrong is the reason of the run.
     """
     loaded = known_world(world, plugin_paths)
+    goals = states_at(blueprint, goal, "goal")
+    starts = states_at(blueprint, start, "start")
+    shut = operations_at(blueprint, avoid)
     story = _Story(on_event)
     dispatcher: Dispatcher | None = None
     refusal: RunRefused | None = None
@@ -113,11 +110,11 @@ def run(
         dispatcher = open_run(
             blueprint,
             world,
-            goal=goal,
-            start=start,
+            goal=goals,
+            start=starts,
             seed=seed,
             host=host,
-            avoid=avoid,
+            avoid=shut,
             on_mismatch=on_mismatch,
             plugin_paths=plugin_paths,
             loaded=loaded,
@@ -126,8 +123,15 @@ def run(
         refusal = refused
     try:
         if log is not None:
-            header = log_header(blueprint, world, seed, host, loaded)
-            story.log = RunLog(Path(log), header)
+            asked = {
+                "seed": seed,
+                "host": host,
+                "start": list(map(str, starts)),
+                "goals": list(map(str, goals)),
+                "avoid": list(map(str, shut)),
+                "on_mismatch": on_mismatch,
+            }
+            story.log = RunLog(Path(log), log_header(blueprint, world, loaded, asked))
         if refusal is not None:
             story.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
         if dispatcher is not None:
@@ -176,38 +180,6 @@ def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
     return discover(plugin_paths).worlds
 
 
-def log_header(
-    blueprint: Blueprint, world: str, seed: int, host: str, loaded: Loaded | None
-) -> Mapping[str, Any]:
-    """What a log's first line says: all that the events must not."""
-    plugins = loaded.plugins if loaded else ()
-    return {
-        "wall_time": datetime.now(UTC).isoformat(timespec="milliseconds"),
-        "node": platform.node(),
-        "process": getpid(),
-        "host": host,
-        "world": world,
-        "seed": seed,
-        "file": str(Path(blueprint.file).absolute()),
-        "digests": {
-            "file": sha256_hex(blueprint.document.encoded()),
-            "behaviour": blueprint.behaviour,
-            **_imported(blueprint),
-        },
-        "versions": {
-            "smsl-studio": version(),
-            "python": sys.version.split()[0],
-            **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
-        },
-    }
-
-
-def _imported(blueprint: Blueprint) -> Mapping[str, Any]:
-    """The digests of imported files, where there are any."""
-    files = {one.file: sha256_hex(one.encoded()) for one in blueprint.documents[1:]}
-    return {"imported": files} if files else {}
-
-
 class _Story:
     """What a run has said so far, written to its log and told on."""
 
@@ -222,6 +194,8 @@ class _Story:
             if self.log is not None:
                 try:
                     self.log.write([event])
+                    if isinstance(event, RunFinished):
+                        self.log.finish()
                 except SaveError:
                     self.close()
                     raise

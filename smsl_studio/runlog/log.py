@@ -1,24 +1,40 @@
-"""The run log: JSON Lines, a header first, then one event a line, each flushed when written.
+"""The run log that is being written: hash-chained JSON Lines.
 
-The header carries what events must not: wall time, host, versions, the file. After a crash every
-line that was written is there; a line that was cut short is dropped when the log is read.
+The first line is the header: what events must not carry (wall time, host, versions, the file) and
+what was asked for. Then one event a line, byte for byte as a run prints it, with its link of the
+chain behind it (see ``seal.chain``). The last line is the head: how many events there are, and the
+SHA-256 of all bytes before it. A log without a head was cut, or its run did not come to an end.
+
+Each line is one unbuffered write before anybody hears of its event, so that the death of this
+process, by kill -9 too, loses none. The disk is waited for (fsync) after the header and after the
+head only: in between a stop would have to wait for it, too. A power failure may therefore take the
+last seconds of a run that was going on, which its missing head shows.
 """
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from smsl_studio.errors import Place, ReadError, SaveError
+from smsl_studio.errors import Place, SaveError
 from smsl_studio.runlog.events import Event
+from smsl_studio.seal.chain import Chain
 
 Json = Any
 FORMAT = "smsl-run"
-VERSION = 1
+VERSION = 2
+"""1 had no chain."""
+
+LONGEST = 1 << 24
+"""So many bytes has a line at most; who reads a log keeps to it as well."""
+
+_NO_DISK = (errno.EINVAL, errno.ENOTSUP, errno.EROFS)
+"""What fsync answers for what is no file on a disk, such as a pipe."""
 
 
 class RunLog:
@@ -26,12 +42,15 @@ class RunLog:
 
     def __init__(self, path: Path, header: Mapping[str, Json]) -> None:
         self.path = path
+        self._chain = Chain()
+        self._count = 0
         try:
             self._file = path.open("wb", buffering=0)
-        except OSError as error:
+        except (OSError, ValueError) as error:
             raise self._failed(error) from None
         try:
-            self._put({"log": FORMAT, "version": VERSION, **header})
+            self._linked(_line({"log": FORMAT, "version": VERSION, **header}))
+            self._settle()
         except SaveError:
             self._file.close()
             raise
@@ -39,10 +58,18 @@ class RunLog:
     def write(self, events: Iterable[Event]) -> None:
         """Append events; when it returns, they survive the death of this process."""
         for event in events:
-            self._line(event.line())
+            self._linked(event.line())
+            self._count += 1
+
+    def finish(self) -> None:
+        """Append the head and end the log; when it returns, the disk has all of it."""
+        head = {"head": {"count": self._count, "hash": self._chain.digest}}
+        self._put(_line(head).encode("ascii") + b"\n")
+        self._settle()
+        self.close()
 
     def close(self) -> None:
-        """End the log; calling it twice is harmless."""
+        """End the log as it stands, without a head; calling it twice is harmless."""
         self._file.close()
 
     def __enter__(self) -> RunLog:
@@ -56,52 +83,33 @@ class RunLog:
     ) -> None:
         self.close()
 
-    def _put(self, values: Json) -> None:
-        self._line(json.dumps(values, ensure_ascii=False, separators=(",", ":")))
+    def _linked(self, text: str) -> None:
+        self._put(self._chain.linked(text.encode("utf-8", "backslashreplace")))
 
-    def _line(self, text: str) -> None:
-        left = memoryview(f"{text}\n".encode("utf-8", "backslashreplace"))
+    def _put(self, line: bytes) -> None:
+        if len(line) > LONGEST:
+            raise self._failed(OSError(errno.EFBIG, f"a line is longer than {LONGEST >> 20} MB"))
+        left = memoryview(line)
         try:
             while left:
                 left = left[self._file.write(left) or 0 :]
         except OSError as error:
             raise self._failed(error) from None
 
-    def _failed(self, error: OSError) -> SaveError:
+    def _settle(self) -> None:
+        try:
+            os.fsync(self._file.fileno())
+        except OSError as error:
+            if error.errno not in _NO_DISK:
+                raise self._failed(error) from None
+
+    def _failed(self, error: OSError | ValueError) -> SaveError:
         return SaveError(
-            f"the run log cannot be written: {error.strerror or error}",
+            f"the run log cannot be written: {getattr(error, 'strerror', None) or error}",
             Place(str(self.path), 1, 1),
             "Free some space or choose another file; without its log a run does not go on.",
         )
 
 
-@dataclass(frozen=True)
-class LoggedRun:
-    """A log as read: its header, its events as plain values, whether the end was cut short."""
-
-    header: Mapping[str, Json]
-    events: tuple[Mapping[str, Json], ...]
-    cut: bool
-
-
-def read_log(path: Path) -> LoggedRun:
-    """A run log from a file; ReadError with the place of what is no log."""
-    try:
-        raw = path.read_bytes()
-    except OSError as error:
-        raise ReadError(f"cannot be read: {error.strerror}", Place(str(path), 1, 1)) from None
-    *lines, rest = raw.split(b"\n")
-    records = [_record(path, number, line) for number, line in enumerate(lines, 1)]
-    if not records or records[0].get("log") != FORMAT:
-        raise ReadError("this is no run log", Place(str(path), 1, 1), "Choose a file of run --log.")
-    return LoggedRun(records[0], tuple(records[1:]), bool(rest))
-
-
-def _record(path: Path, number: int, line: bytes) -> Mapping[str, Json]:
-    try:
-        record = json.loads(line)
-    except (ValueError, RecursionError):
-        record = None
-    if not isinstance(record, dict):
-        raise ReadError("the line is no JSON object", Place(str(path), number, 1))
-    return record
+def _line(values: Json) -> str:
+    return json.dumps(values, ensure_ascii=False, separators=(",", ":"))

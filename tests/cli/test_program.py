@@ -15,7 +15,7 @@ from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
 COMMANDS = (
     *("check", "fmt", "convert", "diff", "render", "digest"),
-    *("route", "run", "sweep", "worlds", "plugins"),
+    *("route", "run", "sweep", "replay", "worlds", "plugins"),
 )
 
 

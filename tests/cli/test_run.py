@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from smsl_studio.runlog.log import read_log
+from smsl_studio.runlog.reading import read_log
 from tests.cli.shell import Answer, Shell, sample
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, write_plugin
 
@@ -105,9 +106,23 @@ def test_the_log_has_a_header_and_what_was_printed(shell: Shell, tmp_path: Path)
     log = tmp_path / "run.jsonl"
     answer = shell("run", sample("hfsm"), *TABLE, "--seed", "3", "--log", str(log))
     found = read_log(log)
-    assert list(found.events) == answer.lines
+    assert [one.text for one in found.records] == answer.out.splitlines()
+    assert found.doubt is None
     assert (found.header["world"], found.header["seed"]) == ("table", 3)
-    assert set(found.header["digests"]) == {"file", "behaviour"}
+    digests = shell("digest", sample("hfsm"), "--format", "json").json["files"][0]
+    file = hashlib.sha256(Path(digests.pop("file")).read_bytes()).hexdigest()
+    assert found.header["digests"] == {"file": file, **digests}
+    assert (found.header["start"], found.header["policy"]) == ([], None)
+
+
+def test_the_log_says_what_was_asked_for(shell: Shell, tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    asked = ("--start", "State110", "--goal", "SB1/State100", "--avoid", "SB1/State100")
+    shell("run", sample("hfsm"), *TABLE, *asked, "--on-mismatch", "adopt", "--log", str(log))
+    header = read_log(log).header
+    assert (header["start"], header["goals"]) == (["SB1/State110"], ["SB1/State100"])
+    assert header["avoid"][0] == "SB1/State100/Operation100A"
+    assert (header["on_mismatch"], header["host"]) == ("adopt", "local")
 
 
 @pytest.mark.parametrize("file", ["wrong", "hfsm"])
@@ -119,7 +134,9 @@ def test_a_refused_run_is_in_the_log_too(shell: Shell, tmp_path: Path, file: str
     given = str(path) if file == "wrong" else sample(file)
     answer = shell("run", given, "--world", "hanoi", "--format", "json", "--log", str(log))
     assert _end(answer) == (1, "refused")
-    assert list(read_log(log).events) == answer.lines
+    found = read_log(log)
+    assert [one.text for one in found.records] == answer.out.splitlines()
+    assert found.doubt is None
 
 
 def test_a_log_that_cannot_be_written_refuses_the_run(shell: Shell, tmp_path: Path) -> None:

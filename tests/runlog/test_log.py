@@ -2,58 +2,102 @@
 
 from __future__ import annotations
 
-import signal
-import subprocess
-import sys
+import io
+import json
+import os
 from pathlib import Path
 
 import pytest
 
 from smsl_studio.errors import ReadError, SaveError
 from smsl_studio.runlog.events import Committed, Paused, RunFinished
-from smsl_studio.runlog.log import RunLog, read_log
+from smsl_studio.runlog.log import LONGEST, RunLog
+from smsl_studio.runlog.reading import read_log, verify
+from tests.runlog.logs import chained, is_verified
 
 EVENTS = (
     Paused(t=0.1),
     Committed(t=0.25, operations=("SB/é/Op",), configuration={"SB": "State_\udcff"}),
     RunFinished(t=1.0, reason="stopped", sentence="Stop.", operations=1, configuration={}),
 )
+FIRST = b'{"log":"smsl-run","version":2}'
 
 
 def test_what_is_written_is_read(tmp_path: Path) -> None:
     with RunLog(tmp_path / "run.jsonl", {"seed": 7}) as log:
         log.write(EVENTS[:1])
         log.write(EVENTS[1:])
+        log.finish()
     found = read_log(tmp_path / "run.jsonl")
-    assert found.header == {"log": "smsl-run", "version": 1, "seed": 7}
-    assert [e["event"] for e in found.events] == ["paused", "committed", "run_finished"]
-    assert found.events[1]["operations"] == ["SB/é/Op"]
-    assert not found.cut
+    assert {k: v for k, v in found.header.items() if k != "chain"} == {
+        "log": "smsl-run",
+        "version": 2,
+        "seed": 7,
+    }
+    assert found.events == EVENTS
+    assert [one.line for one in found.records] == [2, 3, 4]
+    assert [one.text for one in found.records] == [
+        one.line().encode("utf-8", "backslashreplace").decode() for one in EVENTS
+    ]
+    assert found.doubt is None
+    assert found.head is not None
+    assert found.head.count == 3
 
 
-def test_a_killed_writer_loses_nothing_it_has_written(tmp_path: Path) -> None:
+def test_a_log_that_was_not_finished_says_so(tmp_path: Path) -> None:
     path = tmp_path / "run.jsonl"
-    code = (
-        "import os, signal, sys, pathlib\n"
-        "from smsl_studio.runlog.log import RunLog\n"
-        "from smsl_studio.runlog.events import Paused\n"
-        "log = RunLog(pathlib.Path(sys.argv[1]), {})\n"
-        "for i in range(100): log.write([Paused(t=float(i))])\n"
-        "os.kill(os.getpid(), signal.SIGKILL)\n"
-    )
-    done = subprocess.run([sys.executable, "-c", code, str(path)], check=False)
-    assert done.returncode == -signal.SIGKILL
-    assert [event["t"] for event in read_log(path).events] == [float(i) for i in range(100)]
+    with RunLog(path, {}) as log:
+        log.write(EVENTS)
+        found = read_log(path)
+    assert found == read_log(path)
+    assert (found.events, found.head) == (EVENTS, None)
+    assert str(found.doubt).startswith(f"{path}:5:1: not verified: the log has no head")
 
 
 def test_a_line_cut_short_is_dropped(tmp_path: Path) -> None:
     path = tmp_path / "run.jsonl"
     with RunLog(path, {}) as log:
         log.write(EVENTS)
-    whole = path.read_bytes()
-    path.write_bytes(whole[:-5])
+    path.write_bytes(path.read_bytes()[:-5])
     found = read_log(path)
-    assert (len(found.events), found.cut) == (2, True)
+    assert found.events == EVENTS[:2]
+    assert str(found.doubt).startswith(f"{path}:4:1: not verified: the last line is cut short")
+
+
+def test_a_log_without_events_verifies(tmp_path: Path) -> None:
+    with RunLog(tmp_path / "log", {}) as log:
+        log.finish()
+    assert is_verified((tmp_path / "log").read_bytes())
+
+
+def test_a_line_that_no_reader_would_take_is_not_written(tmp_path: Path) -> None:
+    with RunLog(tmp_path / "log", {}) as log:
+        with pytest.raises(SaveError, match="a line is longer than 16 MB"):
+            log.write([Committed(t=0.0, operations=("x" * LONGEST,), configuration={})])
+        assert (tmp_path / "log").read_bytes().count(b"\n") == 1
+
+
+def test_the_disk_has_the_header_and_the_whole_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """And is not waited for in between, where a stop would have to wait, too."""
+    synced: list[int] = []
+    monkeypatch.setattr("os.fsync", lambda handle: synced.append(os.fstat(handle).st_size))
+    with RunLog(tmp_path / "log", {}) as log:
+        assert len(synced) == 1
+        log.write(EVENTS)
+        assert len(synced) == 1
+        log.finish()
+    assert synced == [synced[0], (tmp_path / "log").stat().st_size]
+
+
+def test_a_pipe_takes_a_log(tmp_path: Path) -> None:
+    reader, writer = os.pipe()
+    with RunLog(Path(f"/dev/fd/{writer}"), {}) as log:
+        log.finish()
+    os.close(writer)
+    with os.fdopen(reader, "rb") as stream:
+        assert is_verified(stream.read())
 
 
 @pytest.mark.parametrize("where", ["nowhere/run.jsonl", "."])
@@ -68,16 +112,81 @@ def test_a_full_disk_is_seen_at_the_first_line() -> None:
         RunLog(Path("/dev/full"), {})
 
 
+def damaged(line: bytes) -> bytes:
+    """A log whose only event is this, with a chain that holds."""
+    return chained([FIRST, line])
+
+
+HEAD = chained([FIRST]).splitlines(keepends=True)[-1]
+
+
 @pytest.mark.parametrize(
-    ("text", "line"), [(b"", 1), (b'{"a":1}\n', 1), (b'{"log":"smsl-run"}\n[]\n', 2)]
+    ("raw", "place", "words"),
+    [
+        (b"", "1:1", "no run log"),
+        (b'{"a":1}\n', "1:1", "no run log"),
+        (chained([b'{"a":1}']), "1:1", "no run log"),
+        (b'{"log":"smsl-run","version":2}\n', "1:1", "does not end in a link"),
+        (b'{"log":"smsl-run","version":2', "1:30", "cut short"),
+        (chained([b'{"log":"smsl-run","version":1}']), "1:1", "another version"),
+        (chained([b'{"log":"smsl-run","log":"x"}']), "1:1", "no run log"),
+        (damaged(b'{"a":1}'), "2:1", "tells of no event"),
+        (damaged(b'{"event":"paused","t":}'), "2:23", "no JSON object"),
+        (damaged(b'["event"]'), "2:9", "no JSON object"),
+        (damaged(b'{"\xc3\xa9\xff":1}'), "2:4", "not UTF-8"),
+        (damaged(b'{"event":"paused","t":NaN}'), "2:1", "what no run has written"),
+        (damaged(b'{"event":"paused","t":' + b"9" * 5000 + b"}"), "2:1", "no run has written"),
+        (damaged(b'{"event":' + b"[" * 10**5 + b"}"), "2:1", "what no run has written"),
+        (damaged(b'{"event":"paused","t":0}') + b"\n", "4:1", "behind the head"),
+        (damaged(b'{"event":"paused","t":0}').replace(b'"count":1', b'"count":01'), "3:1", "head"),
+        (damaged(b'{"event":"paused","t":0}')[:-3] + b"\n", "3:1", "head is not as it was"),
+        (damaged(b'{"event":"paused","t":0}').replace(b't":0', b't":0' * 2**22), "2:1", "16 MB"),
+    ],
 )
-def test_what_is_no_log_is_refused_with_its_line(tmp_path: Path, text: bytes, line: int) -> None:
+def test_what_is_no_log_is_refused_with_its_place(
+    tmp_path: Path, raw: bytes, place: str, words: str
+) -> None:
     path = tmp_path / "x"
-    path.write_bytes(text)
-    with pytest.raises(ReadError) as caught:
+    path.write_bytes(raw)
+    with pytest.raises(ReadError, match=words) as caught:
         read_log(path)
-    assert caught.value.place is not None
-    assert caught.value.place.line == line
+    assert str(caught.value.place) == f"{path}:{place}"
+    assert not is_verified(raw)
+
+
+@pytest.mark.parametrize(
+    ("raw", "is_log"),
+    [
+        (b"", True),
+        (b'{"log"', True),
+        (b"x" + chained([FIRST]), True),
+        (b"\n" * 50 + chained([FIRST]), True),
+        (HEAD, True),
+        (b"\n" * 500 + chained([FIRST]), False),
+        (b"{}\n", False),
+        (b"\x89PNG\r\n\x1a\n", False),
+        (chained([FIRST]).decode().encode("utf-16"), False),
+    ],
+)
+def test_a_log_that_was_changed_is_told_from_another_file(raw: bytes, is_log: bool) -> None:
+    if is_log:
+        assert verify(io.BytesIO(raw), "log").doubt is not None
+    else:
+        with pytest.raises(ReadError, match="no run log"):
+            verify(io.BytesIO(raw), "log")
+
+
+def test_a_head_that_lies_is_a_doubt() -> None:
+    good = damaged(b'{"event":"paused","t":0}')
+    assert is_verified(good)
+    hash_ = json.loads(good.splitlines()[-1])["head"]["hash"]
+    for wrong, words in (
+        (good.replace(b'"count":1', b'"count":2'), "counts 2 events; there are 1"),
+        (good.replace(hash_.encode(), hash_[::-1].encode()), "the head does not fit"),
+    ):
+        doubt = verify(io.BytesIO(wrong), "log").doubt
+        assert words in str(doubt)
+        assert str(doubt).startswith("log:3:1: not verified: ")
 
 
 def test_a_missing_log_is_refused(tmp_path: Path) -> None:

@@ -1,0 +1,55 @@
+"""The header of a run's log: all that the events must not carry, and what was asked for."""
+
+from __future__ import annotations
+
+import platform
+import sys
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from os import getpid
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.digests import digests
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.version import version
+from smsl_studio.library.loading import Loaded
+from smsl_studio.seal.digest import sha256_hex
+
+Json = Any
+
+
+def log_header(
+    blueprint: Blueprint, world: str, loaded: Loaded | None, asked: Mapping[str, Json]
+) -> Mapping[str, Json]:
+    """The first line of a log; ``asked`` is how the run was to be: seed, host, start, goals ...
+
+    The digests are those of the command ``digest``, and beside them the SHA-256 of every file.
+    ``policy`` is the place of the trust policy, and null where the run had none.
+    """
+    plugins = loaded.plugins if loaded else ()
+    return {
+        "wall_time": datetime.now(UTC).isoformat(timespec="milliseconds"),
+        "node": platform.node(),
+        "process": getpid(),
+        "world": world,
+        **asked,
+        "policy": None,
+        "file": str(Path(blueprint.file).absolute()),
+        "digests": {
+            "file": sha256_hex(blueprint.document.encoded()),
+            **digests(blueprint).as_json(),
+            **_imported(blueprint),
+        },
+        "versions": {
+            "smsl-studio": version(),
+            "python": sys.version.split()[0],
+            **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
+        },
+    }
+
+
+def _imported(blueprint: Blueprint) -> Mapping[str, Json]:
+    """The digests of imported files, where there are any."""
+    files = {one.file: sha256_hex(one.encoded()) for one in blueprint.documents[1:]}
+    return {"imported": files} if files else {}

@@ -1,0 +1,189 @@
+"""A plain account of a run in one HTML file: what was believed, sensed, done and decided, by whom.
+
+It is made of the log alone. Equal logs give equal bytes. The page loads nothing and runs nothing:
+no script, no picture, no font, no link; its policy (CSP) forbids them, whatever a name says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from typing import Any
+
+from smsl_studio.picture.account_words import Told, told, vanished
+from smsl_studio.picture.colours import DARK, LIGHT, Colours
+from smsl_studio.picture.words import FAMILY, MONO_FAMILY, safe
+from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
+from smsl_studio.runlog.reading import LoggedRun
+
+Json = Any
+MOST = 100_000
+"""So many events are told one by one; a page with more would open nowhere."""
+
+_OUTCOMES = {
+    "goal_reached": "The goal was reached",
+    "no_route": "Nothing permitted led to the goal",
+    "held": "The run held, and nobody was there to decide",
+    "refused": "The run was refused",
+    "stopped": "The run was stopped",
+    "failed": "The run failed",
+}
+_NO_END = "The log ends before the run did"
+_HEADER = (
+    ("file", "Blueprint"),
+    ("wall_time", "Begun (UTC)"),
+    ("world", "World"),
+    ("seed", "Seed"),
+    ("host", "Library code ran in"),
+    ("start", "Start asked for"),
+    ("goals", "Goals asked for"),
+    ("avoid", "Operations to avoid"),
+    ("on_mismatch", "On a mismatch"),
+    ("policy", "Trust policy"),
+    ("node", "Computer"),
+)
+
+
+def account(run: LoggedRun) -> str:
+    """The page of a run as its log has it."""
+    return "\n".join(_page(run)) + "\n"
+
+
+def _page(run: LoggedRun) -> Iterator[str]:
+    file = str(run.header.get("file", "")).replace("\\", "/").rpartition("/")[2]
+    title = f"Account of a run of {file}" if file else "Account of a run"
+    yield "<!DOCTYPE html>"
+    yield '<html lang="en"><head><meta charset="utf-8">'
+    yield '<meta http-equiv="Content-Security-Policy" '
+    yield "content=\"default-src 'none'; style-src 'unsafe-inline'\">"
+    yield '<meta name="viewport" content="width=device-width, initial-scale=1">'
+    yield f"<title>{safe(title)}</title>"
+    yield f"<style>{_style()}</style></head><body><main>"
+    yield f"<h1>{safe(title)}</h1>"
+    yield from _outcome(run)
+    yield from _pairs("What was asked for", _header(run.header))
+    yield from _pairs("Digests (SHA-256)", _named(run.header.get("digests")), code=True)
+    yield from _pairs("Versions", _named(run.header.get("versions")))
+    yield from _routes(run.events)
+    yield from _events(run.events)
+    yield "<footer>Made by SMSL Studio from the run's log. Not a medical device.</footer>"
+    yield "</main></body></html>"
+
+
+def _outcome(run: LoggedRun) -> Iterator[str]:
+    end = next((one for one in reversed(run.events) if isinstance(one, RunFinished)), None)
+    good = end is not None and end.reason == "goal_reached"
+    yield f'<section class="outcome {"good" if good else "bad"}">'
+    if end is None:
+        last = run.events[-1].t if run.events else 0.0
+        yield f"<p><strong>{_NO_END}.</strong> Its last event is at {last:.3f} s.</p>"
+    else:
+        what = _OUTCOMES.get(end.reason, end.reason)
+        done = f"{end.operations} operation{'' if end.operations == 1 else 's'}"
+        yield f"<p><strong>{safe(what)}.</strong> {safe(end.sentence)}</p>"
+        yield f"<p>{done} committed in {end.t:.3f} simulated seconds.</p>"
+        where = (f"{branch}/{state}" for branch, state in end.configuration.items())
+        yield f"<p>Believed at the end: {_list(where)}.</p>" if end.configuration else ""
+    yield "</section>"
+    if run.doubt is not None:
+        line = run.doubt.place.line
+        yield f'<p class="seal bad"><strong>Not verified</strong>, line {line}: '
+        yield f"{safe(run.doubt.sentence)}.</p>"
+    elif run.head is not None:
+        yield '<p class="seal"><strong>Verified</strong>: the chain holds over the whole log '
+        yield f"({run.head.count} events), and its head <code>{run.head.hash}</code>. "
+        yield "It is not signed: nothing was changed since, unless all of it was written anew."
+        yield "</p>"
+
+
+def _routes(events: tuple[Event, ...]) -> Iterator[str]:
+    routes = [one for one in events if isinstance(one, RoutePlanned)]
+    if not routes:
+        return
+    yield "<h2>Routes</h2>"
+    for one in islice(routes, MOST):
+        yield f"<h3>At {one.t:.3f} s, to {safe(one.goal)}, cost {one.cost:g}</h3><ol>"
+        yield from (f"<li>{safe(step)}</li>" for step in islice(one.operations, MOST))
+        yield "</ol>" + vanished(len(one.operations) - MOST, "operation")
+    yield vanished(len(routes) - MOST, "route")
+
+
+def _events(events: tuple[Event, ...]) -> Iterator[str]:
+    yield "<h2>What happened</h2>"
+    yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
+    yield "<tbody>"
+    by = next((one.world for one in events if isinstance(one, RunStarted)), "")
+    for event in islice(events, MOST):
+        yield _row(event.t, told(event, by))
+    yield "</tbody></table>" + vanished(len(events) - MOST, "event")
+
+
+def _row(t: float, one: Told) -> str:
+    cells = f"<td>{t:.3f}</td><td>{one.kind}</td><td>{safe(one.what)}</td><td>{safe(one.by)}</td>"
+    return f'<tr class="{one.kind}{" bad" if one.bad else ""}">{cells}</tr>'
+
+
+def _header(header: Mapping[str, Json]) -> Iterator[tuple[str, str]]:
+    for key, words in _HEADER:
+        if key in header:
+            yield words, _said(header[key])
+
+
+def _named(values: Json) -> Iterator[tuple[str, str]]:
+    if isinstance(values, dict):
+        for name, value in values.items():
+            if isinstance(value, dict):
+                yield from ((f"{name} {key}", _said(inner)) for key, inner in value.items())
+            else:
+                yield name, _said(value)
+
+
+def _pairs(title: str, pairs: Iterator[tuple[str, str]], code: bool = False) -> Iterator[str]:
+    rows = list(pairs)
+    if not rows:
+        return
+    yield f"<h2>{title}</h2><dl>"
+    for name, value in rows:
+        shown = f"<code>{safe(value)}</code>" if code else safe(value)
+        yield f"<dt>{safe(name)}</dt><dd>{shown}</dd>"
+    yield "</dl>"
+
+
+def _said(value: Json) -> str:
+    """A value of the header, which says what it likes, in one line that ends."""
+    if value is None or value in ([], ""):
+        return "none"
+    if isinstance(value, list):
+        return ", ".join(_said(one) for one in value[:MOST] if isinstance(one, str | int))
+    return str(value) if isinstance(value, str | int | float) else "not understood"
+
+
+def _list(parts: Iterator[str]) -> str:
+    return ", ".join(map(safe, parts))
+
+
+def _style() -> str:
+    return (
+        f":root{{color-scheme:light dark;{_variables(LIGHT)}}}"
+        f"@media (prefers-color-scheme:dark){{:root{{{_variables(DARK)}}}}}"
+        f"body{{margin:0;background:var(--win);color:var(--tx);font:14px/1.5 {FAMILY}}}"
+        "main{max-width:72rem;margin:0 auto;padding:2rem 1.5rem}"
+        "h1{font-size:1.5rem}h2{font-size:1.1rem;margin-top:2rem}h3{font-size:1rem}"
+        ".outcome,.seal{padding:.75rem 1rem;border-left:4px solid var(--ok);background:var(--surf)}"
+        ".outcome.bad,.seal.bad{border-color:var(--bad)}"
+        "dl{display:grid;grid-template-columns:max-content 1fr;gap:.25rem 1.5rem}"
+        "dt{color:var(--tx3)}dd{margin:0}dd,td,li{overflow-wrap:anywhere}"
+        f"code{{font-family:{MONO_FAMILY};font-size:.9em}}"
+        "table{border-collapse:collapse;width:100%}"
+        "th,td{text-align:left;vertical-align:top;padding:.3rem .75rem .3rem 0;"
+        "border-bottom:1px solid var(--line)}"
+        "th{color:var(--tx3);font-weight:600}td:first-child{white-space:nowrap;"
+        "font-variant-numeric:tabular-nums}tr.bad td:nth-child(3){color:var(--bad)}"
+        "footer{margin-top:2rem;color:var(--tx3)}"
+        "@media print{body{background:#fff}main{max-width:none;padding:0}tr{break-inside:avoid}}"
+    )
+
+
+def _variables(colours: Colours) -> str:
+    used = ("win", "surf", "line", "tx", "tx3", "ok", "bad")
+    return ";".join(f"--{name}:{colours[name]}" for name in used)

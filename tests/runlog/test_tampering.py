@@ -1,0 +1,75 @@
+"""No log that was changed, cut, reordered, doubled, continued or encoded anew verifies."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from random import Random
+
+import pytest
+
+from smsl_studio.errors import ReadError
+from smsl_studio.runlog.reading import Doubt, read_log, read_records
+from tests.runlog.logs import CHANGES, EVENTS, is_verified, tampered, write_log
+
+
+@pytest.fixture
+def logs(tmp_path: Path) -> tuple[bytes, bytes]:
+    return write_log(tmp_path / "one"), write_log(tmp_path / "two", EVENTS[:5], seed=4)
+
+
+def test_good_logs_verify(logs: tuple[bytes, bytes]) -> None:
+    assert all(map(is_verified, logs))
+
+
+def test_two_hundred_changed_logs_do_not_verify(logs: tuple[bytes, bytes]) -> None:
+    random = Random(5)
+    changed = [tampered(*logs, random) for _ in range(200)]
+    assert [how for how, raw in changed if is_verified(raw)] == []
+    assert len({how for how, _ in changed}) == len(CHANGES)
+
+
+def answer(path: Path) -> Doubt | ReadError | None:
+    """Why a log is not verified, or does not read."""
+    try:
+        return read_log(path).doubt
+    except ReadError as error:
+        return error
+
+
+@pytest.mark.parametrize("change", CHANGES, ids=lambda one: one.__name__)
+def test_what_was_changed_reads_or_says_where_it_does_not(
+    logs: tuple[bytes, bytes], change: object, tmp_path: Path
+) -> None:
+    assert callable(change)
+    for seed in range(5):
+        path = tmp_path / "changed"
+        changed = change(*logs, Random(seed))
+        path.write_bytes(changed if changed not in logs else b"")
+        assert str(answer(path)).startswith(f"{path}:")
+
+
+def test_every_cut_at_the_end_is_seen(logs: tuple[bytes, bytes]) -> None:
+    assert not any(is_verified(logs[0][:end]) for end in range(len(logs[0])))
+
+
+def test_a_cut_log_reads_up_to_its_last_whole_line(
+    logs: tuple[bytes, bytes], tmp_path: Path
+) -> None:
+    raw = logs[0]
+    first = raw.index(b"\n") + 1
+    for end in range(first, len(raw), 7):
+        (tmp_path / "cut").write_bytes(raw[:end])
+        found = read_log(tmp_path / "cut")
+        assert len(found.records) == min(raw[first:end].count(b"\n"), len(EVENTS))
+        assert found.doubt is not None
+        assert found.head is None
+
+
+def test_a_stream_that_breaks_is_unreadable() -> None:
+    class Broken:
+        def readline(self, size: int) -> bytes:
+            raise OSError(5, "Input/output error")
+
+    with pytest.raises(ReadError, match="Input/output error") as caught:
+        read_records(Broken(), "log")  # type: ignore[arg-type]
+    assert str(caught.value.place) == "log:1:1"
