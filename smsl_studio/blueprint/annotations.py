@@ -47,6 +47,8 @@ class FactNote(_Note):
     aggregation: Literal["single", "all", "any", "k_of_n", "priority", "human"] = "single"
     k: Annotated[int, Ge(1)] | None = None
     max_age: Annotated[float, Gt(0)] | None = None
+    conflict_after: Annotated[float, Ge(0), Le(60)] = 0.0
+    """How long (s) its sensors may disagree before it is unknown."""
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,7 @@ WORDS: dict[str, dict[str, str]] = {
         "aggregation": "How several sensors become one fact.",
         "k": "How many sensors must agree, where the aggregation is k_of_n.",
         "max_age": "Seconds after which a reading counts as unknown.",
+        "conflict_after": "Seconds for which its sensors may disagree before it is unknown.",
     },
     "StateNote": {
         "": "What a state is called, and whether it is safe.",

@@ -6,17 +6,24 @@ from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.check import FactKey, Scene
 from smsl_studio.host.protocol import Host, Opened, Tick
-from smsl_studio.monitor.facts import FactMonitor
+from smsl_studio.monitor.bus import FactBus
+from smsl_studio.monitor.facts import FactMonitor, SourceState
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.runlog.events import FactChanged
 
 
 class Senses:
-    """Time, scene and the last sensed value of every fact of one run."""
+    """Time, scene and the last sensed value of every fact of one run.
+
+    Whatever is sensed comes over ``bus``: what the host's sensors say, and what anybody else
+    publishes there.
+    """
 
     def __init__(self, host: Host, opened: Opened) -> None:
         self._host = host
-        self._monitor = FactMonitor(opened.sensors)
+        self.bus = FactBus()
+        self._inbox = self.bus.subscribe()
+        self._monitor = FactMonitor(opened.sensors, opened.rules)
         self._told: dict[FactKey, str | None] = {}
         self.time = 0.0
         self.scene = Scene()
@@ -24,7 +31,7 @@ class Senses:
     def look(self) -> tuple[FactChanged, ...]:
         """Read every sensor once, now; what changed."""
         samples = self._host.sense()
-        self.time = max((sample.time for sample in samples), default=self.time)
+        self.time = max((self.time, *(sample.time for sample in samples)))
         return self._take(samples)
 
     def tick(self) -> tuple[Tick, tuple[FactChanged, ...]]:
@@ -33,8 +40,21 @@ class Senses:
         self.time = tick.time
         return tick, self._take(tick.samples)
 
+    @property
+    def sources(self) -> tuple[SourceState, ...]:
+        """Every source of every fact as it stands now."""
+        return self._monitor.sources(self.time)
+
+    def answer(
+        self, branch: str, digit: int, value: str | None, who: str
+    ) -> tuple[FactChanged, ...]:
+        """A person says what a fact is that no sensor may answer; what changed."""
+        self._monitor.answer(branch, digit, value, who, self.time)
+        return self._take(())
+
     def _take(self, samples: Iterable[Sample]) -> tuple[FactChanged, ...]:
-        self._monitor.accept(samples, self.time)
+        self.bus.publish(samples)
+        self._monitor.accept(self._inbox.take(), self.time)
         self.scene = self._monitor.scene(self.time)
         return tuple(self._changes())
 

@@ -98,6 +98,7 @@ class _Child:
             "begin": self.host.begin,
             "tick": self.tick,
             "cancel": self.host.cancel,
+            "disturb": self.disturb,
             "close": self.close,
         }
 
@@ -115,6 +116,9 @@ class _Child:
             self._drawn = now
             self._draw()
         return tick, (self._status if self._status != before else None)
+
+    def disturb(self, target: str, kind: str, parameters: dict[str, Any]) -> tuple[str, ...]:
+        return self.host.disturb(target, kind, **parameters)
 
     def close(self) -> None:
         self.host.close()

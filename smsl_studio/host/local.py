@@ -18,6 +18,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.call import Call, words_of
 from smsl_studio.host.engines import make_engine
+from smsl_studio.host.fact_rules import rules_of
 from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
 from smsl_studio.host.sensing import Sensing
 from smsl_studio.library.binding import bind
@@ -73,7 +74,7 @@ class LocalHost:
             self._drop()
             self._ticks, self._boot = 0, self._boot + 1
             self._arrange(engine, start)
-        self._sensing = Sensing(bindings.sensors, engine.tick, self._boot)
+        self._sensing = Sensing(bindings.sensors, engine.tick, self._boot, self._values, self._seed)
         return Opened(
             world=self._name,
             tick=engine.tick,
@@ -83,6 +84,7 @@ class LocalHost:
             shapes=engine.shapes(),
             settle=self._settle,
             faults=tuple(map(str, bindings.faults)),
+            rules={} if self._name == TABLE else rules_of(self._blueprint, bindings),
         )
 
     def sense(self) -> tuple[Sample, ...]:
@@ -129,6 +131,11 @@ class LocalHost:
             self._drop()
             engine.brake()
 
+    def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
+        """From now on disturb a sensor, or all of one fact, until it is opened again."""
+        self._standing()
+        return self._sensing.disturb(target, kind, parameters)
+
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; empty while no world stands."""
         return self._engine.poses() if self._engine else ()
@@ -148,6 +155,9 @@ class LocalHost:
         if self._engine is None:
             raise HostError("the host is not open")
         return self._engine
+
+    def _values(self, fact: FactKey) -> tuple[str, ...]:
+        return self._blueprint[fact[0]].alphabet[fact[1]]
 
     def _drop(self) -> None:
         if self._call is not None:

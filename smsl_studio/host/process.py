@@ -106,6 +106,11 @@ class ProcessHost:
         self._ask("cancel", mode)
         self._doing = ""
 
+    def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
+        """From now on disturb a sensor, or all of one fact, as ``LocalHost.disturb`` does."""
+        met: tuple[str, ...] = self._ask("disturb", target, kind, parameters)
+        return met
+
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; the last ones, where the child is gone."""
         return self._shared.read() if self._shared is not None else ()

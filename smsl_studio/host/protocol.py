@@ -13,6 +13,8 @@ from enum import Enum
 from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import Shape
 
@@ -65,7 +67,7 @@ class Opened:
     ``bound`` has every edge of the blueprint that has a library function in this world.
     ``settle`` is the simulated time (s) for which a target's check must be let settle before it
     decides (clause 7). ``faults`` are the sentences about bindings that do not fit; their edges
-    are not bound.
+    are not bound. ``rules`` say how facts are made of their sensors, where that is declared.
     """
 
     world: str
@@ -76,6 +78,7 @@ class Opened:
     shapes: tuple[Shape, ...]
     settle: float
     faults: tuple[str, ...] = ()
+    rules: Mapping[FactKey, FactRule] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,6 +112,14 @@ class Host(Protocol):
 
     def cancel(self, mode: str) -> None:
         """End the running call: ``abort`` and ``hold`` brake and drop it; it never resumes."""
+        ...
+
+    def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
+        """From now on disturb a sensor, or all of one fact (``SB/digit``); ``none`` ends it.
+
+        The sensors it meets. UsageError where nothing is called so, or there is no such kind: see
+        ``monitor.disturbance``.
+        """
         ...
 
     def poses(self) -> tuple[float, ...]:

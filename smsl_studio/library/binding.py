@@ -15,6 +15,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
 from smsl_studio.blueprint.annotations import Binding
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place, PluginError, did_you_mean
 from smsl_studio.library.bindings_file import BindingsFile, BoundFunction, WorldTable
@@ -39,7 +40,8 @@ def bind(
     binder = _Binder(blueprint, loaded.serving(world), world, bindings or BindingsFile())
     operations = dict(binder.operations())
     sensors = tuple(binder.sensors())
-    return Bindings(operations, sensors, (*binder.faults, *binder.unknown_keys()))
+    faults = (*binder.faults, *binder.unknown_keys())
+    return Bindings(operations, sensors, faults, binder.named)
 
 
 class _Binder:
@@ -54,6 +56,7 @@ class _Binder:
         self.file = file
         self.table: WorldTable = file.of(world)
         self.faults: list[BindingFault] = []
+        self.named: dict[FactKey, tuple[str, ...]] = {}
         self.by_name = {
             entry.name: (plugin, entry) for plugin in plugins for entry in plugin.library.operations
         }
@@ -161,6 +164,7 @@ class _Binder:
             if not names:
                 yield from self._offered(branch, digit)
                 continue
+            self.named[branch.name, digit] = tuple(names)
             for name in names:
                 bound = self._named_sensor(branch, digit, name, place)
                 if bound is not None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place
 
@@ -58,11 +59,15 @@ class BindingFault:
 
 @dataclass(frozen=True)
 class Bindings:
-    """Everything that is bound in one world; an edge that is absent has no library function."""
+    """Everything that is bound in one world; an edge that is absent has no library function.
+
+    ``named`` has the sensors a bindings file or ``_facts`` names for a fact, bound or not.
+    """
 
     operations: Mapping[Address, BoundOperation]
     sensors: tuple[BoundSensor, ...]
     faults: tuple[BindingFault, ...] = ()
+    named: Mapping[FactKey, tuple[str, ...]] = field(default_factory=dict)
 
 
 def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:

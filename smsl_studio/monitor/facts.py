@@ -2,28 +2,30 @@
 
 Ages are measured on the receiver's clock (simulated time in simulation), from the moment a sample
 was accepted. Only a growing (boot, sequence) of a source refreshes its fact: late, repeated and
-retained samples do not.
+retained samples do not. How several sources become one value is ``aggregate``'s.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Protocol
 
+from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
+from smsl_studio.errors import UsageError
+from smsl_studio.monitor.aggregate import NOBODY, FactRule, Said, Verdict, aggregate
+from smsl_studio.monitor.ledger import HAIR, Ledger
 from smsl_studio.monitor.sample import Sample
 
-HAIR = 1e-9
-"""Ages are sums of ticks: this much (s) beyond the maximum is still not too old."""
+NO_RULES: Mapping[FactKey, FactRule] = MappingProxyType({})
 
 
 class Source(Protocol):
     """What the monitor must know of a sensor: which fact, and when it is stale (s).
 
-    ``aggregation``: with ``priority`` the first sensor that has a reading decides; otherwise all
-    that have one must agree.
+    ``aggregation`` counts where no rule is declared for the fact.
     """
 
     @property
@@ -39,69 +41,141 @@ class Source(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class _Latest:
-    """The newest sample of a source, and when it came."""
+class SourceState:
+    """One source of one fact, as a person wants to see it; times in seconds.
 
-    sample: Sample
-    received: float
+    ``sample`` is the newest that counted. ``latency`` is beyond the quickest way of its boot.
+    ``counted``, ``repeated`` and ``late`` say how many samples came; only the first refreshed.
+    """
+
+    fact: FactKey
+    said: Said
+    sample: Sample | None
+    latency: float
+    counted: int
+    repeated: int
+    late: int
+
+
+@dataclass(slots=True)
+class _Fact:
+    """One fact: its rule, its sources in order, a person's answer, and what was agreed last."""
+
+    rule: FactRule
+    sources: dict[str, Ledger]
+    answer: tuple[Said, float] | None = None
+    agreed: tuple[Verdict, float] | None = None
 
 
 class FactMonitor:
     """C_fact: from the samples of the sensors to the scene.
 
-    The order of the sensors of one fact is their priority. Samples of anyone else are dropped.
+    The order of the sensors of one fact is their priority. Samples of anyone else are dropped and
+    counted as ``strangers``. A fact only a person may answer is told by ``answer`` alone.
     """
 
-    def __init__(self, sensors: Iterable[Source]) -> None:
-        self._sources: dict[FactKey, list[Source]] = {}
-        self._latest: dict[tuple[FactKey, str], _Latest | None] = {}
+    def __init__(
+        self, sensors: Iterable[Source], rules: Mapping[FactKey, FactRule] = NO_RULES
+    ) -> None:
+        self.strangers = 0
+        self._facts: dict[FactKey, _Fact] = {}
         for sensor in sensors:
             key = (sensor.branch, sensor.digit)
-            self._sources.setdefault(key, []).append(sensor)
-            self._latest[key, sensor.name] = None
+            if key not in self._facts:
+                rule = rules.get(key) or FactRule(sensor.aggregation)
+                self._facts[key] = _Fact(rule, {})
+            self._facts[key].sources[sensor.name] = Ledger(sensor.name, sensor.max_age)
+        for key, rule in rules.items():
+            if rule.aggregation == "human" or (rule.awaits_all and rule.sensors):
+                self._facts.setdefault(key, _Fact(rule, {}))
 
     def accept(self, samples: Iterable[Sample], now: float) -> None:
         """Take in what the sensors said, at ``now`` (s) on the receiver's clock."""
         for sample in samples:
-            key = ((sample.branch, sample.digit), sample.source)
-            if key not in self._latest:
-                continue
-            known = self._latest[key]
-            if known is None or _order(sample) > _order(known.sample):
-                self._latest[key] = _Latest(sample, now)
+            fact = self._facts.get((sample.branch, sample.digit))
+            ledger = fact.sources.get(sample.source) if fact else None
+            if ledger is None:
+                self.strangers += 1
+            else:
+                ledger.take(sample, now)
+
+    def answer(self, branch: str, digit: int, value: str | None, who: str, now: float) -> None:
+        """A person says what a fact is, at ``now`` (s); None takes back what was said.
+
+        UsageError where the fact is not one that only a person may answer.
+        """
+        fact = self._facts.get((branch, digit))
+        if fact is None or fact.rule.aggregation != "human":
+            raise UsageError(
+                f"{fact_text(branch, digit)} is not a fact that a person answers",
+                advice="Its aggregation must be human.",
+            )
+        said = Said(who, value, "" if value is not None else NOBODY, human=True)
+        fact.answer = (said, now)
 
     def scene(self, now: float) -> Scene:
         """Every sensed fact as it stands at ``now`` (s): its value, or unknown with the reason."""
-        readings = {key: self._reading(key, sources, now) for key, sources in self._sources.items()}
+        readings = {key: _reading(fact, now) for key, fact in self._facts.items()}
         return Scene(MappingProxyType(readings), now)
 
-    def _reading(self, key: FactKey, sources: list[Source], now: float) -> Reading:
-        said = [self._said(key, source, now) for source in sources]
-        valid = [reading for reading in said if reading.value is not None]
-        if not valid:
-            return said[0]
-        if len(valid) == 1 or sources[0].aggregation == "priority":
-            return valid[0]
-        if len({reading.value for reading in valid}) == 1:
-            return min(valid, key=lambda reading: reading.age)
-        words = ", ".join(
-            f"{source.name} says {reading.value}"
-            for source, reading in zip(sources, said, strict=True)
-            if reading.value is not None
-        )
-        return Reading(None, f"conflict: {words}", max(reading.age for reading in valid))
-
-    def _said(self, key: FactKey, source: Source, now: float) -> Reading:
-        latest = self._latest[key, source.name]
-        if latest is None:
-            return Reading(None, "no reading yet", now)
-        age = now - latest.received
-        if age > source.max_age + HAIR:
-            return Reading(None, f"no reading for {age:.1f} s", age)
-        if latest.sample.value is None:
-            return Reading(None, latest.sample.reason or "no valid reading", age)
-        return Reading(latest.sample.value, "", age)
+    def sources(self, now: float) -> tuple[SourceState, ...]:
+        """Every source of every fact at ``now`` (s), also those that do not count."""
+        found = []
+        for key, fact in self._facts.items():
+            for ledger in fact.sources.values():
+                found.append(
+                    SourceState(
+                        key,
+                        ledger.said(now),
+                        ledger.sample,
+                        ledger.latency,
+                        ledger.counted,
+                        ledger.repeated,
+                        ledger.late,
+                    )
+                )
+            found.extend(SourceState(key, said, None, 0.0, 0, 0, 0) for said in _others(fact, now))
+        return tuple(found)
 
 
-def _order(sample: Sample) -> tuple[int, int]:
-    return sample.boot, sample.sequence
+def _others(fact: _Fact, now: float) -> list[Said]:
+    """What is said by no sensor that stands: a person's answer, and named sensors nobody has."""
+    if fact.rule.aggregation == "human":
+        return [_answered(fact, now)] if fact.answer else []
+    if not fact.rule.awaits_all:
+        return []
+    named = (name for name in fact.rule.sensors if name not in fact.sources)
+    return [Said(name, None, "this world has no such sensor", now) for name in named]
+
+
+def _answered(fact: _Fact, now: float) -> Said:
+    assert fact.answer is not None
+    said, at = fact.answer
+    age, limit = now - at, fact.rule.max_age
+    if limit is not None and age > limit + HAIR:
+        return Said(said.source, None, f"the answer is {age:.1f} s old", age, human=True)
+    return Said(said.source, said.value, said.reason, age, human=True)
+
+
+def _reading(fact: _Fact, now: float) -> Reading:
+    said = [ledger.said(now) for ledger in fact.sources.values()]
+    verdict = aggregate(fact.rule, [*said, *_others(fact, now)])
+    if fact.rule.conflict_after > 0:
+        verdict = _patient(fact, verdict, said, now)
+    return Reading(verdict.value, verdict.reason, verdict.age)
+
+
+def _patient(fact: _Fact, verdict: Verdict, said: list[Said], now: float) -> Verdict:
+    """What was agreed stays, ageing, while sources disagree for no longer than is declared, and
+    one of them still says so."""
+    if not verdict.conflict:
+        fact.agreed = (verdict, now) if verdict.value is not None else None
+        return verdict
+    if fact.agreed is None:
+        return verdict
+    agreed, at = fact.agreed
+    held = any(one.value == agreed.value for one in said)
+    if not held or now - at > fact.rule.conflict_after + HAIR:
+        fact.agreed = None
+        return verdict
+    return Verdict(agreed.value, "", agreed.age + now - at)

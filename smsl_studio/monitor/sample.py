@@ -4,13 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from smsl_studio.blueprint.check import FactKey
+
+GOOD, UNCERTAIN, BAD = "good", "uncertain", "bad"
+"""What a source thinks of its own reading. Only a good one is evidence."""
+
 
 @dataclass(frozen=True, slots=True)
 class Sample:
     """One reading on its way to the monitor.
 
     ``value`` None means the source has no valid reading (its ``reason`` says why). ``time`` is the
-    source's clock in seconds; ``sequence`` grows with every sample of a (source, boot).
+    source's clock in seconds; ``sequence`` grows with every sample of a (source, boot), ``boot``
+    with every start of the source.
     """
 
     branch: str
@@ -21,3 +27,14 @@ class Sample:
     sequence: int
     boot: int = 0
     reason: str = ""
+    quality: str = GOOD
+
+    @property
+    def fact(self) -> FactKey:
+        """The fact it speaks of."""
+        return self.branch, self.digit
+
+    @property
+    def order(self) -> tuple[int, int]:
+        """What must grow from one sample of a source to the next one that counts."""
+        return self.boot, self.sequence

@@ -91,6 +91,10 @@ class FakeHost:
         self.calls.append(f"cancel {mode}")
         self._edge = None
 
+    def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
+        self.calls.append(f"disturb {target} {kind}")
+        return (target,)
+
     def poses(self) -> tuple[float, ...]:
         return ()
 

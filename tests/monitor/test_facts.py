@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -61,7 +61,8 @@ def test_late_and_repeated_samples_refresh_nothing() -> None:
 def test_the_newest_is_what_counts_whatever_the_order(samples: list[tuple[int, int]]) -> None:
     monitor = FactMonitor([Sensor()])
     for now, (boot, sequence) in enumerate(samples):
-        monitor.accept([_sample(f"{boot}.{sequence}", sequence, boot)], float(now))
+        sample = _sample(f"{boot}.{sequence}", sequence, boot)
+        monitor.accept([replace(sample, time=float(now))], float(now))
     boot, sequence = max(samples)
     received = samples.index((boot, sequence))
     reading = _read(monitor, received + 0.1)

@@ -33,7 +33,7 @@ AGGREGATIONS = (
 )
 TABLED = ("values", "on", "failure")
 """Words that the table of values shows."""
-SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age")
+SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age", "conflict_after")
 """Words of a fact that is read; one that a sub-SB expands has none of them (R24)."""
 
 
@@ -100,7 +100,9 @@ class FactForm(NoteForm):
         self.add("unit", TextLine("Unit", "The unit of what the sensors read, such as mm"))
         self.add("max_age", NumberLine("Max. age", "A reading older than this counts as unknown",
                                        Bounds(0, open=True), "s", "sensor's own"))  # fmt: skip
-
+        self.add("conflict_after", NumberLine(
+            "Conflict after", "How long its sensors may disagree before it is unknown",
+            Bounds(0, most=60), "s", "at once"))  # fmt: skip
         self.column.addWidget(self.odd)
 
     def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
@@ -137,6 +139,8 @@ class FactForm(NoteForm):
         if sub is None:
             count = len(note.sensors)
             self._lines["aggregation"].setVisible(count > 1 or "aggregation" in written)
+            several = count > 1 or "conflict_after" in written
+            self._lines["conflict_after"].setVisible(several)
             self._lines["k"].setVisible(note.aggregation == "k_of_n" or "k" in written)
         self.expanded.setVisible(sub is not None)
         self.enter.setVisible(sub in blueprint.branches)

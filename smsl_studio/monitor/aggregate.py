@@ -1,0 +1,140 @@
+"""Aggregation: what several sources say of one fact becomes one value, or unknown with a reason.
+
+Values are opaque, so sources can agree or disagree, and nothing in between. Every mode is a pure
+function; ``docs/running.md`` has their truth tables. Unknown never becomes a value here.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+NOBODY = "nobody has answered yet"
+"""Why a fact that only a person may answer is unknown."""
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """What one source says of a fact now: its value, or None with the reason; ``age`` in s.
+
+    ``human`` says that a person answered.
+    """
+
+    source: str
+    value: str | None
+    reason: str = ""
+    age: float = 0.0
+    human: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The value of a fact, or None with the reason; ``conflict`` says that sources disagree."""
+
+    value: str | None
+    reason: str = ""
+    age: float = 0.0
+    conflict: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class FactRule:
+    """How a fact is made of its sources, as ``_facts`` says.
+
+    ``k`` None asks for all of them. ``conflict_after`` is how long (s) they may disagree before
+    the fact is unknown. ``sensors`` are those that are named, in order; one of them that nobody
+    has is a source that says nothing. ``max_age`` (s) is that of a person's answer, None: it holds
+    until it is given anew.
+    """
+
+    aggregation: str = "single"
+    k: int | None = None
+    critical: bool = False
+    conflict_after: float = 0.0
+    sensors: tuple[str, ...] = ()
+    max_age: float | None = None
+
+    @property
+    def awaits_all(self) -> bool:
+        """Whether a sensor that is named and missing counts."""
+        return self.aggregation in ("all", "k_of_n")
+
+
+def aggregate(rule: FactRule, said: Sequence[Said]) -> Verdict:
+    """What ``said``, in the order of the sensors, amounts to under ``rule``."""
+    if rule.aggregation == "human":
+        said = [one for one in said if one.human]
+        return _first(rule, said) if said else Verdict(None, NOBODY)
+    said = [one for one in said if not one.human]
+    return MODES[rule.aggregation](rule, said) if said else Verdict(None, "no sensor reads it")
+
+
+def _agreeing(rule: FactRule, said: Sequence[Said]) -> Verdict:
+    """Those that have a reading must agree; one is enough."""
+    valid = _valid(said)
+    if not valid:
+        return _silent(said)
+    if len({one.value for one in valid}) > 1:
+        return _conflict(valid)
+    return Verdict(valid[0].value, "", min(one.age for one in valid))
+
+
+def _all(rule: FactRule, said: Sequence[Said]) -> Verdict:
+    """Everyone must have a reading, and all must agree."""
+    verdict = _agreeing(rule, said)
+    missing = [one for one in said if one.value is None]
+    if verdict.value is None or not missing:
+        oldest = max(one.age for one in said)
+        return verdict if verdict.value is None else Verdict(verdict.value, "", oldest)
+    words = "; ".join(f"{one.source}: {one.reason}" for one in missing)
+    return Verdict(None, f"not all sensors have a reading ({words})", max(o.age for o in missing))
+
+
+def _k_of_n(rule: FactRule, said: Sequence[Said]) -> Verdict:
+    """At least k must agree. Of a critical fact nobody may say otherwise; of any other, no k."""
+    k = len(said) if rule.k is None else rule.k
+    valid = _valid(said)
+    votes = Counter(one.value for one in valid)
+    enough = [value for value, count in votes.items() if count >= k]
+    if len(enough) == 1 and (len(votes) == 1 or not rule.critical):
+        ages = sorted(one.age for one in valid if one.value == enough[0])
+        return Verdict(enough[0], "", ages[k - 1])
+    if len(votes) > 1:
+        return _conflict(valid)
+    age = max((one.age for one in said if one.value is None), default=0.0)
+    reason = f"{len(valid)} of {len(said)} sensors have a reading, {k} must agree"
+    return Verdict(None, reason, age)
+
+
+def _first(rule: FactRule, said: Sequence[Said]) -> Verdict:
+    """The first that has a reading decides; the others are what it falls back on. Of a critical
+    fact none of them may say otherwise."""
+    valid = _valid(said)
+    if not valid:
+        return _silent(said)
+    if rule.critical and len({one.value for one in valid}) > 1:
+        return _conflict(valid)
+    return Verdict(valid[0].value, "", valid[0].age)
+
+
+MODES: dict[str, Callable[[FactRule, Sequence[Said]], Verdict]] = {
+    "single": _agreeing,
+    "any": _agreeing,
+    "all": _all,
+    "k_of_n": _k_of_n,
+    "priority": _first,
+}
+
+
+def _valid(said: Sequence[Said]) -> list[Said]:
+    return [one for one in said if one.value is not None]
+
+
+def _silent(said: Sequence[Said]) -> Verdict:
+    return Verdict(None, said[0].reason, said[0].age)
+
+
+def _conflict(valid: Sequence[Said]) -> Verdict:
+    words = ", ".join(f"{one.source} says {one.value}" for one in valid)
+    return Verdict(None, f"conflict: {words}", max(one.age for one in valid), conflict=True)

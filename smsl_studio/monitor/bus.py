@@ -1,0 +1,126 @@
+"""The fact bus: samples on their way from whoever senses to whoever believes, in this process.
+
+It needs no broker. It is bounded: of each source only the newest sample waits, so that one which
+floods costs its own older samples and nothing else; what was left out is counted. Any thread may
+publish. Whoever subscribes fetches what waits when it suits its clock.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.monitor.sample import Sample
+
+MOST_SOURCES = 4096
+"""Sources of facts that may wait at once: far more than any site has."""
+
+LONGEST = 1000
+"""Characters of a name, a value or a reason: far more than any of them needs."""
+
+SourceKey = tuple[FactKey, str]
+
+
+@dataclass(frozen=True, slots=True)
+class BusCounts:
+    """What went over a bus: every sample was published; of these some were not handed on.
+
+    ``replaced`` were overtaken by a newer one of their source before they were fetched, or were
+    older themselves; ``refused`` are too long, or of one source too many; ``retained`` were kept
+    by a broker, and so say nothing of now.
+    """
+
+    published: int = 0
+    replaced: int = 0
+    refused: int = 0
+    retained: int = 0
+
+
+class Inbox:
+    """What waits for one subscriber."""
+
+    def __init__(self, bus: FactBus) -> None:
+        self._bus = bus
+        self._waiting: dict[SourceKey, Sample] = {}
+
+    def take(self) -> tuple[Sample, ...]:
+        """The newest sample of every source since the last time, in the order they first came."""
+        with self._bus.lock:
+            waiting, self._waiting = self._waiting, {}
+        return tuple(waiting.values())
+
+    def close(self) -> None:
+        """Hear nothing more; twice is harmless."""
+        self._bus.forget(self)
+        self._waiting = {}
+
+    def put(self, key: SourceKey, sample: Sample) -> str:
+        """Let a sample wait (the bus holds its lock); what became of it."""
+        known = self._waiting.get(key)
+        if known is None and len(self._waiting) >= MOST_SOURCES:
+            return "refused"
+        if known is None or sample.order > known.order:
+            self._waiting[key] = sample
+        return "" if known is None else "replaced"
+
+
+class FactBus:
+    """Samples from many to many, newest first."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self._inboxes: tuple[Inbox, ...] = ()
+        self._counts: Counter[str] = Counter()
+        self._floods: Counter[SourceKey] = Counter()
+
+    def subscribe(self) -> Inbox:
+        """A new inbox; what was published before is not in it."""
+        inbox = Inbox(self)
+        with self.lock:
+            self._inboxes = (*self._inboxes, inbox)
+        return inbox
+
+    def forget(self, inbox: Inbox) -> None:
+        """Hand nothing more to an inbox."""
+        with self.lock:
+            self._inboxes = tuple(one for one in self._inboxes if one is not inbox)
+
+    def publish(self, samples: Iterable[Sample], *, retained: bool = False) -> None:
+        """Hand samples to everyone who subscribed; retained ones are only counted."""
+        with self.lock:
+            for sample in samples:
+                self._counts["published"] += 1
+                if retained:
+                    self._counts["retained"] += 1
+                elif _too_long(sample):
+                    self._counts["refused"] += 1
+                else:
+                    self._hand_on(sample)
+
+    @property
+    def counts(self) -> BusCounts:
+        """What went over it so far."""
+        with self.lock:
+            return BusCounts(**self._counts)
+
+    def replaced(self, fact: FactKey, source: str) -> int:
+        """How many samples of one source were left out for a newer one."""
+        with self.lock:
+            return self._floods[fact, source]
+
+    def _hand_on(self, sample: Sample) -> None:
+        key = (sample.fact, sample.source)
+        for inbox in self._inboxes:
+            became = inbox.put(key, sample)
+            if became:
+                self._counts[became] += 1
+            if became == "replaced" and (key in self._floods or len(self._floods) < MOST_SOURCES):
+                self._floods[key] += 1
+
+
+def _too_long(sample: Sample) -> bool:
+    texts = (sample.branch, sample.source, sample.value or "", sample.reason)
+    return any(len(text) > LONGEST for text in texts)

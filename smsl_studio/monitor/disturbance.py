@@ -1,0 +1,184 @@
+"""Disturbances: what goes wrong between a sensor and whoever listens, on purpose and on a switch.
+
+Kinds, each at most once on a sensor, and in this order: ``stuck``, ``drift`` and ``noise`` change
+what is said, ``dropout`` loses it, ``delay`` holds it up. They are seeded: equal runs are disturbed
+equally. Values are opaque, so a drift moves along a fact's values in their order, and noise puts
+any other of them in the place of the one that was read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import isfinite
+from random import Random
+from typing import Any, Protocol
+
+from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.monitor.sample import BAD, GOOD, Sample
+
+NONE = "none"
+"""The kind that takes all others away."""
+
+HAIR = 1e-9
+
+Parameter = str | float
+
+
+class Disturbance(Protocol):
+    """One thing that goes wrong with the samples of one sensor, from the moment it is made."""
+
+    def passes(self, sample: Sample) -> Sample | None:
+        """What becomes of a sample; None: nobody ever hears of it."""
+        ...
+
+
+class Stuck:
+    """It says the same whatever holds: ``value``, or what it read first."""
+
+    def __init__(self, value: str | None) -> None:
+        self._value = value
+        self._caught = value is not None
+
+    def passes(self, sample: Sample) -> Sample | None:
+        if not self._caught:
+            self._value, self._caught = sample.value, True
+        if self._value is None:
+            return replace(sample, value=None, reason="no valid reading", quality=BAD)
+        return replace(sample, value=self._value, reason="", quality=GOOD)
+
+
+class Drift:
+    """Every so many seconds it reads one value further on, and at the last of them it stays."""
+
+    def __init__(self, every: float, values: Sequence[str]) -> None:
+        self._every, self._values = every, tuple(values)
+        self._since: float | None = None
+
+    def passes(self, sample: Sample) -> Sample | None:
+        if self._since is None:
+            self._since = sample.time
+        if sample.value not in self._values:
+            return sample
+        steps = int((sample.time - self._since + HAIR) / self._every)
+        at = self._values.index(sample.value) + steps
+        return replace(sample, value=self._values[min(at, len(self._values) - 1)])
+
+
+class Noise:
+    """Of all samples this share reads any other value."""
+
+    def __init__(self, rate: float, values: Sequence[str], chance: Random) -> None:
+        self._rate, self._values, self._chance = rate, tuple(values), chance
+
+    def passes(self, sample: Sample) -> Sample | None:
+        wrong = self._chance.random() < self._rate
+        others = [value for value in self._values if value != sample.value]
+        if not wrong or sample.value is None or not others:
+            return sample
+        return replace(sample, value=self._chance.choice(others))
+
+
+class Dropout:
+    """Of all samples this share is lost."""
+
+    def __init__(self, rate: float, chance: Random) -> None:
+        self._rate, self._chance = rate, chance
+
+    def passes(self, sample: Sample) -> Sample | None:
+        return None if self._chance.random() < self._rate else sample
+
+
+ORDER = ("stuck", "drift", "noise", "dropout")
+KINDS = (*ORDER, "delay", NONE)
+
+PARAMETERS: Mapping[str, tuple[str, Parameter | None]] = {
+    "stuck": ("value", None),
+    "drift": ("every", 1.0),
+    "noise": ("rate", 0.1),
+    "dropout": ("rate", 1.0),
+    "delay": ("seconds", 0.1),
+}
+"""What each kind may be told, and what it is told where nothing is said."""
+
+
+def checked(kind: str, parameters: Mapping[str, Any]) -> Parameter | None:
+    """The parameter of a kind, as given or as it is by default; UsageError says what is wrong."""
+    if kind == NONE and not parameters:
+        return None
+    if kind not in KINDS:
+        near = did_you_mean(kind, KINDS) or f"There are {', '.join(KINDS)}."
+        raise UsageError(f"there is no disturbance {kind!r}", advice=near)
+    name, default = PARAMETERS.get(kind, ("", None))
+    for other in parameters:
+        if other != name:
+            advice = f"It may say {name}." if name else ""
+            raise UsageError(f"the disturbance {kind} has no {other!r}", advice=advice)
+    given = parameters.get(name, default)
+    if kind == "stuck":
+        if given is not None and not isinstance(given, str):
+            raise UsageError(f"a sensor is stuck at a text, not at {given!r}")
+        return given
+    most = 1.0 if name == "rate" else 1e6
+    number = isinstance(given, int | float) and not isinstance(given, bool) and isfinite(given)
+    if not number or not 0 <= given <= most or (kind == "drift" and given == 0):
+        least = "above 0" if kind == "drift" else "0"
+        raise UsageError(f"{name} of {kind} is {given!r}, not a number from {least} to {most:g}")
+    return float(given)
+
+
+class Disturbed:
+    """One sensor's samples on their way through what was switched on for it.
+
+    ``values`` are those its fact can have, in order; ``seed`` decides every chance.
+    """
+
+    def __init__(self, values: Sequence[str], seed: str) -> None:
+        self._values = tuple(values)
+        self._seed = seed
+        self._switched = 0
+        self._on: dict[str, Disturbance] = {}
+        self._delay = 0.0
+        self._held: list[tuple[float, Sample]] = []
+
+    def switch(self, kind: str, parameter: Parameter | None) -> None:
+        """Let one kind begin anew with its checked parameter, or all of them end.
+
+        What a delay held up still comes at its time.
+        """
+        self._switched += 1
+        chance = Random(f"{self._seed} {kind} {self._switched}")
+        if kind == NONE:
+            self._on, self._delay = {}, 0.0
+        elif kind == "delay":
+            assert isinstance(parameter, float)
+            self._delay = parameter
+        elif kind == "stuck":
+            assert not isinstance(parameter, float)
+            self._on[kind] = Stuck(parameter)
+        else:
+            assert isinstance(parameter, float)
+            self._on[kind] = self._made(kind, parameter, chance)
+
+    def take(self, sample: Sample, now: float) -> None:
+        """A sample sets out at ``now`` (s)."""
+        for kind in ORDER:
+            if kind in self._on:
+                passed = self._on[kind].passes(sample)
+                if passed is None:
+                    return
+                sample = passed
+        self._held.append((now + self._delay, sample))
+
+    def release(self, now: float) -> tuple[Sample, ...]:
+        """The samples that arrive by ``now`` (s), in the order they set out."""
+        arrived = tuple(sample for due, sample in self._held if due <= now + HAIR)
+        self._held = [one for one in self._held if one[0] > now + HAIR]
+        return arrived
+
+    def _made(self, kind: str, parameter: float, chance: Random) -> Disturbance:
+        if kind == "drift":
+            return Drift(parameter, self._values)
+        if kind == "noise":
+            return Noise(parameter, self._values, chance)
+        return Dropout(parameter, chance)

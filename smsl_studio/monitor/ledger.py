@@ -1,0 +1,72 @@
+"""The ledger of one source: its newest sample, when it came, and what of it did not count.
+
+A fact ages on the receiver's clock, from the moment a sample was taken in. Repeated, retained and
+overtaken samples do not have a growing (boot, sequence) and refresh nothing. Neither does a late
+one, which was held up on its way for longer than its fact may be old: the clocks of source and
+receiver need not agree, so a sample is late by how much longer it took than the quickest of its
+boot.
+"""
+
+from __future__ import annotations
+
+from math import isfinite
+
+from smsl_studio.monitor.aggregate import Said
+from smsl_studio.monitor.sample import GOOD, Sample
+
+HAIR = 1e-9
+"""Ages are sums of ticks: this much (s) beyond the maximum is still not too old."""
+
+CREEP = 1e-3
+"""A source's clock may be slow by one part in a thousand without its samples seeming late."""
+
+
+class Ledger:
+    """What one source said last of one fact, and how it came.
+
+    ``received`` is on the receiver's clock, ``latency`` beyond the quickest way seen. ``counted``,
+    ``repeated`` (late in sequence, too) and ``late`` are how many samples came.
+    """
+
+    def __init__(self, name: str, max_age: float) -> None:
+        self.name = name
+        self.max_age = max_age
+        self.sample: Sample | None = None
+        self.received = 0.0
+        self.latency = 0.0
+        self.counted = self.repeated = self.late = 0
+        self._order = (0, 0)
+        self._quickest = 0.0
+
+    def take(self, sample: Sample, now: float) -> None:
+        """Take a sample in at ``now`` (s), if it is newer than all before and came in time."""
+        before = self.sample
+        if before is not None and sample.order <= self._order:
+            self.repeated += 1
+            return
+        self._order = sample.order
+        way = now - sample.time if isfinite(sample.time) else 0.0
+        quickest = way
+        if before is not None and before.boot == sample.boot:
+            quickest = min(way, self._quickest + CREEP * (now - self.received))
+        if way - quickest > self.max_age + HAIR:
+            self.late += 1
+            return
+        self.sample, self.received = sample, now
+        self.latency, self._quickest = way - quickest, quickest
+        self.counted += 1
+
+    def said(self, now: float) -> Said:
+        """What it says as things stand at ``now``: its value, or nothing with the reason."""
+        sample = self.sample
+        if sample is None:
+            return Said(self.name, None, "no reading yet", now)
+        age = now - self.received
+        if age > self.max_age + HAIR:
+            return Said(self.name, None, f"no reading for {age:.1f} s", age)
+        if sample.value is None:
+            return Said(self.name, None, sample.reason or "no valid reading", age)
+        if sample.quality != GOOD:
+            reason = sample.reason or f"its reading is {sample.quality}"
+            return Said(self.name, None, reason, age)
+        return Said(self.name, sample.value, "", age)

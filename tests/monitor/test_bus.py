@@ -1,0 +1,87 @@
+"""The fact bus hands on the newest, is bounded in every flood, and counts what it leaves out."""
+
+from __future__ import annotations
+
+import threading
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from smsl_studio.monitor.bus import LONGEST, MOST_SOURCES, BusCounts, FactBus
+from smsl_studio.monitor.sample import Sample
+
+
+def _sample(source: str = "eye", sequence: int = 1, boot: int = 0, value: str = "1") -> Sample:
+    return Sample("SB1", 0, source, value, 0.0, sequence, boot)
+
+
+def test_everyone_who_subscribed_hears_everything_once() -> None:
+    bus = FactBus()
+    bus.publish([_sample("too early")])
+    first, second = bus.subscribe(), bus.subscribe()
+    said = [_sample("eye"), _sample("ear")]
+    bus.publish(said)
+    assert first.take() == second.take() == tuple(said)
+    assert first.take() == ()
+    second.close()
+    second.close()
+    bus.publish(said)
+    assert (len(first.take()), second.take()) == (2, ())
+
+
+def test_a_flood_costs_its_own_samples_only() -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+    bus.publish([_sample("ear")])
+    bus.publish(_sample("eye", sequence) for sequence in range(5000))
+    assert [(one.source, one.sequence) for one in inbox.take()] == [("ear", 1), ("eye", 4999)]
+    assert bus.counts == BusCounts(published=5001, replaced=4999)
+    assert (bus.replaced(("SB1", 0), "eye"), bus.replaced(("SB1", 0), "ear")) == (4999, 0)
+
+
+def test_a_flood_of_sources_is_refused() -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+    bus.publish(_sample(f"s{n}") for n in range(MOST_SOURCES + 10))
+    assert len(inbox.take()) == MOST_SOURCES
+    assert bus.counts.refused == 10
+    bus.publish(_sample(f"s{n % (2 * MOST_SOURCES)}", n) for n in range(MOST_SOURCES))
+    assert len(inbox.take()) == MOST_SOURCES
+
+
+def test_what_is_too_long_or_retained_is_only_counted() -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+    bus.publish([_sample(value="x" * (LONGEST + 1)), _sample("x" * (LONGEST + 1))])
+    bus.publish([_sample()], retained=True)
+    assert inbox.take() == ()
+    assert bus.counts == BusCounts(published=3, refused=2, retained=1)
+
+
+@given(st.lists(st.tuples(st.sampled_from("ab"), st.integers(0, 2), st.integers(0, 4)), max_size=9))
+def test_the_newest_of_each_source_waits(came: list[tuple[str, int, int]]) -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+    for source, boot, sequence in came:
+        bus.publish([_sample(source, sequence, boot)])
+    newest = {source: max(one[1:] for one in came if one[0] == source) for source, *_ in came}
+    assert {one.source: one.order for one in inbox.take()} == newest
+
+
+def test_any_thread_may_publish() -> None:
+    bus = FactBus()
+    inbox = bus.subscribe()
+
+    def speak(name: str) -> None:
+        for sequence in range(300):
+            bus.publish([_sample(name, sequence)])
+
+    threads = [threading.Thread(target=speak, args=(name,)) for name in "abcd"]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted((one.source, one.sequence) for one in inbox.take()) == [
+        (name, 299) for name in "abcd"
+    ]
+    assert bus.counts.published == 1200
