@@ -68,7 +68,9 @@ class Folds:
             touched = fold.first < first + before and fold.last >= first
             if touched and (before > 1 or after > 1):
                 self.all.remove(fold)
-                self._show(min(fold.first, first), max(fold.last, fold.last + moved), True)
+                # No further: what comes then may be another fold.
+                last = max(first + after - 1, fold.last + moved)
+                self._show(min(fold.first, first), last, True)
         self.all = [
             Fold(fold.first + moved, fold.last + moved) if fold.first >= first + before else fold
             for fold in self.all

@@ -98,3 +98,19 @@ def test_edits_in_and_above_a_fold_keep_what_is_folded(at_text: At) -> None:
     assert not writer.pane.editor.folds.all
     assert len(seen(writer)) == len(writer.lines)
     assert "\n".join(writer.lines) == writer.text
+
+
+def test_what_is_deleted_in_one_fold_opens_no_other(at_text: At) -> None:
+    writer = at_text((SAMPLES / "hfsm.json").read_text("utf-8"), "hfsm.json")
+    folds = writer.pane.editor.folds
+    writer.pane.folding.fold_all()
+    gone = [Address("SB1", "State110")]
+    writer.session.edit("Delete State110", lambda bp: editing.delete(bp, gone))
+    assert '"State110": {' not in writer.text
+    last = folds.all[-1]
+    assert [line for line in seen(writer) if last.first <= line <= last.last] == [last.first]
+    hidden = sum(fold.last - fold.first for fold in folds.all)
+    assert len(seen(writer)) == len(writer.lines) - hidden
+    writer.session.history.undo()
+    hidden = sum(fold.last - fold.first for fold in folds.all)
+    assert len(seen(writer)) == len(writer.lines) - hidden
