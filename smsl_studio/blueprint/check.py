@@ -101,16 +101,22 @@ def state_check(
     own = blueprint.branches[branch]
     terms = []
     for digit, value in enumerate(own.facts(state)):
-        sub = blueprint.branches.get(own.subs.get(digit, ""))
+        sub = sub_below(blueprint, own, digit)
         if (branch, digit) in transit:
             terms.append(Term((branch, digit), value, None, None, IN_TRANSIT))
-        elif sub is not None and sub.activating in sub.table:
+        elif sub is not None:
             goal = sub.activating
             inner = state_check(blueprint, sub.name, goal, scene, believed, transit=transit)
             terms.append(_sub_term(own, digit, value, inner))
         else:
             terms.append(_term(own, digit, value, scene, believed))
     return CheckResult(branch, state, tuple(terms))
+
+
+def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:
+    """The sub-SB whose state check a digit is, None where it is read like any other fact."""
+    sub = blueprint.branches.get(branch.subs.get(digit, ""))
+    return sub if sub is not None and sub.activating in sub.table else None
 
 
 def _term(

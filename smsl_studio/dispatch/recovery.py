@@ -7,6 +7,7 @@ from itertools import islice, product
 
 from smsl_studio.blueprint.check import state_check
 from smsl_studio.blueprint.configuration import disagreements
+from smsl_studio.blueprint.estimate import estimate
 from smsl_studio.dispatch.run import Run
 
 MOST = 8
@@ -56,11 +57,7 @@ def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
 
 
 def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
-    def true(state: str) -> bool:
-        check = state_check(run.blueprint, name, state, run.senses.scene, believed)
-        return check.truth is True
-
-    committed = run.configuration[name]
-    if true(committed):
+    scene, committed = run.senses.scene, run.configuration[name]
+    if state_check(run.blueprint, name, committed, scene, believed).truth is True:
         return [committed]
-    return list(islice(filter(true, run.blueprint[name].table), MOST))
+    return list(estimate(run.blueprint, name, scene, believed).states)

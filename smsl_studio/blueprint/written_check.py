@@ -1,0 +1,65 @@
+"""A state check as the paper writes it, every term alive.
+
+    C_State110 := lambda s: [f1(s), f2(s), f3(s)]
+
+f1 is the first fact, and it holds where the scene has the value that the state wants. The paper has
+it true or false; here it may be unknown, too, and says why.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.check import CheckResult, Term
+from smsl_studio.blueprint.model import Blueprint
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenTerm:
+    """One f_i(s): its text and where that stands in the whole, its truth, and why in words."""
+
+    text: str
+    start: int
+    term: Term
+    why: str
+
+    @property
+    def truth(self) -> bool | None:
+        return self.term.truth
+
+    @property
+    def end(self) -> int:
+        return self.start + len(self.text)
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenCheck:
+    """A state check in the paper's words: ``text`` has the terms at their places."""
+
+    name: str
+    text: str
+    terms: tuple[WrittenTerm, ...]
+    truth: bool | None
+
+
+def written_check(blueprint: Blueprint, check: CheckResult) -> WrittenCheck:
+    """``lambda s: [f1(s), f2(s)]`` of a check; terms that were left out of it are not there."""
+    text = "lambda s: ["
+    terms = []
+    for index, term in enumerate(check.terms):
+        text += ", " if index else ""
+        said = f"f{term.fact[1] + 1}(s)"
+        terms.append(WrittenTerm(said, len(text), term, term_words(blueprint, term)))
+        text += said
+    return WrittenCheck(f"C_{check.state}", text + "]", tuple(terms), check.truth)
+
+
+def term_words(blueprint: Blueprint, term: Term) -> str:
+    """Why a term is what it is: ``Clamp fixed reads 0, not 1``, ``... is unknown: no reading``."""
+    branch, digit = term.fact
+    name = blueprint[branch].fact_name(digit)
+    if term.truth is None:
+        return f"{name} is unknown: {term.reason}"
+    wanted = "" if term.truth else f", not {term.wanted}"
+    source = f" ({term.reason})" if term.reason else ""
+    return f"{name} reads {term.reading}{wanted}{source}"
