@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QPushButton, QToolButton, QVBoxLayout, QWidget
 
-from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.controls import Elided, row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.source.find import Found, Match, Search, find, replaced
@@ -31,8 +31,10 @@ class FindBar(QWidget):
         self.setProperty("role", "bar")
         self._editor, self.found = editor, Found()
         self.words, self.other = _field("Find"), _field("Replace with")
-        self.count = label("", "hint")
-        self.count.setWordWrap(False)
+        # What is wrong with an expression can be long; it must not widen the pane.
+        self.count = Elided()
+        self.count.setProperty("role", "hint")
+        self._done = ""
         self.case = self._toggle("Aa", "Match case")
         self.whole = self._toggle("W", "Whole words")
         self.regular = self._toggle(".*", "Regular expression")
@@ -59,7 +61,7 @@ class FindBar(QWidget):
         column.setContentsMargins(8, 6, 8, 6)
         column.setSpacing(6)
         column.addLayout(row(self.words, self.back, self.on, self.shut, spacing=2))
-        column.addLayout(row(self.case, self.whole, self.regular, self.count, None, spacing=2))
+        column.addLayout(row(self.case, self.whole, self.regular, 2, self.count, spacing=2))
         self._second.setLayout(row(self.other, self.one, self.every, spacing=6))
         column.addWidget(self._second)
         for part in (self.one, self.every):
@@ -143,6 +145,7 @@ class FindBar(QWidget):
         editor.apply(parts[::-1])
         editor.typed.emit(f"Replace {counted(len(parts), 'place')}")
         editor.begin_command()
+        self._done = f"{len(parts):,} replaced"
         self.look()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -170,6 +173,7 @@ class FindBar(QWidget):
 
     def _ask(self) -> None:
         """What is looked for changed: go to the first place from where one is."""
+        self._done = ""
         self.look()
         matches, start = self.found.matches, self._editor.marked[0]
         if matches:
@@ -193,7 +197,7 @@ class FindBar(QWidget):
         elif not self.words.text():
             said = ""
         elif not found.matches:
-            said = "Not found"
+            said = self._done or "Not found"
         elif current is not None:
             said = f"{found.matches.index(current) + 1:,} of {total}"
         else:

@@ -91,3 +91,28 @@ def test_replacing_one_and_all(at_text: At, key: Qt.Key, held: Qt.KeyboardModifi
     writer.session.history.undo()
     assert writer.text == HFSM
     assert writer.lines == HFSM.split("\n")
+
+
+def test_what_is_said_of_an_expression_does_not_widen_the_pane(at_text: At) -> None:
+    bar = at_text().pane.find_bar
+    bar.open_bar(replacing=True)
+    width = bar.minimumSizeHint().width()
+    bar.regular.setChecked(True)
+    QTest.keyClicks(bar.words, "(")
+    assert "expression" in bar.count.text()
+    assert bar.count.toolTip() == bar.count.text()
+    assert bar.minimumSizeHint().width() == width
+
+
+def test_what_was_replaced_is_told_until_one_looks_for_something_else(at_text: At) -> None:
+    bar = at_text().pane.find_bar
+    bar.open_bar(replacing=True)
+    QTest.keyClicks(bar.words, "State_1")
+    count = len(bar.found.matches)
+    QTest.keyClicks(bar.other, "State_9")
+    QTest.mouseClick(bar.every, Qt.MouseButton.LeftButton)
+    assert bar.count.text() == f"{count} replaced"
+    bar.look()
+    assert bar.count.text() == f"{count} replaced"
+    QTest.keyClicks(bar.words, "x")
+    assert bar.count.text() == "Not found"
