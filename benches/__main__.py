@@ -29,6 +29,7 @@ BENCHES = (
     "find",
     "journal",
     "compare",
+    "record",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -4,28 +4,14 @@ from __future__ import annotations
 
 import json
 from dataclasses import fields
-from typing import Any, get_type_hints
+from typing import Any
 
 import pytest
 from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from smsl_studio.runlog.decoding import EVENTS, event_of
 from smsl_studio.runlog.events import Committed, Event, FactChanged, RunFinished, RunStarted
-
-SECONDS = st.floats(0, 1e9).map(lambda t: round(t, 6))
-
-
-@st.composite
-def events(draw: st.DrawFn) -> Event:
-    """Any event, of any kind there is."""
-    kind = draw(st.sampled_from(sorted(EVENTS)))
-    hints = get_type_hints(EVENTS[kind])
-    given = {
-        item.name: draw(SECONDS if hints[item.name] is float else st.from_type(hints[item.name]))
-        for item in fields(EVENTS[kind])
-    }
-    return EVENTS[kind](**given)
+from tests.runlog.any_event import events
 
 
 @given(events())

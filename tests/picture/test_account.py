@@ -1,0 +1,193 @@
+"""The account of a run: all of it, in order, and nothing that a browser would carry out."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from html.parser import HTMLParser
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from smsl_studio.picture import account as page
+from smsl_studio.picture.account import account
+from smsl_studio.picture.account_words import told
+from smsl_studio.runlog.events import (
+    EdgeSwept,
+    Event,
+    Held,
+    Mismatch,
+    OperationPruned,
+    Paused,
+    RunFinished,
+    StateChecked,
+    SweepFinished,
+)
+from smsl_studio.runlog.reading import Head, LoggedRun, Record, read_records
+from tests.runlog.any_event import events
+from tests.runlog.logs import EVENTS, write_log
+
+SHUT = {"meta"}
+ALLOWED = {
+    *("html", "head", "meta", "title", "style", "body", "main", "section", "footer"),
+    *("h1", "h2", "h3", "p", "strong", "code", "dl", "dt", "dd", "ol", "li"),
+    *("table", "thead", "tbody", "tr", "th", "td"),
+}
+
+
+class Page(HTMLParser):
+    """What a browser sees: text by the tag it stands in, and every row of the table."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.texts: list[tuple[str, str]] = []
+        self.rows: list[list[str]] = []
+        self.odd: list[object] = []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in ALLOWED:
+            self.odd.append(tag)
+        if tag not in SHUT:
+            self.open.append(tag)
+            self.odd += [(tag, name) for name, _ in attrs if name not in ("class", "lang")]
+        if tag == "tr":
+            self.rows.append([])
+        if tag == "td":
+            self.rows[-1].append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open and data.strip():
+            self.texts.append((self.open[-1], data))
+            if self.open[-1] == "td":
+                self.rows[-1][-1] += data
+
+    def under(self, tag: str) -> list[str]:
+        return [text for where, text in self.texts if where == tag]
+
+
+def logged(*given: Event, header: Mapping[str, Any] | None = None) -> LoggedRun:
+    records = tuple(Record(n, one.line(), one) for n, one in enumerate(given, 2))
+    return LoggedRun(header or {}, records, Head(len(records), "0" * 64), None)
+
+
+@pytest.fixture
+def run(tmp_path_factory: pytest.TempPathFactory) -> LoggedRun:
+    raw = write_log(tmp_path_factory.mktemp("log") / "log")
+    return read_records(io.BytesIO(raw), "log")
+
+
+def test_everything_is_told_in_order(run: LoggedRun) -> None:
+    seen = Page(account(run))
+    assert seen.odd == []
+    rows = seen.rows[1:]
+    assert [(row[0], row[1]) for row in rows] == [
+        ("0.000", "believed"),
+        ("0.000", "sensed"),
+        ("0.000", "decided"),
+        ("0.000", "done"),
+        ("0.050", "sensed"),
+        ("0.050", "sensed"),
+        ("0.100", "believed"),
+        ("0.100", "believed"),
+        ("0.100", "decided"),
+    ]
+    assert rows[1][2:] == ["Fact 0 of SB/é is unknown (stale)", "sensors of table"]
+    assert rows[3][3] == "library function"
+    assert rows[5][2] == "Sensed facts and beliefs differ: a; b. The scene agrees with SB/é/State_1"
+    assert seen.under("li") == ["SB/é/State_0/Op"]
+    assert seen.under("strong") == ["The goal was reached.", "Verified"]
+    assert run.head is not None
+    assert run.head.hash in seen.under("code")
+
+
+def test_equal_logs_give_equal_pages(run: LoggedRun) -> None:
+    assert account(run) == account(run)
+
+
+def test_a_run_from_the_command_line_has_its_header_told() -> None:
+    header = {
+        "file": "C:\\cases\\knee.smsl",
+        "seed": 7,
+        "policy": None,
+        "goals": ["SB/A", "SB/B"],
+        "digests": {"file": "ff", "imported": {"sub.smsl": "ee"}},
+        "versions": {"python": "3.11.7"},
+    }
+    seen = Page(account(logged(header=header)))
+    assert seen.under("h1") == ["Account of a run of knee.smsl"]
+    pairs = dict(zip(seen.under("dt"), seen.under("dd") + seen.under("code"), strict=False))
+    assert pairs["Goals asked for"] == "SB/A, SB/B"
+    assert pairs["Trust policy"] == "none"
+    assert {"ff", "ee"} <= set(seen.under("code"))
+    assert "imported sub.smsl" in seen.under("dt")
+
+
+@pytest.mark.parametrize("odd", [None, [], [[[]]], {"a": {"b": {"c": 1}}}, 1e400, True, "x", [{}]])
+def test_a_header_may_say_anything(odd: object) -> None:
+    keys = ("file", "seed", "start", "goals", "policy", "digests", "versions", "log")
+    assert Page(account(logged(header=dict.fromkeys(keys, odd)))).odd == []
+
+
+def test_a_log_without_an_end_says_so(run: LoggedRun) -> None:
+    seen = Page(account(logged(*EVENTS[:5])))
+    assert "The log ends before the run did." in seen.under("strong")
+    assert " Its last event is at 0.050 s." in seen.under("p")
+    assert "The log ends before the run did." in Page(account(logged())).under("strong")
+
+
+HOSTILE = "</td></table><script>alert(1)</script><img src=x onerror=y>\"'&lt;\u202e\x1b\n\udcff"
+
+
+def test_names_are_only_text() -> None:
+    finished = RunFinished(
+        t=0.0, reason=HOSTILE, sentence=HOSTILE, operations=0, configuration={HOSTILE: HOSTILE}
+    )
+    mismatch = Mismatch(t=0.0, facts=(HOSTILE,), candidates=({HOSTILE: HOSTILE},))
+    header = {"file": HOSTILE, "goals": [HOSTILE], "digests": {HOSTILE: HOSTILE}}
+    text = account(logged(mismatch, finished, header=header))
+    seen = Page(text)
+    assert seen.odd == []
+    assert len(seen.rows) == 3
+    assert any("<script>alert(1)</script>" in cell for cell in seen.rows[1])
+    assert not set("\u202e\x1b\udcff") & set(text)
+    assert "default-src 'none'" in text
+
+
+@given(st.lists(events(), max_size=6))
+@settings(max_examples=40)
+def test_any_events_can_be_told(given: list[Event]) -> None:
+    seen = Page(account(logged(*given)))
+    assert seen.odd == []
+    assert len(seen.rows) == len(given) + 1
+
+
+@given(events())
+@settings(max_examples=100)
+def test_every_event_of_a_run_has_words_of_its_own(event: Event) -> None:
+    if not isinstance(event, EdgeSwept | SweepFinished):
+        assert not told(event).what.startswith(event.event.replace("_", " "))
+
+
+def test_who_did_it_and_what_is_bad() -> None:
+    assert told(OperationPruned(t=0.0, address="a", reason="no")).by == "person"
+    assert told(Paused(t=0.0)).by == "person"
+    assert told(Held(t=0.0, reason="why", details=("a", "b"))).what == "The run holds: why: a; b"
+    assert told(Held(t=0.0, reason="why")).bad
+    assert told(StateChecked(t=0.0, address="a", result="unknown", unknown=("f",))).bad
+    assert not told(StateChecked(t=0.0, address="a", result="true")).bad
+
+
+def test_what_is_too_much_is_counted(monkeypatch: pytest.MonkeyPatch, run: LoggedRun) -> None:
+    monkeypatch.setattr(page, "MOST", 4)
+    seen = Page(account(run))
+    assert len(seen.rows) == 5
+    assert "And 5 more events, which the log has." in seen.under("p")
