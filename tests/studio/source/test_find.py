@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.source.find import Match, Search, find, replaced
 from tests.studio.source.conftest import CTRL, HFSM, NONE, SHIFT, Writer
@@ -95,12 +96,13 @@ def test_replacing_one_and_all(at_text: At, key: Qt.Key, held: Qt.KeyboardModifi
 
 def test_what_is_said_of_an_expression_does_not_widen_the_pane(at_text: At) -> None:
     bar = at_text().pane.find_bar
-    bar.open_bar(replacing=True)
+    bar.open_bar(replacing=False)
     width = bar.minimumSizeHint().width()
     bar.regular.setChecked(True)
-    QTest.keyClicks(bar.words, "(")
-    assert "expression" in bar.count.text()
+    QTest.keyClicks(bar.words, "(?P<" + "a" * 40 + ">x)")
+    assert "too long (maximum" in bar.count.text()
     assert bar.count.toolTip() == bar.count.text()
+    QApplication.processEvents()
     assert bar.minimumSizeHint().width() == width
 
 
