@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from itertools import product
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -145,3 +147,25 @@ def test_who_is_asked_first_matters_by_priority_alone(rule, read, chance) -> Non
     if rule.aggregation != "priority" or rule.critical:
         first, second = aggregate(rule, said), aggregate(rule, mixed)
         assert (first.value, first.conflict) == (second.value, second.conflict)
+
+
+RUNNING = Path(__file__).parents[2] / "docs" / "running.md"
+COLUMNS = (
+    (FactRule("single"), FactRule("any")),
+    (FactRule("all"),),
+    (FactRule("k_of_n", 2),),
+    (FactRule("k_of_n", 2, critical=True),),
+    (FactRule("priority"),),
+    (FactRule("priority", critical=True),),
+    (FactRule("human"),),
+)
+
+
+def test_the_page_says_what_is_so() -> None:
+    rows = re.findall(r"^\| `([-ab ]{5})` \|(.*)\|$", RUNNING.read_text("utf-8"), re.MULTILINE)
+    assert len(rows) == 8
+    for read, cells in rows:
+        said = [cell.strip() for cell in cells.split("|")]
+        for word, column in zip(said, COLUMNS, strict=True):
+            for rule in column:
+                assert _word(rule, read.replace(" ", "")) == word
