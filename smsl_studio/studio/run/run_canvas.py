@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFontMetrics, QResizeEvent
+from PySide6.QtGui import QFontMetrics, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -120,6 +120,14 @@ class RunCanvas(QWidget):
     def drawing_changed(self) -> None:
         """The drawing was edited: a run that is there goes on with its own version, and says so."""
         self._refusal = ""
+        # Routing every arrow of what nobody sees would make each edit wait twice.
+        if self.isVisible():
+            self.refresh()
+        else:
+            self._show_banner()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
         self.refresh()
 
     def show_refusal(self, words: str) -> None:
