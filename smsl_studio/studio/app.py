@@ -18,6 +18,7 @@ from smsl_studio.studio.canvas import accessible_tree
 from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
 from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left, left_behind
+from smsl_studio.studio.journal.restoring import is_saved
 from smsl_studio.studio.recovery import crash_hook
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of
@@ -74,7 +75,11 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
 
 def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
     """Offer what windows have left behind that did not close; None where there is nothing."""
-    left = left_behind(folder_of(windows.settings.folder))
+    found = left_behind(folder_of(windows.settings.folder))
+    left = [one for one in found if not is_saved(one.entry)]
+    for one in found:
+        if one not in left:
+            one.drop()
     if not left:
         return None
 

@@ -10,10 +10,11 @@ from typing import Literal, Protocol
 from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.importing import real_path
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.blueprint.writing import new_blueprint
-from smsl_studio.errors import StudioError
+from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import SUFFIXES
@@ -83,7 +84,9 @@ class Files(QObject):
         self.on_disk = OnDisk()
         self._name = UNTITLED
         self._told: set[str] = set()
-        session.blueprint_changed.connect(lambda *_: self._learn())
+        session.unsaved = lambda one: self.on_disk.is_nowhere(one.file, one.text)
+        session.blueprint_changed.connect(self._learn)
+        session.aside_changed.connect(self._tell_aside)
 
     @property
     def name(self) -> str:
@@ -91,9 +94,18 @@ class Files(QObject):
         return self._name
 
     @property
+    def texts(self) -> dict[str, str]:
+        """All that is to be saved: the session's texts, and those that were imported and unsaved
+        when they left it.
+        """
+        aside = {file: one.text for file, one in self._session.aside.items()
+                 if self._session.unsaved(one)}  # fmt: skip
+        return {**self._session.texts, **aside}
+
+    @property
     def unsaved(self) -> tuple[str, ...]:
         """The files, the blueprint's own first, of which another text stands on the disk."""
-        return self.unsaved_of(self._session.texts)
+        return self.unsaved_of(self.texts)
 
     def unsaved_of(self, texts: Mapping[str, str]) -> tuple[str, ...]:
         """The files of which the disk holds other texts than these."""
@@ -167,7 +179,7 @@ class Files(QObject):
         self.path, self._name = path, name
         self.on_disk.forget()
         self._session.open(opened.blueprint, opened.broken)
-        self._learn()
+        self._learn(opened.blueprint, opened.blueprint)
         self.changed.emit()
         self._say_how_yaml_is_written()
 
@@ -213,12 +225,25 @@ class Files(QObject):
             self.changed.emit()
             return None
 
-    def _learn(self) -> None:
-        """Files that came along with an import were read just now."""
+    def _learn(self, before: Blueprint, after: Blueprint) -> None:
+        """Files that came along with an import were read just now, or come back by an undo."""
         texts = self._session.texts
         if self.path is None:
             texts.pop(self._session.blueprint.file, None)
+        former = {document.file for document in before.documents}
+        for file in texts.keys() - former:
+            if file in self.on_disk and self.on_disk.look(file).text == texts[file]:
+                self.on_disk.saw(file, texts[file])
         self.on_disk.saw_if_new(texts)
+
+    def _tell_aside(self) -> None:
+        """Who takes out an import may not think of what was drawn in that file."""
+        names = [Path(file).name for file in self.unsaved if file in self._session.aside]
+        self.changed.emit()
+        if names:
+            verb = "is" if len(names) == 1 else "are"
+            self.said.emit(f"{_listed(names)} {verb} no longer imported. Save keeps what is "
+                           "unsaved there.")  # fmt: skip
 
     def _say_how_yaml_is_written(self) -> None:
         """Once for each file, and before the first edit."""
@@ -246,6 +271,9 @@ class Files(QObject):
         if self.path is not None and path == self.path:
             return self._store((own, *(file for file in self.unsaved if file != own)))
         others = [file for file in self.unsaved if file != own]
+        if self._is_imported(path):
+            self.refused.emit(_over_an_import(self._name, path.name))
+            return False
         if not (self._may_save_broken([own, *others]) and self._may_overwrite(others)):
             return False
         if not self._comments_may_go(path):
@@ -265,7 +293,7 @@ class Files(QObject):
             # Of a text that does not read, the document is that of the last one that did.
             named = replace(session.blueprint.document, file=str(path))
             session.saved(replace(session.blueprint, document=named))
-        self._learn()
+        self._learn(session.blueprint, session.blueprint)
         self._settings.remember(path)
         self._saved([path.name, *map(self.display, others)])
         return True
@@ -295,7 +323,11 @@ class Files(QObject):
     def _document(self, file: str) -> Document:
         """A document as it is to be written: of a broken one the text alone counts."""
         documents = {document.file: document for document in self._session.blueprint.documents}
-        return replace(documents[file], text=self._session.texts[file])
+        return replace({**self._session.aside, **documents}[file], text=self.texts[file])
+
+    def _is_imported(self, path: Path) -> bool:
+        others = (*self._session.blueprint.documents[1:], *self._session.aside.values())
+        return any(real_path(one.file) == real_path(str(path)) for one in others)
 
     def _place(self, file: str) -> Path:
         own = self.path is not None and file == self._session.blueprint.file
@@ -309,8 +341,9 @@ class Files(QObject):
         return self._asker.may_save_broken(self.display(broken.file), faults)
 
     def _may_overwrite(self, files: Sequence[str]) -> bool:
-        looks = map(self.on_disk.look, files)
-        changed = [self.display(look.file) for look in looks if look.changed and not look.gone]
+        looks, texts = map(self.on_disk.look, files), self.texts
+        changed = [self.display(look.file) for look in looks
+                   if look.changed and not look.gone and look.text != texts[look.file]]  # fmt: skip
         return not changed or self._asker.may_overwrite(_listed(changed))
 
     def _comments_may_go(self, path: Path) -> bool:
@@ -323,6 +356,13 @@ class Files(QObject):
 def _listed(names: Sequence[str]) -> str:
     """Names as one says them: a, b and c."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def _over_an_import(name: str, target: str) -> SaveError:
+    return SaveError(
+        f"{name} imports {target}, and the one would take the place of the other",
+        advice="Save under another name.",
+    )
 
 
 def samples() -> tuple[Path, ...]:

@@ -30,6 +30,7 @@ class OnDisk:
     def __init__(self) -> None:
         self._seen: dict[str, str | None] = {}
         self._digests: dict[str, str] = {}
+        self._last: dict[str, str] = {}
 
     def __iter__(self) -> Iterator[str]:
         return iter(tuple(self._seen))
@@ -41,9 +42,13 @@ class OnDisk:
         """Another blueprint was opened."""
         self._seen.clear()
         self._digests.clear()
+        self._last.clear()
 
     def saw(self, file: str, text: str | None) -> None:
         """This text stands in the file, or nothing does."""
+        before = self._seen.get(file)
+        if text is None and before is not None:
+            self._last[file] = before
         self._seen[file] = text
         self._digests.pop(file, None)
 
@@ -68,6 +73,11 @@ class OnDisk:
     def differing(self, texts: Mapping[str, str]) -> tuple[str, ...]:
         """The files in which another text stands than these."""
         return tuple(file for file, text in texts.items() if self._seen.get(file) != text)
+
+    def is_nowhere(self, file: str, text: str) -> bool:
+        """Whether a text stands nowhere else: not in its file, nor did it when that was deleted."""
+        seen = self._seen.get(file)
+        return text != (seen if seen is not None else self._last.get(file))
 
     def look(self, file: str) -> Look:
         """Look at a file again."""

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.revising import with_document
-from smsl_studio.errors import ReadError, StudioError
+from smsl_studio.errors import EditRefused, ReadError, StudioError
 from smsl_studio.smsl.files import read_document
 from smsl_studio.studio.broken import Broken, read_text
 from smsl_studio.studio.change_bar import ChangeBar
@@ -52,6 +52,7 @@ class Outside(QObject):
         super().__init__(parent)
         self._session, self._files, self._bar, self._compare = session, files, bar, compare
         self._signs: dict[str, Sign] = {}
+        self._watched: tuple[str, ...] = ()
         self._doubted: dict[str, str] = {}
         self._asked: dict[str, Look] = {}
         self.watcher = Watcher(self)
@@ -63,6 +64,7 @@ class Outside(QObject):
         files.changed.connect(self._follow)
         session.blueprint_changed.connect(lambda *_: self._follow())
         session.opened.connect(self._forget)
+        session.broken_changed.connect(self._look_for_missing)
         bar.difference_wanted.connect(self.show_difference)
         bar.theirs_wanted.connect(self.take_theirs)
         bar.mine_wanted.connect(self.keep_mine)
@@ -79,18 +81,29 @@ class Outside(QObject):
 
     def look(self) -> None:
         """Look at every file whose size, time or identity is another than last time."""
-        for file, before in list(self._signs.items()):
+        for file in self._watched:
             now = _sign(file)
-            if now != before:
+            if now != self._signs[file]:
                 self._signs[file] = now
                 self._look_at(file)
 
     def take_theirs(self) -> None:
         """Show what the other program wrote, as a step that can be undone."""
+        # What is being typed is a step of its own, so that undo brings it back.
+        self._files.settling.emit()
         file = next(iter(self._asked), None)
-        if file is not None:
-            look = self._asked.pop(file)
-            self._take(look, f"Take {self._files.display(file)} from the disk")
+        if file is not None and self._take(
+            self._asked[file], f"Take {self._files.display(file)} from the disk"
+        ):
+            self._asked.pop(file, None)
+            self._ask()
+
+    def ask(self, file: str) -> None:
+        """Ask about a file of which another program has written what nobody here has seen."""
+        look = self._files.on_disk.look(file)
+        if look.text is not None and look.text != self._files.texts.get(file):
+            self._files.on_disk.saw(file, None)
+            self._asked[file] = look
             self._ask()
 
     def keep_mine(self) -> None:
@@ -109,6 +122,9 @@ class Outside(QObject):
         look = next(iter(self._asked.values()), None)
         if look is None or look.text is None:
             return
+        if look.file in self._session.aside:
+            self.refused.emit(_not_drawn(self._files.display(look.file)))
+            return
         theirs = read_text(self._session.blueprint, look.file, look.text)
         if isinstance(theirs, Broken):
             self.refused.emit(theirs.refusal)
@@ -119,16 +135,25 @@ class Outside(QObject):
     def _follow(self) -> None:
         """Watch what belongs to the blueprint now, and what it looks for in vain."""
         self._drop_answered()
-        known = [file for file in self._session.texts if file in self._files.on_disk]
+        known = [file for file in self._files.texts if file in self._files.on_disk]
         missing = _missing(self._session.blueprint)
-        names = dict.fromkeys([*known, *missing])
-        self._signs = {name: self._signs.get(name, _sign(name)) for name in names}
-        self.watcher.watch(Path(os.path.abspath(name)) for name in names)  # noqa: PTH100
+        before, self._watched = self._watched, tuple(dict.fromkeys([*known, *missing]))
+        back = [name for name in self._watched if name in self._signs and name not in before]
+        for name in self._watched:
+            self._signs.setdefault(name, _sign(name))
+        self.watcher.watch(Path(os.path.abspath(name)) for name in self._watched)  # noqa: PTH100
+        if back:
+            # Nobody has looked at these while they were imported no longer.
+            self.watcher.stir()
 
     def _drop_answered(self) -> None:
         """What was saved over, with the person's consent, is no question any more."""
-        texts, on_disk = self._session.texts, self._files.on_disk
-        done = [file for file in self._asked if on_disk.text(file) == texts.get(file)]
+        texts, on_disk = self._files.texts, self._files.on_disk
+        for file, look in self._asked.items():
+            if texts.get(file) == look.text:
+                on_disk.saw(file, look.text)
+        done = [file for file in self._asked if on_disk.text(file) == texts.get(file)
+                or file not in texts]  # fmt: skip
         for file in done:
             del self._asked[file]
         if done:
@@ -137,12 +162,13 @@ class Outside(QObject):
     def _forget(self) -> None:
         """Another blueprint is shown."""
         self._signs.clear()
+        self._watched = ()
         self._doubted.clear()
         self._asked.clear()
         self._ask()
 
     def _look_at(self, file: str) -> None:
-        if file not in self._session.texts:
+        if file not in self._files.texts:
             self._found(file)
             return
         look = self._files.on_disk.look(file)
@@ -158,7 +184,7 @@ class Outside(QObject):
 
     def _changed(self, look: Look, text: str) -> None:
         self._files.settling.emit()
-        mine, file = self._session.texts[look.file], look.file
+        mine, file = self._files.texts[look.file], look.file
         if text == mine:
             self._files.on_disk.saw(file, text)
             self._settle()
@@ -190,13 +216,19 @@ class Outside(QObject):
             self._signs[file] = _sign(file)
             self._look_at(file)
 
-    def _take(self, look: Look, words: str) -> None:
+    def _take(self, look: Look, words: str) -> bool:
+        """Make a step of what another program wrote; False where that cannot be done yet."""
         if look.text is None:
-            return
-        self._session.write(words, look.text, look.file)
-        if self._session.texts[look.file] == look.text:
-            self._files.on_disk.saw(look.file, look.text)
-            self._settle()
+            return False
+        if look.file in self._session.aside:
+            self._session.give_up(words, look.file)
+        else:
+            self._session.write(words, look.text, look.file)
+            if self._session.texts[look.file] != look.text:
+                return False
+        self._files.on_disk.saw(look.file, look.text)
+        self._settle()
+        return True
 
     def _settle(self) -> None:
         """Where nothing is unsaved any more, the history is clean here."""
@@ -217,6 +249,11 @@ class Outside(QObject):
 
     def _found(self, file: str) -> None:
         """A file that was imported in vain is there now."""
+        self._files.settling.emit()
+        if self._session.broken is not None:
+            # Importing it would put the last text that read in the place of what is typed.
+            self._signs[file] = None
+            return
         try:
             reading = with_document(self._session.blueprint, read_document(file))
         except ReadError:
@@ -229,6 +266,10 @@ class Outside(QObject):
         self._settle()
         self.said.emit(f"{name} is there now, and imported.")
 
+    def _look_for_missing(self) -> None:
+        if self._session.broken is None and any(self._signs[one] is None for one in self._watched):
+            self.watcher.stir()
+
     def _ask(self) -> None:
         self._bar.show_files([self._files.display(file) for file in self._asked])
 
@@ -240,6 +281,13 @@ def _sign(file: str) -> Sign:
     except (OSError, ValueError):
         return None
     return found.st_mtime_ns, found.st_size, found.st_ino
+
+
+def _not_drawn(name: str) -> EditRefused:
+    return EditRefused(
+        f"{name} is no longer imported, so nothing of it is drawn",
+        advice="Take theirs, or keep yours; undo brings yours back.",
+    )
 
 
 def _missing(blueprint: Blueprint) -> list[str]:

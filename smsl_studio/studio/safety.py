@@ -80,10 +80,12 @@ class Safety(QObject):
 
     def recover(self, left: Left) -> None:
         """Show what a window has left behind; it is given up when this one keeps it."""
-        lost = restore(left.entry, self._files, self._session)
+        restored = restore(left.entry, self._files, self._session)
+        for file in restored.changed:
+            self.outside.ask(file)
         self.journal.flush()
-        safe = [self._put_aside(kept) for kept in lost]
-        if all(safe):
+        safe = [self._put_aside(kept) for kept in restored.lost]
+        if all(safe) and self.journal.whole:
             left.drop()
         else:
             left.keep()
@@ -102,7 +104,7 @@ class Safety(QObject):
             self._toast.warn(f"The unsaved text of {name} cannot be put aside: {error.strerror}.")
             return False
         self._toast.warn(
-            f"{name} is no file of {self._files.name} any more. "
+            f"{name} cannot be shown in {self._files.name} as it is now. "
             f"Its unsaved text was put into {where}."
         )
         return True

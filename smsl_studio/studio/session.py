@@ -14,12 +14,14 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, put_aside
 from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
 
 __all__ = ["Broken", "Session"]
 
-Stand = tuple[Blueprint, Broken | None]
-"""The last blueprint that could be read, and the text typed since that cannot."""
+Stand = tuple[Blueprint, Broken | None, Aside]
+"""The last blueprint that could be read, the text typed since that cannot, and the unsaved texts
+of files that are imported no longer."""
 
 
 class _Edit(QUndoCommand):
@@ -57,6 +59,8 @@ class Session(QObject):
     """The SB that is shown now."""
     refused = Signal(object)
     """A StudioError: an edit that was refused; nothing was changed."""
+    aside_changed = Signal()
+    """Other files than before are imported no longer and have unsaved text."""
     edited_changed = Signal(bool)
     """Whether there are unsaved changes."""
 
@@ -64,6 +68,9 @@ class Session(QObject):
         super().__init__(parent)
         self._blueprint = blueprint
         self._broken: Broken | None = None
+        self._aside = NOTHING
+        self.unsaved: Unsaved = lambda _: False
+        """Whether a text stands nowhere else; who saves the texts knows, and says so here."""
         self._selection: tuple[Address, ...] = ()
         self._branch = _first_branch(blueprint)
         self.history = QUndoStack(self)
@@ -80,8 +87,13 @@ class Session(QObject):
         return self._broken
 
     @property
+    def aside(self) -> Aside:
+        """By their names, the documents that were imported and have text that was not saved."""
+        return self._aside
+
+    @property
     def texts(self) -> dict[str, str]:
-        """The text of every file, as it is to be saved."""
+        """The text of every file of the blueprint, as it is to be saved."""
         return texts_of(self._blueprint, self._broken)
 
     @property
@@ -138,6 +150,11 @@ class Session(QObject):
         else:
             self._push(words, reading, None)
 
+    def give_up(self, words: str, file: str) -> None:
+        """One undoable step: the text of a file that is imported no longer is not wanted."""
+        rest = {name: document for name, document in self._aside.items() if name != file}
+        self._step(words, (self._blueprint, self._broken, rest or NOTHING))
+
     def open(self, blueprint: Blueprint, broken: Broken | None = None) -> None:
         """Replace the blueprint by another file's; history and selection start anew.
 
@@ -147,6 +164,7 @@ class Session(QObject):
         before, self._blueprint = self._blueprint, blueprint
         told = self._broken is not broken
         self._broken = broken
+        self._aside = NOTHING
         # The history tells that it is empty now, and whoever hears it looks at all of this.
         self._branch = _first_branch(blueprint)
         self._selection = ()
@@ -200,12 +218,19 @@ class Session(QObject):
 
     def _push(self, words: str, after: Blueprint, broken: Broken | None) -> None:
         if after is not self._blueprint or broken != self._broken:
-            before = (self._blueprint, self._broken)
-            self.history.push(_Edit(words, self, before, (after, broken)))
+            after, aside = put_aside(self._blueprint, after, self._aside, self.unsaved)
+            self._step(words, (after, broken, aside))
 
-    def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
+    def _step(self, words: str, after: Stand) -> None:
+        before = (self._blueprint, self._broken, self._aside)
+        self.history.push(_Edit(words, self, before, after))
+
+    def _show(self, blueprint: Blueprint, broken: Broken | None, aside: Aside) -> None:
+        told, self._aside = self._aside.keys() != aside.keys(), aside
         # A step from before a save under another name: the name stays the new one.
         self._replace(*under_name(blueprint, broken, self._blueprint.file))
+        if told:
+            self.aside_changed.emit()
 
     def _replace(self, blueprint: Blueprint, broken: Broken | None) -> None:
         before, self._blueprint = self._blueprint, blueprint

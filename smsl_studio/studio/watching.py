@@ -24,8 +24,8 @@ class Watcher(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._system = QFileSystemWatcher(self)
-        self._system.fileChanged.connect(self._stir)
-        self._system.directoryChanged.connect(self._stir)
+        self._system.fileChanged.connect(self.stir)
+        self._system.directoryChanged.connect(self.stir)
         self._files: frozenset[Path] = frozenset()
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -44,7 +44,8 @@ class Watcher(QObject):
         self._timer.stop()
         self.watch(())
 
-    def _stir(self) -> None:
+    def stir(self) -> None:
+        """Tell in a moment, as if something had happened."""
         self._timer.start()
 
     def _settled(self) -> None:

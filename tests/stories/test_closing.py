@@ -85,7 +85,7 @@ def begin_journal(window: Window) -> None:
 def begin_look(window: Window) -> None:
     assert window.files.path is not None
     window.files.path.write_text(window.files.path.read_text().replace("SB1", "SB3"))
-    window.safety.outside.watcher._stir()
+    window.safety.outside.watcher.stir()
 
 
 @pytest.mark.parametrize("begin", [begin_inspection, begin_reading, begin_journal, begin_look])

@@ -22,7 +22,7 @@ class Unsaved:
     def __call__(self, changes: int) -> Entry | None:
         """The work that is nowhere but in this window; None where there is none."""
         files, own = self._files, self._session.blueprint.file
-        texts = {**self._session.texts, **self._pending()}
+        texts = {**self._files.texts, **self._pending()}
         unsaved = files.unsaved_of(texts)
         if not unsaved:
             return None

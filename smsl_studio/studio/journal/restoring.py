@@ -40,6 +40,16 @@ class Sides:
 
 
 @dataclass(frozen=True)
+class Restored:
+    """``lost`` are texts of files that do not belong to the blueprint, or cannot be shown in it;
+    ``changed`` names files that another program has written since.
+    """
+
+    lost: tuple[Kept, ...]
+    changed: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Brings:
     """What recovering would bring back, in words, and whether the sides can be compared."""
 
@@ -76,16 +86,20 @@ def brings(entry: Entry) -> Brings:
     words = _changes(entry, both)
     if entry.path and both.before is None:
         words += " The file is no longer there."
-    elif any(_moved_on(kept) for kept in entry.texts):
+    elif any(_moved_on(kept, entry) for kept in entry.texts):
         words += " The file was changed on the disk since."
     return Brings(words, both.comparable)
 
 
-def restore(entry: Entry, files: Files, session: Session) -> list[Kept]:
+def is_saved(entry: Entry) -> bool:
+    """Whether everything that was kept stands in its file: the end came right after the save."""
+    return bool(entry.path) and all(_stands(kept) for kept in entry.texts)
+
+
+def restore(entry: Entry, files: Files, session: Session) -> Restored:
     """Show what was kept as unsaved changes on what stands on the disk.
 
-    Each text is a step that can be undone. Handed back are texts of files that no longer belong
-    to the blueprint.
+    Each text is a step that can be undone.
     """
     before = _on_disk(entry)
     path = Path(entry.path) if entry.path else None
@@ -99,15 +113,20 @@ def restore(entry: Entry, files: Files, session: Session) -> list[Kept]:
             files.on_disk.saw(session.blueprint.file, None)
         session.history.resetClean()
     waiting = sorted(entry.texts, key=lambda kept: kept is not own)
-    lost = []
+    lost, changed = [], []
     for kept in _whole_first(session.blueprint, waiting):
         file = _file_of(session.blueprint, kept, entry)
         if file is None:
             lost.append(kept)
-        elif session.texts[file] != kept.text:
+            continue
+        if session.texts[file] != kept.text:
             session.write(STEP, kept.text, file)
+        if session.texts.get(file) != kept.text:  # Another text does not read by now.
+            lost.append(kept)
+        elif _moved_on(kept, entry):
+            changed.append(file)
     files.changed.emit()
-    return lost
+    return Restored(tuple(lost), tuple(changed))
 
 
 def keep_text(kept: Kept, home: Path) -> Path:
@@ -189,10 +208,21 @@ def tallied(found: Difference) -> str:
     return f"{', '.join(parts)}."
 
 
-def _moved_on(kept: Kept) -> bool:
+def _moved_on(kept: Kept, entry: Entry) -> bool:
     """Whether another program has written the file since."""
-    try:
-        now = sha256(Path(kept.file).read_bytes()).hexdigest()
-    except (OSError, ValueError):
+    if not entry.path and kept.file == entry.file:
         return False
-    return now != kept.saved
+    now = _digest(kept.file)
+    return bool(now) and now != kept.saved
+
+
+def _stands(kept: Kept) -> bool:
+    text = kept.text.encode("utf-8", "surrogatepass")
+    return sha256(text).hexdigest() == _digest(kept.file)
+
+
+def _digest(file: str) -> str:
+    try:
+        return sha256(Path(file).read_bytes()).hexdigest()
+    except (OSError, ValueError):
+        return ""

@@ -49,6 +49,11 @@ class Journal(QObject):
         """Where the journal lies, once there was something to keep."""
         return self._place.path if self._place is not None else None
 
+    @property
+    def whole(self) -> bool:
+        """Whether the disk took what it was last given."""
+        return not self._told
+
     def changed(self) -> None:
         """The work is another now, or is saved now."""
         if self._closed:
@@ -84,6 +89,8 @@ class Journal(QObject):
         kept = self.flush()
         self._end()
         if self._place is not None:
+            # No room for the last of it: what was kept before is better than nothing.
+            kept = kept or (not self.whole and self._place.path.exists())
             if not kept:
                 self._place.remove()
             self._place.let_go()
