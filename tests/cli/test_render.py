@@ -49,7 +49,7 @@ def test_states_that_stand_very_far_apart_are_drawn(
 ) -> None:
     far, out = tmp_path / "far.json", tmp_path / f"out.{form}"
     layout = '"_layout": {"S": [-1000000, 0], "T": [1000000, 1000000]}'
-    far.write_text('{"A": {"S": {"x": "T"}, "T": {"y": "S"}, %s}}' % layout)
+    far.write_text(f'{{"A": {{"S": {{"x": "T"}}, "T": {{"y": "S"}}, {layout}}}}}')
     answer = shell("render", str(far), "-o", str(out))
     assert (answer.status, answer.err) == (0, "")
     assert out.read_bytes().startswith(BEGIN[form])
