@@ -47,7 +47,9 @@ def _compiled(
 ) -> bytes:
     import typst
 
-    inputs = {"pictures": json.dumps(list(svgs)), "title": title}
+    # The name of a file may hold bytes that are no text.
+    shown = title.encode("utf-8", "replace").decode("utf-8")
+    inputs = {"pictures": json.dumps(list(svgs)), "title": shown}
     try:
         made = typst.compile(_SOURCE, format=form, ppi=per_inch, sys_inputs=inputs)
     except typst.TypstError as error:

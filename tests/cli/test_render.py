@@ -55,6 +55,16 @@ def test_states_that_stand_very_far_apart_are_drawn(
     assert out.read_bytes().startswith(BEGIN[form])
 
 
+@pytest.mark.parametrize("form", BEGIN)
+def test_a_file_whose_name_is_no_text_is_drawn(form: str, shell: Shell, tmp_path: Path) -> None:
+    odd, out = tmp_path / "odd\udcff\n.json", tmp_path / f"out.{form}"
+    odd.write_text('{"A": {"S": {}}}')
+    answer = shell("render", str(odd), "-o", str(out))
+    assert (answer.status, answer.err) == (0, "")
+    assert out.read_bytes().startswith(BEGIN[form])
+    assert shell("diff", str(odd), sample("hfsm"), "-o", str(out)).status == 1
+
+
 def test_diff_draws_both_sides(shell: Shell, tmp_path: Path) -> None:
     out = tmp_path / "out.svg"
     answer = shell("diff", sample("hanoi"), sample("hanoi-corrected"), "-o", str(out))
