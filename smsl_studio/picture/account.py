@@ -34,7 +34,7 @@ _HEADER = (
     ("wall_time", "Begun (UTC)"),
     ("world", "World"),
     ("seed", "Seed"),
-    ("host", "Library code ran in"),
+    ("host", "Host of library code"),
     ("start", "Start asked for"),
     ("goals", "Goals asked for"),
     ("avoid", "Operations to avoid"),
@@ -101,11 +101,17 @@ def _routes(events: tuple[Event, ...]) -> Iterator[str]:
     if not routes:
         return
     yield "<h2>Routes</h2>"
-    for one in islice(routes, MOST):
+    left = MOST
+    for one in routes:
+        shown = one.operations[:left]
+        left = max(0, left - len(shown) - 1)
+        if not left:
+            break
         yield f"<h3>At {one.t:.3f} s, to {safe(one.goal)}, cost {one.cost:g}</h3><ol>"
-        yield from (f"<li>{safe(step)}</li>" for step in islice(one.operations, MOST))
-        yield "</ol>" + vanished(len(one.operations) - MOST, "operation")
-    yield vanished(len(routes) - MOST, "route")
+        yield from (f"<li>{safe(step)}</li>" for step in shown)
+        yield "</ol>"
+    if not left:
+        yield "<p>Further routes are left out here; the log has them.</p>"
 
 
 def _events(events: tuple[Event, ...]) -> Iterator[str]:

@@ -78,6 +78,18 @@ def test_the_core_works_without_them(arguments: tuple[str, ...], says: str) -> N
     assert "Traceback" not in done.stderr
 
 
+def test_a_log_is_told_again_without_them(tmp_path: Path) -> None:
+    """And nothing that draws with numpy is loaded for its account."""
+    log, page = str(tmp_path / "log"), str(tmp_path / "page.html")
+    asked = ("run", sample("hfsm.json"), "--world", "table", "--log", log)
+    ran = python(BLOCKER + COMMANDS, *asked)
+    again = python(BLOCKER + COMMANDS, "replay", log)
+    assert (again.returncode, again.stderr, again.stdout) == (0, "", ran.stdout)
+    wider = BLOCKER.replace("'PySide6'", "'PySide6', 'numpy', 'pydantic', 'typst'")
+    assert python(wider + COMMANDS, "replay", log, "-o", page).returncode == 0
+    assert python(wider + COMMANDS, "replay", log, "--verify").returncode == 0
+
+
 def test_pictures_are_drawn_without_them(tmp_path: Path) -> None:
     for form in ("svg", "png", "pdf"):
         out = tmp_path / f"picture.{form}"

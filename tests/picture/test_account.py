@@ -21,6 +21,7 @@ from smsl_studio.runlog.events import (
     Mismatch,
     OperationPruned,
     Paused,
+    RoutePlanned,
     RunFinished,
     StateChecked,
     SweepFinished,
@@ -191,3 +192,7 @@ def test_what_is_too_much_is_counted(monkeypatch: pytest.MonkeyPatch, run: Logge
     seen = Page(account(run))
     assert len(seen.rows) == 5
     assert "And 5 more events, which the log has." in seen.under("p")
+    long = RoutePlanned(t=0.0, goal="a", operations=("b",) * 2, cost=2.0)
+    seen = Page(account(logged(long, long, long)))
+    assert len(seen.under("li")) == 2
+    assert "Further routes are left out here; the log has them." in seen.under("p")
