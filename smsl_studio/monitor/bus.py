@@ -21,7 +21,8 @@ MOST_SOURCES = 4096
 LONGEST = 1000
 """Characters of a name, a value or a reason: far more than any of them needs."""
 
-SourceKey = tuple[FactKey, str]
+SourceKey = tuple[str, int, str]
+"""Branch, digit and source."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,13 +59,17 @@ class Inbox:
         self._waiting = {}
 
     def put(self, key: SourceKey, sample: Sample) -> str:
-        """Let a sample wait (the bus holds its lock); what became of it."""
-        known = self._waiting.get(key)
-        if known is None and len(self._waiting) >= MOST_SOURCES:
-            return "refused"
-        if known is None or sample.order > known.order:
-            self._waiting[key] = sample
-        return "" if known is None else "replaced"
+        """Let a sample wait (the bus holds its lock); what was left out for it, if anything."""
+        waiting = self._waiting
+        known = waiting.get(key)
+        if known is None:
+            if len(waiting) >= MOST_SOURCES:
+                return "refused"
+            waiting[key] = sample
+            return ""
+        if sample.order > known.order:
+            waiting[key] = sample
+        return "replaced"
 
 
 class FactBus:
@@ -91,14 +96,16 @@ class FactBus:
     def publish(self, samples: Iterable[Sample], *, retained: bool = False) -> None:
         """Hand samples to everyone who subscribed; retained ones are only counted."""
         with self.lock:
+            count = 0
             for sample in samples:
-                self._counts["published"] += 1
+                count += 1
                 if retained:
                     self._counts["retained"] += 1
                 elif _too_long(sample):
                     self._counts["refused"] += 1
                 else:
                     self._hand_on(sample)
+            self._counts["published"] += count
 
     @property
     def counts(self) -> BusCounts:
@@ -109,18 +116,26 @@ class FactBus:
     def replaced(self, fact: FactKey, source: str) -> int:
         """How many samples of one source were left out for a newer one."""
         with self.lock:
-            return self._floods[fact, source]
+            return self._floods[(*fact, source)]
 
     def _hand_on(self, sample: Sample) -> None:
-        key = (sample.fact, sample.source)
+        key = (sample.branch, sample.digit, sample.source)
         for inbox in self._inboxes:
-            became = inbox.put(key, sample)
-            if became:
-                self._counts[became] += 1
-            if became == "replaced" and (key in self._floods or len(self._floods) < MOST_SOURCES):
-                self._floods[key] += 1
+            left_out = inbox.put(key, sample)
+            if left_out:
+                self._counts[left_out] += 1
+                if left_out == "replaced":
+                    self._flooded(key)
+
+    def _flooded(self, key: SourceKey) -> None:
+        if key in self._floods or len(self._floods) < MOST_SOURCES:
+            self._floods[key] += 1
 
 
 def _too_long(sample: Sample) -> bool:
-    texts = (sample.branch, sample.source, sample.value or "", sample.reason)
-    return any(len(text) > LONGEST for text in texts)
+    return (
+        len(sample.branch) > LONGEST
+        or len(sample.source) > LONGEST
+        or len(sample.reason) > LONGEST
+        or (sample.value is not None and len(sample.value) > LONGEST)
+    )

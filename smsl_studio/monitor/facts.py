@@ -59,12 +59,16 @@ class SourceState:
 
 @dataclass(slots=True)
 class _Fact:
-    """One fact: its rule, its sources in order, a person's answer, and what was agreed last."""
+    """One fact: its rule, its sources in order, a person's answer, and what was agreed last.
+
+    ``alone`` is the only source of a fact that any one source makes known.
+    """
 
     rule: FactRule
     sources: dict[str, Ledger]
     answer: tuple[Said, float] | None = None
     agreed: tuple[Verdict, float] | None = None
+    alone: Ledger | None = None
 
 
 class FactMonitor:
@@ -88,6 +92,9 @@ class FactMonitor:
         for key, rule in rules.items():
             if rule.aggregation == "human" or (rule.awaits_all and rule.sensors):
                 self._facts.setdefault(key, _Fact(rule, {}))
+        for fact in self._facts.values():
+            if len(fact.sources) == 1 and fact.rule.aggregation in ("single", "any", "priority"):
+                fact.alone = next(iter(fact.sources.values()))
 
     def accept(self, samples: Iterable[Sample], now: float) -> None:
         """Take in what the sensors said, at ``now`` (s) on the receiver's clock."""
@@ -158,6 +165,9 @@ def _answered(fact: _Fact, now: float) -> Said:
 
 
 def _reading(fact: _Fact, now: float) -> Reading:
+    if fact.alone is not None:
+        only = fact.alone.said(now)
+        return Reading(only.value, only.reason, only.age)
     said = [ledger.said(now) for ledger in fact.sources.values()]
     verdict = aggregate(fact.rule, [*said, *_others(fact, now)])
     if fact.rule.conflict_after > 0:

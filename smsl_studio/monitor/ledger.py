@@ -40,15 +40,15 @@ class Ledger:
 
     def take(self, sample: Sample, now: float) -> None:
         """Take a sample in at ``now`` (s), if it is newer than all before and came in time."""
-        before = self.sample
-        if before is not None and sample.order <= self._order:
+        before, order = self.sample, (sample.boot, sample.sequence)
+        if before is not None and order <= self._order:
             self.repeated += 1
             return
-        self._order = sample.order
-        way = now - sample.time if isfinite(sample.time) else 0.0
-        quickest = way
+        self._order = order
+        way = quickest = now - sample.time if isfinite(sample.time) else 0.0
         if before is not None and before.boot == sample.boot:
-            quickest = min(way, self._quickest + CREEP * (now - self.received))
+            slack = self._quickest + CREEP * (now - self.received)
+            quickest = way if way < slack else slack
         if way - quickest > self.max_age + HAIR:
             self.late += 1
             return
