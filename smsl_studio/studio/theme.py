@@ -123,6 +123,8 @@ def _font(family: str, size: int, weight: int, hint: QFont.StyleHint) -> QFont:
     font.setStyleHint(hint)
     font.setPixelSize(size)
     font.setWeight(QFont.Weight(weight))
+    # A name is shown as it is written: no arrow is made of "->".
+    font.setFeature(QFont.Tag("calt"), 0)
     if hint is QFont.StyleHint.SansSerif:
         font.setFeature(QFont.Tag("tnum"), 1)
     return font

@@ -184,12 +184,12 @@ class Manners:
         if cursor.hasSelection() and letter in PAIRS and "\u2029" not in cursor.selectedText():
             cursor.insertText(letter + cursor.selectedText() + PAIRS[letter])
         elif after == letter and letter in PAIRS.values():
-            cursor.movePosition(cursor.MoveOperation.Right)
+            cursor.movePosition(cursor.MoveOperation.NextCharacter)
         elif letter not in PAIRS or cursor.hasSelection() or not _closes(letter, before, after):
             return False
         else:
             cursor.insertText(letter + PAIRS[letter])
-            cursor.movePosition(cursor.MoveOperation.Left)
+            cursor.movePosition(cursor.MoveOperation.PreviousCharacter)
         editor.setTextCursor(cursor)
         return True
 
@@ -201,8 +201,8 @@ class Manners:
         pair = shown[column - 1 : column], shown[column : column + 1]
         if cursor.hasSelection() or not column or PAIRS.get(pair[0]) != pair[1]:
             return False
-        cursor.movePosition(cursor.MoveOperation.Left)
-        cursor.movePosition(cursor.MoveOperation.Right, cursor.MoveMode.KeepAnchor, 2)
+        cursor.movePosition(cursor.MoveOperation.PreviousCharacter)
+        cursor.movePosition(cursor.MoveOperation.NextCharacter, cursor.MoveMode.KeepAnchor, 2)
         cursor.removeSelectedText()
         return True
 

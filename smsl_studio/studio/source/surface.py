@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from PySide6.QtCore import QRect, QRectF, Qt
-from PySide6.QtGui import QFont, QPainter, QPaintEvent, QResizeEvent, QTextCursor, QWheelEvent
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextCursor, QWheelEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
 from smsl_studio.studio.source.colours import Colours
@@ -31,8 +31,12 @@ class Surface(QPlainTextEdit):
         self._caret_line, self._size = 0, SIZE
         self.setUndoRedoEnabled(False)
         self.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
-        self.setFont(_font(SIZE))
+        self.setFont(mono_font(SIZE))
         self.document().setDocumentMargin(2)
+        # Also where a line begins with a right-to-left name, its brackets stand in order.
+        option = self.document().defaultTextOption()
+        option.setTextDirection(Qt.LayoutDirection.LeftToRight)
+        self.document().setDefaultTextOption(option)
         self.folds = Folds(self)
         self.colours = Colours(self, tokens)
         self.gutter = Gutter(self)
@@ -101,7 +105,7 @@ class Surface(QPlainTextEdit):
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             step = (event.angleDelta().y() > 0) - (event.angleDelta().y() < 0)
             self._size = max(SMALLEST, min(LARGEST, self._size + step))
-            self.setFont(_font(self._size))
+            self.setFont(mono_font(self._size))
             self._place_gutter()
             event.accept()
             return
@@ -137,10 +141,3 @@ class Surface(QPlainTextEdit):
             self._caret_line = line
             self.setTextCursor(cursor)
         self._caret_line = line
-
-
-def _font(size: int) -> QFont:
-    """The font of source, each character as itself: no arrow is made of ``->``."""
-    font = mono_font(size)
-    font.setFeature(QFont.Tag("calt"), 0)
-    return font

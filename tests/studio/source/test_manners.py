@@ -6,9 +6,10 @@ from collections.abc import Callable
 
 import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QRawFont, QTextLayout
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.studio.theme import mono_font, text_font
 from tests.studio.source.conftest import ALT, CTRL, HFSM, SHIFT, Writer
 
 At = Callable[..., Writer]
@@ -139,3 +140,36 @@ def test_escape_and_tab_leave_the_text(at_text: At, key: Qt.Key) -> None:
     writer.key(key)
     left = key == Qt.Key.Key_Tab
     assert (writer.text == HFSM) is left
+
+
+RTL = HFSM.replace("State_0", "חדר_0").replace("State_1", "חדר_1")
+
+
+def test_brackets_keep_their_order_beside_right_to_left_names(at_text: At) -> None:
+    writer = at_text(RTL)
+    writer.go('"חדר_1": {', behind=False)
+    name = writer.pane.editor.cursorRect().left()
+    writer.go('"חדר_1": {')
+    assert name < writer.pane.editor.cursorRect().left()
+
+
+def test_quotes_close_themselves_beside_right_to_left_names(at_text: At) -> None:
+    writer = at_text(RTL)
+    writer.go('"חדר_1": {')
+    writer.type('"Op": "next"')
+    assert '"חדר_1": {"Op": "next"' in writer.text
+    writer.type(', "')
+    writer.key(Qt.Key.Key_Backspace)
+    assert '"חדר_1": {"Op": "next", }' in writer.text
+
+
+def test_a_name_is_shown_as_it_is_written(qapp: QApplication) -> None:
+    """No arrow is made of "->"."""
+    for font in (text_font(), mono_font()):
+        glyphs = QRawFont.fromFont(font).glyphIndexesForString("->")
+        layout = QTextLayout("->", font)
+        layout.beginLayout()
+        layout.createLine()
+        layout.endLayout()
+        shown = [glyph for run in layout.glyphRuns() for glyph in run.glyphIndexes()]
+        assert shown == glyphs
