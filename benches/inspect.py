@@ -15,6 +15,8 @@ from smsl_studio.graph.routing import cheapest
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.json_form import parse_json, write_json
 
+FAULTS = 20_000
+
 
 def rows() -> Iterator[Row]:
     """Every call gets a blueprint nobody has asked anything yet."""
@@ -26,6 +28,9 @@ def rows() -> Iterator[Row]:
     graph.add_edges_from((edge.source, edge.target) for edge in branch.edges())
 
     yield Row("inspect", median_ms(lambda: inspect(read_blueprint(document)), runs=3))
+    faulty = parse_json(_faulty(), "bench.json")
+    words = f"inspect a file of {FAULTS:,} doubled keys and {FAULTS:,} unknown targets"
+    yield Row(words, median_ms(lambda: inspect(read_blueprint(faulty)), runs=3))
     yield Row("layout", median_ms(lambda: place_states(read_blueprint(document)["SB1"]), runs=3))
     yield Row(
         "route, all disks over",
@@ -33,3 +38,9 @@ def rows() -> Iterator[Row]:
         "ms",
         (("networkx", median_ms(lambda: nx.shortest_path(graph, first, last), runs=3)),),
     )
+
+
+def _faulty() -> str:
+    """A file whose every key is doubled, and whose every target is a misspelt one."""
+    doubled = (f'"s{n}": {{}}, "s{n}": {{"a": "t{n}"}}' for n in range(FAULTS))
+    return f'{{"SB1": {{{", ".join(doubled)}}}}}'

@@ -21,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher, get_close_matches
+from itertools import islice
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -125,17 +126,30 @@ class PlanningError(StudioError):
     """A plan may exist, but the search was given up: there are too many joint configurations."""
 
 
+_MANY = 5000
+"""So many known names are compared at most."""
+
+_LONGEST = 200
+"""Longer names have no near ones: to compare them takes the square of their length."""
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """An advice naming the closest known name, or the empty text.
+    """An advice naming the closest known name, or the empty text."""
+    near = nearest(name, islice(known, _MANY))
+    return f"Did you mean {near}?" if near else ""
+
+
+def nearest(name: str, known: Iterable[str]) -> str:
+    """The known name most like ``name``, or the empty text.
 
     Of names equally close, the one that is alike in most places.
     """
-    close = get_close_matches(name, list(known)[:5000], n=8, cutoff=0.6)
-    if not close:
+    if len(name) > _LONGEST:
         return ""
 
     def alike(other: str) -> tuple[float, int]:
         same = sum(a == b for a, b in zip(name, other, strict=False))
         return SequenceMatcher(None, other, name).ratio(), same
 
-    return f"Did you mean {max(close, key=alike)}?"
+    close = get_close_matches(name, list(known), n=8, cutoff=0.6)
+    return max(close, key=alike, default="")

@@ -11,6 +11,9 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
 
+LISTED = 100
+"""A rule lists so many findings of one SB, and says how many more there are."""
+
 
 class Severity(Enum):
     """E blocks approval, W needs a written disposition, I is a note."""

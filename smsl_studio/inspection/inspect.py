@@ -9,11 +9,8 @@ from types import MappingProxyType
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.finding import LISTED, Finding
 from smsl_studio.inspection.rules import effects, header, levels, reach, writing
-
-MOST = 100
-"""A rule reports so many places of one SB, and says how many more there are."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +78,7 @@ def _at_most(findings: Iterator[Finding]) -> list[Finding]:
     left_out: dict[str, int] = {}
     for finding in findings:
         own = kept.setdefault(finding.address.branch, [])
-        if len(own) < MOST:
+        if len(own) < LISTED:
             own.append(finding)
         else:
             left_out[finding.address.branch] = left_out.get(finding.address.branch, 0) + 1

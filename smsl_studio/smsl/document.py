@@ -80,10 +80,10 @@ class Document:
 
     def member(self, path: Path) -> Member:
         """The member at ``path`` (the last one, where its key is doubled); KeyError if none."""
-        for member in reversed(self.members(path[:-1])):
-            if member.key == path[-1]:
-                return member
-        raise KeyError(path)
+        above = path[:-1]
+        if above not in self._latest:
+            self._latest[above] = {member.key: member for member in self.members(above)}
+        return self._latest[above][path[-1]]
 
     def place(self, path: Path) -> Place:
         """Where the key at ``path`` stands, or the nearest one above it that exists."""
@@ -121,6 +121,11 @@ class Document:
         if "\r\n" in self.text:
             return "\r\n"
         return "\r" if "\r" in self.text and "\n" not in self.text else "\n"
+
+    @cached_property
+    def _latest(self) -> dict[Path, dict[str, Member]]:
+        """The members of every map that was asked about, by key: each map is read once."""
+        return {}
 
     @cached_property
     def _line_starts(self) -> list[int]:

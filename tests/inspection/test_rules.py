@@ -14,9 +14,10 @@ import pytest
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.errors import EditRefused, UsageError
-from smsl_studio.inspection.finding import Finding, Fix, Severity
-from smsl_studio.inspection.inspect import ALL, MOST, RULES, inspect
+from smsl_studio.errors import EditRefused, UsageError, nearest
+from smsl_studio.inspection.finding import LISTED, Finding, Fix, Severity
+from smsl_studio.inspection.inspect import ALL, RULES, inspect
+from smsl_studio.inspection.rules import writing
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
 
@@ -347,9 +348,21 @@ def test_a_rule_reports_a_hundred_places_and_how_many_more() -> None:
     table = {"State_000": {f"go{i:03}": f"State_{i:03}" for i in range(1, 251)}}
     blueprint = read(json.dumps({"SB": table}))
     found = inspect(blueprint, ["R02"])
-    assert len(found) == MOST
+    assert len(found) == LISTED
     assert found[-1].message.endswith("(150 more places in SB are not listed)")
     assert sum("not listed" in f.message for f in found) == 1
+
+
+def test_near_names_are_sought_for_what_is_listed_and_for_names_that_somebody_typed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(writing, "near", lambda name, _: asked.append(name))
+    table = {"State_000": {f"go{i:03}": f"State_{i:03}" for i in range(1, 251)}}
+    assert len(inspect(read(json.dumps({"SB": table})), ["R02"])) == LISTED
+    assert len(asked) == LISTED
+    assert nearest("State_001", ["State_000"]) == "State_000"
+    assert nearest("State_001" * 1000, ["State_000" * 1000]) == ""
 
 
 def test_findings_stand_in_the_order_of_the_text() -> None:

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 from enum import Enum
-from functools import cached_property
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing.places import Places
 from smsl_studio.blueprint.comparing.values import said
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
@@ -114,15 +112,11 @@ class Difference:
 
     def place_before(self, change: Change) -> Place | None:
         """Where a change stands in the earlier text; None for what was added."""
-        return self._places[0].of(change.path_before)
+        return _place(self.before, change.path_before)
 
     def place_after(self, change: Change) -> Place | None:
         """Where a change stands in the later text; None for what was removed."""
-        return self._places[1].of(change.path_after)
-
-    @cached_property
-    def _places(self) -> tuple[Places, Places]:
-        return Places(self.before), Places(self.after)
+        return _place(self.after, change.path_after)
 
     @property
     def words(self) -> str:
@@ -169,6 +163,10 @@ class Difference:
             "place_before": _line_and_column(self.place_before(change)),
             "place_after": _line_and_column(self.place_after(change)),
         }
+
+
+def _place(blueprint: Blueprint, path: Path) -> Place | None:
+    return blueprint.home(path[0]).place(path) if path else None
 
 
 def _line_and_column(place: Place | None) -> Json:

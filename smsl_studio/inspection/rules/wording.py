@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from difflib import SequenceMatcher, get_close_matches
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.errors import nearest
 
 _MANY = 400
 """Above so many known names only some that begin alike are compared, to stay quick."""
@@ -17,13 +17,7 @@ def near(name: str, known: Collection[str]) -> str:
     if len(names) > _MANY:
         half = name[: max(1, len(name) // 2)]
         names = [other for other in names if other.startswith(half)][: _MANY // 4]
-    close = get_close_matches(name, names, n=8, cutoff=0.6)
-    return max(close, key=lambda other: _alike(name, other), default="")
-
-
-def _alike(name: str, other: str) -> tuple[float, int]:
-    same = sum(a == b for a, b in zip(name, other, strict=False))
-    return SequenceMatcher(None, other, name).ratio(), same
+    return nearest(name, names)
 
 
 def listed(words: Iterable[str], last: str = "and") -> str:

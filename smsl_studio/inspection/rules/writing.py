@@ -12,7 +12,7 @@ from smsl_studio.blueprint.editing import keep_last, retarget
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
-from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.inspection.finding import LISTED, Finding, Fix, Severity
 from smsl_studio.inspection.rules.wording import near
 from smsl_studio.smsl.document import Document
 
@@ -24,7 +24,8 @@ def r01_doubled_key(blueprint: Blueprint) -> Iterator[Finding]:
     for document in blueprint.documents:
         for path, (first, *others) in document.duplicates():
             fix = None
-            if _is_double(document, path):
+            # A place that does not count is not the one that the path leads to.
+            if others[-1] == document.place(path):
                 keep = partial(keep_last, path=path, file=document.file)
                 fix = Fix("Keep the last one", keep)
             where = f"line {first.line}, column {first.column}"
@@ -38,15 +39,6 @@ def r01_doubled_key(blueprint: Blueprint) -> Iterator[Finding]:
                     "the last one counts; rename or remove one",
                     fix,
                 )
-
-
-def _is_double(document: Document, path: tuple[str, ...]) -> bool:
-    """Whether the key is doubled in an object that counts, not in one that was overridden."""
-    try:
-        members = document.members(path[:-1])
-    except KeyError:
-        return False
-    return sum(member.key == path[-1] for member in members) > 1
 
 
 def _address(path: tuple[str, ...]) -> Address:
@@ -65,9 +57,9 @@ def r02_unknown_target(blueprint: Blueprint) -> Iterator[Finding]:
         for edge in branch.edges():
             if edge.target in branch.table:
                 continue
-            if edge.target not in likes:
+            if edge.target not in likes and len(likes) < LISTED:
                 likes[edge.target] = near(edge.target, branch.table)
-            like = likes[edge.target]
+            like = likes.get(edge.target, "")
             yield Finding.at(
                 blueprint,
                 "R02",

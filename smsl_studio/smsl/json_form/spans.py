@@ -31,6 +31,7 @@ class JsonSpans:
     def __init__(self, text: str) -> None:
         self._text = text
         self._scanned: dict[int, tuple[Member, ...]] = {}
+        self._latest: dict[int, dict[str, Member]] = {}
 
     @cached_property
     def root(self) -> int:
@@ -64,10 +65,9 @@ class JsonSpans:
         return skip_space(self._text, members[-1].value_end if members else start + 1) + 1
 
     def _last(self, start: int, key: str) -> Member:
-        for member in reversed(self.scan(start)):
-            if member.key == key:
-                return member
-        raise KeyError(key)
+        if start not in self._latest:
+            self._latest[start] = {member.key: member for member in self.scan(start)}
+        return self._latest[start][key]
 
     def _doubles(self, path: Path, start: int) -> Iterator[tuple[Path, tuple[int, ...]]]:
         places: dict[str, list[int]] = {}
