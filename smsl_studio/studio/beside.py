@@ -48,9 +48,9 @@ class Beside(QObject):
         wait(self._waiting)
 
     def stop(self) -> None:
-        """Wait for what is being done, and hand nothing over any more."""
+        """Hand nothing over any more. What is being done ends by itself; nobody waits for it."""
         self._stopped = True
-        self._thread.shutdown(cancel_futures=True)
+        self._thread.shutdown(wait=False, cancel_futures=True)
 
     def _hand_over(self, then: Callable[[Came], object], came: Came) -> None:
         if not self._stopped:

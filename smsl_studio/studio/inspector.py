@@ -49,7 +49,7 @@ class Inspector(QObject):
         return len(RULES)
 
     def stop(self) -> None:
-        """Wait for the last inspection; the window is going away."""
+        """The window is going away."""
         self._timer.stop()
         self._wanted = None
         self._beside.stop()

@@ -369,6 +369,7 @@ class Window(QMainWindow):
             event.ignore()
             return
         self.source.stop()
+        self.comparing.stop()
         self.safety.close()
         self._settings.store("window", self.saveGeometry())
         if self._mode == "draw":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import threading
 import weakref
 from collections.abc import Callable
 from pathlib import Path
@@ -33,9 +34,8 @@ def work(person: Person) -> None:
     window.session.history.setClean()
 
 
-def gone(person: Person) -> None:
-    """Close the window and let everything that was posted happen."""
-    assert person.window.close()
+def gone() -> None:
+    """Let everything happen that was posted when a window was closed."""
     QApplication.processEvents()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
@@ -57,7 +57,8 @@ def test_windows_that_were_closed_leave_nothing_behind(sit: Sit, tmp_path: Path)
         person = sit(path)
         work(person)
         refs += [weakref.ref(person.window), weakref.ref(person.window.session)]
-        gone(person)
+        assert person.window.close()
+        gone()
         del person
         counts.append(held())
     assert [ref for ref in refs if ref() is not None] == []
@@ -82,21 +83,30 @@ def begin_journal(window: Window) -> None:
     window.session.history.setClean()
 
 
+def begin_git(window: Window) -> None:
+    window.comparing.with_revision()
+
+
 def begin_look(window: Window) -> None:
     assert window.files.path is not None
     window.files.path.write_text(window.files.path.read_text().replace("SB1", "SB3"))
     window.safety.outside.watcher.stir()
 
 
-@pytest.mark.parametrize("begin", [begin_inspection, begin_reading, begin_journal, begin_look])
+@pytest.mark.parametrize(
+    "begin", [begin_inspection, begin_reading, begin_journal, begin_git, begin_look]
+)
 def test_a_window_is_closed_while_something_goes_on(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, begin: Callable[[Window], None]
 ) -> None:
     monkeypatch.setattr("smsl_studio.studio.source.typing.LARGE", 1)
+    before = set(threading.enumerate())
     person = sit(copy_of("hfsm.json", tmp_path))
     told: list[object] = []
     begin(person.window)
     person.window.session.history.setClean()
     person.window.session.blueprint_changed.connect(lambda *_: told.append(1))
-    gone(person)
+    assert person.window.close()
+    gone()
+    person.until(lambda: set(threading.enumerate()) <= before)
     assert told == []

@@ -97,16 +97,16 @@ def test_the_view_follows_edits_against_what_was_saved(sit: Sit, tmp_path: Path)
     assert dialog.changes.rows.rows == ()
     assert not dialog.next.isEnabled()
     session.edit("Move", lambda b: edit.set_layout(b, "SB1", {"State000": (5.0, 5.0)}))
-    assert dialog.summary == "Layout only: 1 state was moved."
+    person.until(lambda: dialog.summary == "Layout only: 1 state was moved.")
     session.edit("Add", lambda b: edit.add_state(b, "SB2", "State2"))
-    assert "1 added" in dialog.summary
+    person.until(lambda: "1 added" in dialog.summary)
     assert dialog.after.canvas.sheet is not None
     person.choose(dialog.branches, "SB2")
     assert Address("SB2", "State2") in dialog.after.canvas.marks.changes
     assert dialog.after.canvas.rect_of(Address("SB2", "State2")) is not None
     while session.history.canUndo():
         session.history.undo()
-    assert dialog.summary == "No difference."
+    person.until(lambda: dialog.summary == "No difference.")
 
 
 def test_a_text_that_does_not_read_is_compared_as_it_last_did(sit: Sit, tmp_path: Path) -> None:
@@ -136,18 +136,20 @@ def test_a_commit_is_chosen_and_compared(
     path.write_text(json.dumps({"S": {"A": {"go": "B"}, "B": {}}}))
     person = sit(path)
     person.window.actions_table["compare_revision"].trigger()
-    assert "in no git repository" in person.window.toast.words
+    person.until(lambda: "in no git repository" in person.window.toast.words)
     git("init", "-q")
     git("add", "plan.json")
     git("commit", "-q", "-m", "Draw the plan")
     path.write_text(json.dumps({"S": {"A": {"walk": "B"}, "B": {}}}))
     git("commit", "-q", "-a", "-m", "Walk instead")
     person.window.actions_table["compare_revision"].trigger()
+    person.until(lambda: person.window.findChild(RevisionDialog) is not None)
     asking = person.window.findChild(RevisionDialog)
     assert asking is not None
     QTest.keyClicks(asking.search, "draw")
     assert [row.text for row in asking.rows.rows.rows] == ["Draw the plan"]
     QTest.keyClick(asking.search, Qt.Key.Key_Return)
+    person.until(lambda: person.window.comparing.is_open)
     dialog = person.window.comparing.dialog
     assert dialog is not None
     # The window still shows the plan as it was opened.

@@ -68,6 +68,23 @@ def test_after_the_end_nothing_is_handed_over(beside: Beside, qapp: QApplication
     assert came == []
 
 
+def test_the_end_waits_for_nobody(beside: Beside, qapp: QApplication) -> None:
+    going, go = threading.Event(), threading.Event()
+    came: list[bool] = []
+
+    def work() -> bool:
+        going.set()
+        return go.wait()
+
+    beside.do(work, came.append)
+    going.wait()
+    beside.stop()
+    go.set()
+    beside.wait()
+    qapp.processEvents()
+    assert came == []
+
+
 def test_a_fault_is_raised_where_the_work_was_asked_for(beside: Beside, qtbot: QtBot) -> None:
     with qtbot.captureExceptions() as caught:
         beside.do(partial(int, "seven"), print)

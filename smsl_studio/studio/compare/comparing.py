@@ -3,21 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import compare
 from smsl_studio.errors import AddressError, StudioError
 from smsl_studio.front.revisions import Revision, revisions
+from smsl_studio.studio.beside import Beside, Came
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
 from smsl_studio.studio.compare.versions import Version, as_saved, at_revision, in_file
 from smsl_studio.studio.files import Files
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+
+WAIT = 120
+"""Milliseconds after an edit in which further edits are waited for."""
 
 
 class Comparing(QObject):
@@ -47,8 +52,14 @@ class Comparing(QObject):
         self._tokens, self._window = tokens, parent
         self._version: Version | None = None
         self._dialog: CompareDialog | None = None
-        session.blueprint_changed.connect(lambda *_: self._refresh())
-        session.broken_changed.connect(self._refresh)
+        # git may think for long where the history is.
+        self._beside = Beside(self)
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(WAIT)
+        self._later.timeout.connect(self._refresh)
+        session.blueprint_changed.connect(lambda *_: self._follow())
+        session.broken_changed.connect(self._follow)
         session.opened.connect(self.close)
 
     @property
@@ -70,13 +81,14 @@ class Comparing(QObject):
         folder = self._files.path.parent if self._files.path else Path.cwd()
         path = self.ask_file(folder)
         if path is not None:
-            self._compare(lambda: in_file(path))
+            self._compare(_tried(partial(in_file, path)))
 
     def with_saved(self) -> None:
         """Compare with what was last saved or read."""
         self._files.settling.emit()
         file = self._session.blueprint.file
-        self._compare(lambda: as_saved(self._files.on_disk.text(file), file, self._files.name))
+        text, name = self._files.on_disk.text(file), self._files.name
+        self._compare(_tried(partial(as_saved, text, file, name)))
 
     def with_revision(self) -> None:
         """Ask which commit, and compare with the file as it was in it."""
@@ -84,18 +96,12 @@ class Comparing(QObject):
         path = self._files.path
         if path is None:
             return
-        try:
-            found = revisions(path)
-        except StudioError as error:
-            self.refused.emit(error)
-            return
-        asking = RevisionDialog(path.name, found, self._tokens, self._window)
-        asking.chosen.connect(lambda revision: self._with(path, revision))
-        asking.open()
+        self._beside.drop()
+        self._beside.do(partial(_tried, partial(revisions, path)), partial(self._ask_which, path))
 
     def with_version(self, version: Version) -> None:
         """Compare with a version that is at hand."""
-        self._compare(lambda: version)
+        self._compare(version)
 
     def next_change(self) -> None:
         if self._dialog is not None:
@@ -110,20 +116,32 @@ class Comparing(QObject):
         if self._dialog is not None:
             self._dialog.close()
 
+    def stop(self) -> None:
+        """The window goes away: nobody waits for git any more."""
+        self._later.stop()
+        self._beside.stop()
+
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         if self._dialog is not None:
             self._dialog.set_tokens(tokens)
 
-    def _with(self, path: Path, revision: Revision) -> None:
-        self._compare(lambda: at_revision(path, revision))
+    def _ask_which(self, path: Path, found: tuple[Revision, ...] | StudioError) -> None:
+        if isinstance(found, StudioError):
+            self.refused.emit(found)
+        elif path == self._files.path:
+            asking = RevisionDialog(path.name, found, self._tokens, self._window)
+            asking.chosen.connect(lambda revision: self._with(path, revision))
+            asking.open()
 
-    def _compare(self, version: Callable[[], Version]) -> None:
-        try:
-            self._version = version()
-        except StudioError as error:
-            self.refused.emit(error)
+    def _with(self, path: Path, revision: Revision) -> None:
+        self._beside.do(partial(_tried, partial(at_revision, path, revision)), self._compare)
+
+    def _compare(self, version: Version | StudioError) -> None:
+        if isinstance(version, StudioError):
+            self.refused.emit(version)
             return
+        self._version = version
         if self._dialog is not None:
             self._dialog.close()
         self._dialog = CompareDialog(self._tokens, self._window)
@@ -132,6 +150,10 @@ class Comparing(QObject):
         self._refresh()
         self._dialog.show()
         self.changed.emit()
+
+    def _follow(self) -> None:
+        if self._dialog is not None:
+            self._later.start()
 
     def _refresh(self) -> None:
         if self._dialog is None or self._version is None:
@@ -162,3 +184,11 @@ class Comparing(QObject):
             self.element_shown.emit(found)
             self._window.activateWindow()
             return
+
+
+def _tried(work: Callable[[], Came]) -> Came | StudioError:
+    """What came of some work, or why it cannot be done."""
+    try:
+        return work()
+    except StudioError as error:
+        return error

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
@@ -17,6 +19,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import Difference
 from smsl_studio.blueprint.comparing.signs import signs_of
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
+from smsl_studio.picture.shape import Point
 from smsl_studio.studio.actions import key_words
 from smsl_studio.studio.compare.change_rows import rows_of
 from smsl_studio.studio.compare.linking import Link
@@ -49,6 +52,7 @@ class CompareDialog(QDialog):
         self._difference: Difference | None = None
         self._pairs: list[Pair] = []
         self._shown: Pair | None = None
+        self._places: tuple[Mapping[str, Point], Mapping[str, Point]] = {}, {}
         self._build(tokens)
         self._link = Link(self.before.canvas, self.after.canvas, self)
         self.set_tokens(tokens)
@@ -147,8 +151,9 @@ class CompareDialog(QDialog):
             (self.after, difference.after, pair[1], places[1], self._signs[1]),
         ):
             side.show_branch(blueprint, name, where, signs.by_address)
-        if fit:
+        if fit or (places != self._places and self.before.canvas.camera.fitted):
             self._link.fit()
+        self._places = places
 
     def _branch_chosen(self, number: int) -> None:
         self.changes.setCurrentIndex(QModelIndex())

@@ -27,6 +27,8 @@ class Side(QWidget):
     def __init__(self, tokens: Tokens, word: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._word = word
+        self._blueprint: Blueprint | None = None
+        self._shown: tuple[str, Mapping[str, Point]] | None = None
         self._title = Elided()
         self._title.setProperty("role", "heading")
         self._title.setContentsMargins(14, 8, 14, 8)
@@ -54,9 +56,15 @@ class Side(QWidget):
         places: Mapping[str, Point],
         changes: Mapping[Address, str],
     ) -> None:
-        """Show an SB with its marks, or say that it is not on this side."""
+        """Show an SB with its marks, or say that it is not on this side.
+
+        The version before is the same after each edit; its arrows are routed once.
+        """
         self.canvas.set_marks(Marks(changes=changes))
-        self.canvas.show_branch(blueprint, branch, places, keep_view=True)
+        shown = branch, places
+        if blueprint is not self._blueprint or shown != self._shown:
+            self._blueprint, self._shown = blueprint, shown
+            self.canvas.show_branch(blueprint, branch, places, keep_view=True)
         self.canvas.show_banner("" if branch else "This State Branch is not on this side")
 
     def light(self, address: Address | None) -> None:

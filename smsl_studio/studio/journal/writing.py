@@ -100,6 +100,8 @@ class Journal(QObject):
     def _end(self) -> None:
         self._closed = True
         self._timer.stop()
+        self._beside.drop()
+        self._beside.wait()
         self._beside.stop()
 
     def _held(self) -> Place:

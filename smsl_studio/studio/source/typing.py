@@ -65,7 +65,7 @@ class Typing(QObject):
         self._words = ""
 
     def stop(self) -> None:
-        """Wait for what is being read; the window is going away."""
+        """The window is going away."""
         self.forget()
         self._beside.stop()
 

@@ -130,6 +130,8 @@ class Overlays:
         return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
 
     def show_banner(self, text: str) -> None:
+        if text == self.banner.text:
+            return
         self.banner.show_text(text)
         self.place()
         if self._canvas.camera.fitted:
