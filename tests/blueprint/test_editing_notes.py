@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
 
@@ -22,7 +23,10 @@ def read(**fields: object) -> Blueprint:
 
 def test_many_entries_change_in_one_edit_and_empty_ones_go() -> None:
     before = read()
-    both = {("A", "o"): {"cost": 2.5}, ("A", "S0/p"): {"cost": 2.5, "title": None}}
+    both: dict[tuple[str, str], dict[str, Any]] = {
+        ("A", "o"): {"cost": 2.5},
+        ("A", "S0/p"): {"cost": 2.5, "title": None},
+    }
     after = edit.change_notes(before, "_operations", both)
     assert after["A"].fields["_operations"] == {"o": {"cost": 2.5}, "S0/p": {"cost": 2.5}}
     back = edit.change_notes(after, "_operations", {key: {"cost": None} for key in both})
