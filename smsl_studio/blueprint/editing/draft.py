@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
@@ -92,14 +93,16 @@ class Draft:
         return revised(self.before, changed) if changed else self.before
 
 
-def rename_key(table: dict[str, Json], old: str, new: str) -> None:
-    """Give a key another name in its place; nothing where it is absent.
+def rename_keys(table: dict[str, Json], names: Mapping[str, str]) -> None:
+    """Give keys other names in their places; those that are absent are passed over.
 
-    What stood under the new name (a note of something long gone) gives way.
+    What stood under a new name (a note of something long gone) gives way.
     """
-    if old not in table or old == new:
+    present = {old: new for old, new in names.items() if old in table and old != new}
+    if not present:
         return
-    items = [(new if key == old else key, value) for key, value in table.items() if key != new]
+    gone = set(present.values()) - present.keys()
+    items = [(present.get(key, key), value) for key, value in table.items() if key not in gone]
     table.clear()
     table.update(items)
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
-from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_key
+from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
 from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
@@ -52,7 +52,7 @@ def _rename_branch(draft: Draft, old: str, new: str) -> None:
             renamed = [_renamed_hazard(item, names) for item in hazards]
             if renamed != hazards:
                 draft.file(document)["_hazards"] = renamed
-    rename_key(draft.file(before.home(old)), old, new)
+    rename_keys(draft.file(before.home(old)), names)
 
 
 def renamed_subs(value: Json, names: Mapping[str, str]) -> Json:
@@ -98,15 +98,15 @@ def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
             for operation, target in operations.items():
                 if target == old:
                     inner[operation] = new
-    rename_key(draft.at(branch), old, new)
+    rename_keys(draft.at(branch), {old: new})
     for key in ("INITIAL", "ACTIVATING"):
         if getattr(found.header, key.lower()) == old:
             draft.header(branch)[key] = new
     for table in draft.tables(branch, "_states", "_layout"):
-        rename_key(table, old, new)
+        rename_keys(table, {old: new})
     for table in draft.tables(branch, "_operations"):
-        for operation in found.table[old]:
-            rename_key(table, note_key(operation, old), note_key(operation, new))
+        operations = found.table[old]
+        rename_keys(table, {note_key(op, old): note_key(op, new) for op in operations})
 
 
 def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool) -> None:
@@ -118,10 +118,8 @@ def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool
         free_name(new, table[state], f"in {state} an operation" if everywhere else "an operation")
     unused = not any(new in operations for operations in table.values())
     for state in chosen:
-        rename_key(draft.at(branch, state), old, new)
-        for notes in draft.tables(branch, "_operations"):
-            rename_key(notes, note_key(old, state), note_key(new, state))
-    if unused and chosen == bearers:
-        for notes in draft.tables(branch, "_operations"):
-            if note_key(new) not in notes:
-                rename_key(notes, note_key(old), note_key(new))
+        rename_keys(draft.at(branch, state), {old: new})
+    for notes in draft.tables(branch, "_operations"):
+        rename_keys(notes, {note_key(old, state): note_key(new, state) for state in chosen})
+        if unused and chosen == bearers and note_key(new) not in notes:
+            rename_keys(notes, {note_key(old): note_key(new)})
