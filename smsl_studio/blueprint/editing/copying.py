@@ -42,9 +42,12 @@ def parts_of(blueprint: Blueprint, addresses: Iterable[Address]) -> dict[str, Js
     chosen = {existing(blueprint, address) for address in addresses}
     if not chosen:
         raise EditRefused("nothing is chosen", advice="Choose states, operations or an SB.")
+    by_branch: dict[str, set[Address]] = {}
+    for address in chosen:
+        by_branch.setdefault(address.branch, set()).add(address)
     values: dict[str, Json] = {}
     for branch in blueprint:
-        own = {address for address in chosen if address.branch == branch.name}
+        own = by_branch.get(branch.name, set())
         if branch.address in own:
             values[branch.name] = blueprint.home(branch.name).values[branch.name]
         elif own:

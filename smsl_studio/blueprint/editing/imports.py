@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
 from smsl_studio.blueprint.editing.draft import Draft, document_named
 from smsl_studio.blueprint.importing import KEY
+from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint, ImportFault
 from smsl_studio.errors import EditRefused
 
@@ -28,22 +30,23 @@ def set_imports(blueprint: Blueprint, files: Sequence[Json], file: str | None = 
             f"Write {KEY} as [ ... ] in the text.",
         )
     draft = Draft(blueprint)
+    before, after = (Counter(map(word_for_word, names)) for names in (written, files))
     for name in files:
-        if list(files).count(name) > max(1, written.count(name)):
+        word = word_for_word(name)
+        if after[word] > max(1, before[word]):
             raise EditRefused(f"{name} is imported already", advice="Import it once.")
-    for name in (name for name in files if name not in written):
-        if not isinstance(name, str) or not name.strip():
+        if word not in before and not (isinstance(name, str) and name.strip()):
             raise EditRefused("an import is the name of a file", advice="Choose a file.")
     if files:
         draft.file(document)[KEY] = list(files)
     else:
         draft.file(document).pop(KEY, None)
-    after = draft.done()
+    edited = draft.done()
     known = {fault.sentence for fault in blueprint.import_faults}
-    fault = next((one for one in after.import_faults if one.sentence not in known), None)
+    fault = next((one for one in edited.import_faults if one.sentence not in known), None)
     if fault is not None and len(files) > len(written):
         raise EditRefused(_with_chain(fault), advice="Choose another file.")
-    return after
+    return edited
 
 
 def _with_chain(fault: ImportFault) -> str:

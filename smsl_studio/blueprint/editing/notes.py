@@ -10,6 +10,7 @@ from typing import Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.annotations import read_hazards, read_notes
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named
+from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.revising import revised
 from smsl_studio.errors import EditRefused, did_you_mean
@@ -75,16 +76,19 @@ def change_notes(
     where a new value does not fit, or something else than a map stands where an entry would be.
     """
     draft = Draft(blueprint)
-    checks = {branch: _Noted(blueprint, branch, table) for branch, _ in changes}
+    by_branch: dict[str, list[str]] = {}
+    for branch, key in changes:
+        by_branch.setdefault(branch, []).append(key)
+    checks = {branch: _Noted(blueprint, branch, table) for branch in by_branch}
     checked: set[int] = set()
     for (branch, key), words in changes.items():
         checks[branch].must_have(key)
         if id(words) not in checked:
             checked.add(id(words))
             _must_fit(table, {w: v for w, v in words.items() if v is not None})
-    for branch in checks:
+    for branch, keys in by_branch.items():
         entries = draft.table(branch, table)
-        for key in (key for name, key in changes if name == branch):
+        for key in keys:
             after = _changed(branch, table, key, entries.get(key, {}), changes[branch, key])
             if after:
                 entries[key] = after
@@ -123,7 +127,8 @@ def set_hazards(
             document.place(("_hazards",)),
             "Write _hazards as [ ... ] in the text.",
         )
-    faults = read_hazards([item for item in plain if item not in written])[1]
+    known = set(map(word_for_word, written))
+    faults = read_hazards([item for item in plain if word_for_word(item) not in known])[1]
     if faults:
         raise EditRefused(f"this is no hazard: {faults[0][1]}", advice="Write a name and facts.")
     draft = Draft(blueprint)
