@@ -123,8 +123,10 @@ class _Renamed:
             other = dict(zip(went, came, strict=True)) if len(went) == len(came) else {}
             for key, value in old.items():
                 kept = str(other.get(key, key))
-                if kept in new:
-                    self._known[(*path, key)] = ((*now, kept), value, new[kept])
+                found = ((*now, kept), value, new[kept]) if kept in new else None
+                self._known[(*path, key)] = found
         elif isinstance(old, list) and isinstance(new, list):
-            for index, (value, after) in enumerate(zip(old, new, strict=False)):
-                self._known[(*path, str(index))] = ((*now, str(index)), value, after)
+            for index, value in enumerate(old):
+                place = str(index)
+                found = ((*now, place), value, new[index]) if index < len(new) else None
+                self._known[(*path, place)] = found
