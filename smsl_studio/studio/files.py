@@ -272,7 +272,7 @@ class Files(QObject):
             return self._store((own, *(file for file in self.unsaved if file != own)))
         others = [file for file in self.unsaved if file != own]
         if self._is_imported(path):
-            self.refused.emit(_over_an_import(self._name, path.name))
+            self.refused.emit(_over_an_import(path.name))
             return False
         if not (self._may_save_broken([own, *others]) and self._may_overwrite(others)):
             return False
@@ -358,9 +358,9 @@ def _listed(names: Sequence[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
-def _over_an_import(name: str, target: str) -> SaveError:
+def _over_an_import(target: str) -> SaveError:
     return SaveError(
-        f"{name} imports {target}, and the one would take the place of the other",
+        f"the blueprint imports {target}, and would take its place",
         advice="Save under another name.",
     )
 

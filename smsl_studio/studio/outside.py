@@ -285,7 +285,7 @@ def _sign(file: str) -> Sign:
 
 def _not_drawn(name: str) -> EditRefused:
     return EditRefused(
-        f"{name} is no longer imported, so nothing of it is drawn",
+        f"nothing is drawn of {name}, because it is no longer imported",
         advice="Take theirs, or keep yours; undo brings yours back.",
     )
 

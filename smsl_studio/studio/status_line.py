@@ -41,6 +41,7 @@ class StatusLine(QStatusBar):
             self.addPermanentWidget(part)
         self.addPermanentWidget(self.ending)
         self.messageChanged.connect(lambda *_: self._show_parts())
+        self._show_parts()
 
     def show_blueprint(self, blueprint: Blueprint) -> None:
         """How much there is."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QPushButton,
     QScrollArea,
+    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
@@ -126,9 +127,13 @@ class _Row(QWidget):
         super().__init__()
         entry = left.entry
         self.setAccessibleName(f"Unsaved work in {entry.name}")
-        self.name = label(entry.name, "heading")
+        self.name = Elided(entry.name)
+        self.name.setProperty("role", "heading")
+        self.name.setToolTip(entry.name)
+        self.name.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
         folder = Elided(str(Path(entry.path).parent) if entry.path else "never saved")
         folder.setProperty("role", "small")
+        folder.setToolTip(entry.path)
         told = brings(entry)
         self.brings = label(told.words, "second")
         self.brings.setWordWrap(True)
@@ -141,7 +146,7 @@ class _Row(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 12, 0, 12)
         column.setSpacing(4)
-        column.addLayout(row(self.name, folder, None))
+        column.addLayout(row(self.name, folder))
         column.addWidget(self.brings)
         column.addWidget(self.when)
         column.addSpacing(4)

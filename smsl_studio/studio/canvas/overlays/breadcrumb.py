@@ -17,6 +17,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import Tokens, text_font
 
+EDGE, NARROWEST = 14, 72.0
+"""Pixels beside it in the view, and to which a name is shortened at most where room is short."""
+
 
 def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
     """The SBs from a root down to ``branch``, by the first base each names."""
@@ -74,17 +77,27 @@ class Breadcrumb(QWidget):
 
     def _places(self) -> list[QRectF]:
         x, places = 22.0, []
-        for i, text in enumerate(self.words):
-            bold = i == len(self._chain) and bool(self._chain)
-            width = QFontMetricsF(text_font(13, 600 if bold else 400)).horizontalAdvance(text)
+        for width in self._widths():
             places.append(QRectF(x, 0.0, width, 26.0))
             x += width + 22.0
         return places
 
+    def _widths(self) -> list[float]:
+        """How wide each name is shown: shortened from the file on, where the view is narrow."""
+        widths = [_width(text, i == len(self._chain) and i > 0)
+                  for i, text in enumerate(self.words)]  # fmt: skip
+        beside = 22.0 * len(widths) + 20 + _width(self._note, False)
+        parent = self.parentWidget()
+        room = (parent.width() if parent is not None else 0) - 2 * EDGE - beside
+        for i, width in enumerate(widths):
+            over = sum(widths) - room
+            if over > 0:
+                widths[i] = max(min(width, NARROWEST), width - over)
+        return widths
+
     def sizeHint(self) -> QSize:
         last = self._places()[-1].right()
-        note = QFontMetricsF(text_font(13)).horizontalAdvance(self._note)
-        return QSize(int(last + 12 + note + 8), 26)
+        return QSize(int(last + 12 + _width(self._note, False) + 8), 26)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         at = event.position()
@@ -125,7 +138,10 @@ class Breadcrumb(QWidget):
             painter.setFont(font)
             painter.setPen(tokens.tx if last else tokens.acc if i == self._under else tokens.tx2)
             baseline = QPointF(rect.left(), 13.0 + QFontMetricsF(font).capHeight() / 2)
-            painter.drawText(baseline, text)
+            shown = QFontMetricsF(font).elidedText(
+                text, Qt.TextElideMode.ElideMiddle, rect.width() + 0.5
+            )
+            painter.drawText(baseline, shown)
             if not last and i < len(places) - 1:
                 box = QRectF(rect.right() + 5.0, 8.0, 11.0, 11.0)
                 draw(painter, "chevron-right", box, tokens.tx3, tokens.canvas)
@@ -135,3 +151,7 @@ class Breadcrumb(QWidget):
             base = 13.0 + QFontMetricsF(text_font(13)).capHeight() / 2
             painter.drawText(QPointF(places[-1].right() + 12.0, base), self._note)
         painter.end()
+
+
+def _width(text: str, bold: bool) -> float:
+    return QFontMetricsF(text_font(13, 600 if bold else 400)).horizontalAdvance(text)

@@ -1,0 +1,51 @@
+"""Names that are too long for their place are shortened, and never push others out of sight."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tests.stories.conftest import Sit
+from tests.stories.test_recovery import add, die, offer_to
+
+LONG = f"{'a-name-that-nobody-would-choose-' * 6}end.json"
+
+
+def long_file(folder: Path) -> Path:
+    path = folder / LONG
+    path.write_text('{"SB1": {"State_0": {"Op": "State_1"}, "State_1": {}}}')
+    return path
+
+
+def test_the_path_over_the_canvas_keeps_the_state_branch_in_sight(sit: Sit, tmp_path: Path) -> None:
+    person = sit(long_file(tmp_path), (1280, 800))
+    canvas = person.window.canvas
+    crumb = canvas.overlays.breadcrumb
+    assert crumb.geometry().right() <= canvas.width()
+    assert crumb.place_of(1).width() > 20
+    person.window.resize(1920, 1080)
+    person.until(lambda: crumb.place_of(0).width() > 900)
+    assert crumb.geometry().right() <= canvas.width()
+
+
+def test_a_short_path_is_as_wide_as_its_names(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    path.write_text('{"SB1": {"State_0": {}}}')
+    crumb = sit(path, (1280, 800)).window.canvas.overlays.breadcrumb
+    assert crumb.place_of(0).width() < 60
+
+
+def test_the_offer_to_recover_shortens_names_and_folders(sit: Sit, tmp_path: Path) -> None:
+    folder = tmp_path / ("deep-" * 30)
+    folder.mkdir()
+    first = sit(long_file(folder))
+    add(first, "State_9")
+    die(first)
+    offer = offer_to(sit())
+    (row,) = offer.rows.values()
+    assert row.name.mapTo(offer, row.name.rect().topRight()).x() <= offer.width() - 20
+    assert row.name.toolTip() == LONG
+
+
+def test_an_empty_window_has_no_empty_parts_in_its_status_line(sit: Sit) -> None:
+    line = sit().window.status_line
+    assert not [part for part in (*line.run, *line.run_right) if part.isVisible()]
