@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator
+from collections.abc import Container, Iterable, Iterator
 from itertools import count, islice, product
 from string import ascii_lowercase
 
@@ -75,16 +75,36 @@ def fresh_operation_name(branch: StateBranch, state: str) -> str:
     return next(numbered(plain, taken))
 
 
-def like(name: str, taken: Container[str]) -> str:
-    """The name itself where it is free, else with the next free number: ``SB1``, ``SB2``."""
-    if name not in taken:
-        return name
-    stem = name.rstrip("0123456789")
-    width = len(name) - len(stem)
-    if width == 0 or width >= _LONGEST:
-        return next(numbered(name, taken, 2))
-    names = (f"{stem}{n:0{width}}" for n in count(int(name[len(stem) :]) + 1))
-    return next(free for free in names if free not in taken)
+class FreeNames:
+    """Names that are free, each like one that is wanted. Counting goes on where it ended, so that
+    many of one kind cost no more than few.
+    """
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self.taken = set(taken)
+        self._used: dict[tuple[str, int], tuple[int, int]] = {}
+        """For a stem and a width: from which number on up to which one none is free."""
+
+    def take(self, name: str) -> str:
+        """The name itself where it is free, else with the next free number: ``SB1``, ``SB2``."""
+        free = name if name not in self.taken else self._numbered(name)
+        self.taken.add(free)
+        return free
+
+    def _numbered(self, name: str) -> str:
+        stem = name.rstrip("0123456789")
+        width = len(name) - len(stem)
+        number = 2
+        if 0 < width < _LONGEST:
+            number = int(name[len(stem) :]) + 1
+        else:
+            stem, width = name, 0
+        begin, end = self._used.get((stem, width), (0, 0))
+        first = begin if begin <= number <= end else number
+        while (free := f"{stem}{number:0{width}}") in self.taken:
+            number = end if begin <= number < end else number + 1
+        self._used[stem, width] = first, number + 1
+        return free
 
 
 def numbered(prefix: str, taken: Container[str], first: int = 1) -> Iterator[str]:

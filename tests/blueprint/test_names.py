@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 import json
+from itertools import count
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.blueprint.names import fresh_branch_name, fresh_operation_name, fresh_state_name
+from smsl_studio.blueprint.names import (
+    FreeNames,
+    fresh_branch_name,
+    fresh_operation_name,
+    fresh_state_name,
+)
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.smsl.json_form import parse_json
@@ -61,3 +69,20 @@ def test_an_operation_is_named_after_its_state() -> None:
 def test_an_sb_gets_the_next_number() -> None:
     blueprint = read_blueprint(parse_json('{"SB1": {}, "SB3": {}}', "f"))
     assert fresh_branch_name(blueprint) == "SB2"
+
+
+NAMES = st.sampled_from(["a", "a1", "a2", "a3", "a5", "a9", "a10", "a11", "b01", "b02", "b"])
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.sets(NAMES), st.lists(NAMES, max_size=30))
+def test_each_name_is_the_next_free_one_like_it(taken: set[str], wanted: list[str]) -> None:
+    names = FreeNames(taken)
+    for name in wanted:
+        stem = name.rstrip("0123456789")
+        width = len(name) - len(stem)
+        first = int(name[len(stem) :]) + 1 if width else 2
+        free = (one for n in count(first) if (one := f"{stem}{n:0{width}}") not in taken)
+        expected = next(free) if name in taken else name
+        assert names.take(name) == expected
+        taken.add(expected)

@@ -13,7 +13,7 @@ from smsl_studio.blueprint.editing.placing import ASIDE, Places, Point
 from smsl_studio.blueprint.editing.renaming import renamed_requires, renamed_subs
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.blueprint.names import fresh_state_names, like
+from smsl_studio.blueprint.names import FreeNames, fresh_state_names
 from smsl_studio.blueprint.reading import HEADER, branches_of
 from smsl_studio.errors import EditRefused, ReadError, did_you_mean
 from smsl_studio.smsl.forms import form_named, form_of
@@ -92,11 +92,8 @@ def _put(
 def _put_branches(draft: Draft, whole: Mapping[str, Values]) -> Iterator[Address]:
     """Put SBs behind the others; SUB_SBS and ``requires`` follow their new names."""
     inner = draft.file()
-    taken = {*draft.before.branches, *inner}
-    names: dict[str, str] = {}
-    for name in whole:
-        names[name] = like(name, taken)
-        taken.add(names[name])
+    free = FreeNames({*draft.before.branches, *inner})
+    names = {name: free.take(name) for name in whole}
     for name, value in whole.items():
         fresh = dict(value)
         header = fresh.get(HEADER)
@@ -114,7 +111,7 @@ class _Into:
     def __init__(self, draft: Draft, branch: str) -> None:
         self._draft, self._branch = draft, branch
         self._found = branch_of(draft.before, branch)
-        self._names = _FreeNames(self._found)
+        self._names = _StateNames(self._found)
         self._known = {name for ops in self._found.table.values() for name in ops}
         self.added = 0
 
@@ -156,8 +153,9 @@ class _Into:
                         or "Copy the states along with it.",
                     )
             inner = self._draft.at(self._branch, state)
+            free = FreeNames(inner)
             for operation, target in operations.items():
-                name = like(operation, inner)
+                name = free.take(operation)
                 inner[name] = target
                 edges.append((state, operation, state, name))
                 yield Address(self._branch, state, name)
@@ -185,34 +183,33 @@ class _Into:
                 self._draft.table(branch, "_operations")[note_key(new_operation, new_state)] = own
 
 
-class _FreeNames:
+class _StateNames:
     """Names for states that come into an SB: their own where it is free and carries facts as the
     others do, and no other state has these facts; else the next one in the manner of the SB.
     """
 
     def __init__(self, branch: StateBranch) -> None:
         shape = branch.shape
-        self._taken = {*branch.table, *branch.fields, HEADER}
+        self._free = FreeNames({*branch.table, *branch.fields, HEADER})
         self._written = shape.written
         self._length = 0 if shape.opaque or not branch.table else shape.num_facts * shape.width
         self._facts = {self._facts_of(name) for name in branch.table}
         self._fresh = fresh_state_names(branch)
 
     def take(self, name: str) -> str:
-        free = self._free(name)
-        self._taken.add(free)
+        if self._length:
+            name = self._with_own_facts(name)
+        free = self._free.take(name)
         self._facts.add(self._facts_of(free))
         return free
 
-    def _free(self, name: str) -> str:
-        if not self._length:
-            return like(name, self._taken)
+    def _with_own_facts(self, name: str) -> str:
         if self._is_free(name) and len(self._facts_of(name)) == self._length:
             return name
         return next(fresh for fresh in self._fresh if self._is_free(fresh))
 
     def _is_free(self, name: str) -> bool:
-        return name not in self._taken and self._facts_of(name) not in self._facts
+        return name not in self._free.taken and self._facts_of(name) not in self._facts
 
     def _facts_of(self, name: str) -> str:
         return fact_string(name, self._written)
