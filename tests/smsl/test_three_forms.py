@@ -333,6 +333,19 @@ def commented(text: str, form: str, seed: int) -> tuple[str, list[str]]:
     return "\n".join(lines), words
 
 
+@pytest.mark.parametrize(
+    "char", ["\u2028", "\u2029", "\x85", "\x01", "\x0c", "\x7f", "\ufeff", "\uffff"]
+)
+def test_a_comment_puts_nothing_into_yaml_but_words(char: str) -> None:
+    said = f" one {char}Other: {{State_0: {{}}}}"
+    text = f"//{said}\n{{\n    # NAME: SB //{said}\n    State_0: [ ] //{said}\n}}\n//{said}\n"
+    document = form_named("smsl").parse(text, "f.smsl")
+    there = to(document, "yaml")
+    assert there.values == document.values
+    assert there.text.count("Other: {State_0") == 4
+    assert form_named("yaml").tidy(there).text == there.text
+
+
 def test_what_is_written_twice_is_not_thrown_away() -> None:
     text = '{"SB": {"S": {"a": "S", "a": "T"}, "T": {}}}'
     document = parse_json(text, "x.json")

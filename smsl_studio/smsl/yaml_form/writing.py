@@ -6,6 +6,7 @@ where a map is expected (``!!seq``).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -18,6 +19,9 @@ Json = Any
 
 _UNIT = "  "
 _MAPS = (BRANCH, STATE, HEADER)
+_UNFIT = re.compile(
+    "[^\t -~\xa0-\u2027\u202a-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]"
+)
 
 
 def write(values: Mapping[str, Json], comments: Comments = NO_COMMENTS) -> str:
@@ -33,10 +37,10 @@ class _Writing:
         self._comments = comments
 
     def _above(self, path: Path, indent: str) -> Iterator[str]:
-        return (f"{indent}#{words}" for words in self._comments.over.get(path, ()))
+        return (f"{indent}#{_fit(words)}" for words in self._comments.over.get(path, ()))
 
     def _below(self, path: Path, indent: str) -> Iterator[str]:
-        return (f"{indent}#{words}" for words in self._comments.under.get(path, ()))
+        return (f"{indent}#{_fit(words)}" for words in self._comments.under.get(path, ()))
 
     def file(self, values: Mapping[str, Json]) -> Iterator[str]:
         if values:
@@ -70,7 +74,7 @@ class _Writing:
 
     def _value(self, value: Json, path: Path, level: int, lead: str, indent: str) -> Iterator[str]:
         """The lines of a value; ``lead`` is what stands before it on its first line."""
-        behind = "".join(f"  #{words}" for words in self._comments.beside.get(path, ()))
+        behind = "".join(f"  #{_fit(words)}" for words in self._comments.beside.get(path, ()))
         if isinstance(value, dict) and value:
             yield f"{lead}{behind}"
             yield from self._map(value, path, level, indent + _UNIT)
@@ -92,6 +96,11 @@ class _Writing:
         if any(isinstance(value, dict | list) for value in values):
             return False
         return not self._comments.of_elements(path, len(values))
+
+
+def _fit(words: str) -> str:
+    """What a comment says, with the characters that would end it, or that YAML has not, spelt."""
+    return _UNFIT.sub(lambda one: one[0].encode("unicode_escape").decode("ascii"), words)
 
 
 def _scalar(value: Json, level: int) -> str:
