@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import delete
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.shape import dead_ends, reachable, traps
-from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.inspection.finding import LISTED, Finding, Fix, Severity
 
 ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
@@ -21,9 +21,9 @@ def r10_unreachable(blueprint: Blueprint) -> Iterator[Finding]:
         if branch.initial not in branch.table:
             continue
         inside = reachable(branch, branch.initial)
-        for state in branch.table:
-            if state in inside:
-                continue
+        outside = [state for state in branch.table if state not in inside]
+        sources = _sources(branch, outside)
+        for number, state in enumerate(outside):
             failed = _is_failure(branch, state)
             yield Finding.at(
                 blueprint,
@@ -33,7 +33,7 @@ def r10_unreachable(blueprint: Blueprint) -> Iterator[Finding]:
                 f"no operations lead here from INITIAL, {branch.initial}"
                 + ("; it holds a failure value, so it is entered from outside" if failed else ""),
                 advice="add an operation that leads here, or delete the state",
-                fix=None if failed else _deletion(branch, state, inside),
+                fix=None if failed or number >= LISTED else _deletion(branch, state, sources),
             )
 
 
@@ -45,21 +45,25 @@ def _is_failure(branch: StateBranch, state: str) -> bool:
     )
 
 
-def _deletion(branch: StateBranch, state: str, inside: frozenset[str]) -> Fix | None:
+def _sources(branch: StateBranch, states: Iterable[str]) -> Mapping[str, list[str]]:
+    """For each state, which of some states lead to it: one as often as it has operations there."""
+    sources: dict[str, list[str]] = {}
+    for state in states:
+        for target in branch.table[state].values():
+            sources.setdefault(target, []).append(state)
+    return sources
+
+
+def _deletion(branch: StateBranch, state: str, sources: Mapping[str, list[str]]) -> Fix | None:
     """Delete the state, and with it unreachable ones that would become dead ends."""
-    doomed = {state}
-    grown = True
-    while grown:
-        more = {
-            other
-            for other, operations in branch.table.items()
-            if other not in inside
-            and other not in doomed
-            and operations
-            and all(target in doomed for target in operations.values())
-        }
-        grown = bool(more)
-        doomed |= more
+    doomed, waiting = {state}, [state]
+    left: dict[str, int] = {}
+    while waiting:
+        for other in sources.get(waiting.pop(), ()):
+            left[other] = left.get(other, len(branch.table[other])) - 1
+            if not left[other] and other not in doomed:
+                doomed.add(other)
+                waiting.append(other)
     if branch.activating in doomed or any(_is_failure(branch, other) for other in doomed):
         return None
     addresses = tuple(Address(branch.name, name) for name in branch.table if name in doomed)
