@@ -9,7 +9,7 @@ boot.
 
 from __future__ import annotations
 
-from math import isfinite
+from math import inf, isfinite
 
 from smsl_studio.monitor.aggregate import Said
 from smsl_studio.monitor.sample import GOOD, Sample
@@ -36,7 +36,7 @@ class Ledger:
         self.latency = 0.0
         self.counted = self.repeated = self.late = 0
         self._order = (0, 0)
-        self._quickest = 0.0
+        self._quickest = inf
 
     def take(self, sample: Sample, now: float) -> None:
         """Take a sample in at ``now`` (s), if it is newer than all before and came in time."""
@@ -45,15 +45,18 @@ class Ledger:
             self.repeated += 1
             return
         self._order = order
-        way = quickest = now - sample.time if isfinite(sample.time) else 0.0
+        quickest, latency = inf, 0.0
         if before is not None and before.boot == sample.boot:
-            slack = self._quickest + CREEP * (now - self.received)
-            quickest = way if way < slack else slack
-        if way - quickest > self.max_age + HAIR:
+            quickest = self._quickest + CREEP * (now - self.received)
+        if isfinite(sample.time):
+            way = now - sample.time
+            quickest = way if way < quickest else quickest
+            latency = way - quickest
+        if latency > self.max_age + HAIR:
             self.late += 1
             return
         self.sample, self.received = sample, now
-        self.latency, self._quickest = way - quickest, quickest
+        self.latency, self._quickest = latency, quickest
         self.counted += 1
 
     def said(self, now: float) -> Said:

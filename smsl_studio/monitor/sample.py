@@ -15,8 +15,8 @@ class Sample:
     """One reading on its way to the monitor.
 
     ``value`` None means the source has no valid reading (its ``reason`` says why). ``time`` is the
-    source's clock in seconds; ``sequence`` grows with every sample of a (source, boot), ``boot``
-    with every start of the source.
+    source's clock in seconds, which never goes back; ``sequence`` grows with every sample of a
+    (source, boot), ``boot`` with every start of the source.
     """
 
     branch: str

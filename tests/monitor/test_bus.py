@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterator
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -72,6 +73,12 @@ def test_any_thread_may_publish() -> None:
     bus = FactBus()
     inbox = bus.subscribe()
 
+    def watched() -> Iterator[Sample]:
+        assert bus.lock.locked()
+        yield _sample("a", 0)
+
+    bus.publish(watched())
+
     def speak(name: str) -> None:
         for sequence in range(300):
             bus.publish([_sample(name, sequence)])
@@ -84,4 +91,4 @@ def test_any_thread_may_publish() -> None:
     assert sorted((one.source, one.sequence) for one in inbox.take()) == [
         (name, 299) for name in "abcd"
     ]
-    assert bus.counts.published == 1200
+    assert bus.counts.published == 1201

@@ -157,6 +157,10 @@ def test_a_source_without_a_clock_is_never_late() -> None:
     for second in range(3):
         monitor.accept([Sample(*FACT, "eye", "1", float("nan"), second)], float(second))
     assert _read(monitor, 2.0).value == "1"
+    for sequence, time in ((3, -100.0), (4, float("inf")), (5, -99.8)):
+        monitor.accept([Sample(*FACT, "eye", "0", time, sequence)], 2.5)
+    (state,) = monitor.sources(2.5)
+    assert (state.counted, state.late, state.latency) == (6, 0, 0.0)
 
 
 def test_a_new_boot_has_a_clock_of_its_own() -> None:
