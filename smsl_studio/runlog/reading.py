@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -26,6 +27,7 @@ _HEAD = re.compile(rb'\{"head":\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{
 _LOOKED_AT = 100
 """So many lines are enough to tell a log without its header from any other file."""
 
+_DAMAGED = "The log was damaged or changed; take another copy of it."
 _NO_LOG = "Choose a file of run --log."
 _NO_HEAD = "the log has no head: it was cut, or its run did not come to an end"
 
@@ -94,10 +96,11 @@ class LogReader:
 
     def remains_of_log(self) -> bool:
         """Whether what did not read is a log that was changed, and no file of another kind."""
-        for _ in range(_LOOKED_AT):
-            if self._seems_log or not (line := self._next()):
-                break
-            self._seems_log = _is_of_log(line)
+        with suppress(ReadError):
+            for _ in range(_LOOKED_AT):
+                if self._seems_log or not (line := self._next()):
+                    break
+                self._seems_log = _is_of_log(line)
         return self._seems_log and not self._lost
 
     def _next(self) -> bytes:
@@ -170,7 +173,7 @@ class LogReader:
         if self.doubt is None:
             self.doubt = Doubt(Place(self._file, self._number, 1), sentence)
 
-    def _wrong(self, sentence: str, column: int = 1, advice: str = "") -> ReadError:
+    def _wrong(self, sentence: str, column: int = 1, advice: str = _DAMAGED) -> ReadError:
         return ReadError(sentence, Place(self._file, self._number, column), advice)
 
 

@@ -151,6 +151,7 @@ def test_what_is_no_log_is_refused_with_its_place(
     with pytest.raises(ReadError, match=words) as caught:
         read_log(path)
     assert str(caught.value.place) == f"{path}:{place}"
+    assert caught.value.advice
     assert not is_verified(raw)
 
 
@@ -174,6 +175,15 @@ def test_a_log_that_was_changed_is_told_from_another_file(raw: bytes, is_log: bo
     else:
         with pytest.raises(ReadError, match="no run log"):
             verify(io.BytesIO(raw), "log")
+
+
+def test_what_has_no_lines_is_told_by_its_first() -> None:
+    with (
+        Path("/dev/zero").open("rb") as stream,
+        pytest.raises(ReadError, match="longer than 16 MB") as caught,
+    ):
+        verify(stream, "zero")
+    assert str(caught.value.place) == "zero:1:1"
 
 
 def test_a_head_that_lies_is_a_doubt() -> None:
