@@ -313,6 +313,10 @@ SB1:  # of SB1
         ),
         ("_h: | # said\n  text\nSB: {} # of SB\n", '_h: "text\\n"  # said\nSB: {}  # of SB\n'),
         ("# a\n{} # b\n# c\n", "{}\n# a\n# b\n# c\n"),
+        (
+            "_x: [ # x\n  # over\n  [], # one\n  [ # two\n  # in\n ], {} # three\n ]\n",
+            "_x:  # x\n  # over\n  - []  # one\n  - []  # two\n    # in\n  - {}  # three\n",
+        ),
         ("SB: { # one\n S: {a: S} } # two\n", "SB:  # one  # two\n  S:\n    a: S\n"),
         ("'a#b': {\"#\": '#'}\n# c", '"a#b":\n  "#": "#"\n# c\n'),
     ],

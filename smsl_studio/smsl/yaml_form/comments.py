@@ -52,5 +52,7 @@ class _Walk:
             inner = () if as_map else head or under
             self._walk(value, under, below(level, member.key), inner)
             head = ()
+        if path and not node.value:
+            self.leaves.append(Leaf(node.start, node.start + 1, path, head or path))
         column = None if node.flow else node.start - self._text.rfind("\n", 0, node.start) - 1
         self.holders.append(Holder(node.start, node.end, path, column))
