@@ -95,24 +95,21 @@ class Row:
 
     def remove(self, kept: Sequence[bool]) -> None:
         """Take away the slots that are not kept; comments above them stay."""
-        heads = [*(slot.head for slot in self.slots), self.foot]
-        left = list(self.slots)
-        for index in reversed(range(len(kept))):
+        heads, left = [self.foot], []  # from the last one to the first
+        for index, slot in reversed([*enumerate(self.slots)]):
             if kept[index]:
+                left.append(slot)
+                heads.append(slot.head)
                 continue
-            at_foot = index == len(left) - 1
-            gone, behind = heads[index], heads[index + 1]
-            if at_foot and self.outermost and not has_break(behind):
-                behind = gone[: max(0, _last_break(gone))] + behind
+            gone, behind = slot.head, heads[-1]
+            if not left and self.outermost and not has_break(behind):
+                heads[-1] = gone[: max(0, _last_break(gone))] + behind
             else:
-                behind = _joined(gone, behind, index == 0, at_foot)
-            heads[index + 1] = behind
-            del heads[index]
-            del left[index]
-        self.slots = left
-        for slot, head in zip(left, heads, strict=False):
+                heads[-1] = _joined(gone, behind, index == 0, not left)
+        self.slots = left[::-1]
+        self.foot, *others = heads
+        for slot, head in zip(left, others, strict=True):
             slot.head = head
-        self.foot = heads[-1]
 
     def settle(self) -> None:
         """Put the commas right after elements have gone."""

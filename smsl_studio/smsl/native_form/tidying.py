@@ -131,9 +131,9 @@ def _value(raw: str) -> str:
         tokens = (match[0] for match in _JSON_TOKEN.finditer(raw))
         return "".join({",": ", ", ":": ": "}.get(token, token) for token in tokens)
     if raw[:1] == "(" and is_map(raw):
-        pairs = (
+        pairs = [
             f"{raw[one.key_start : one.key_end]}: {raw[one.value_start : one.value_end]}"
             for one in entries(raw, 0)
-        )
-        return f"({', '.join(pairs)})" if any(True for _ in entries(raw, 0)) else "( )"
+        ]
+        return f"({', '.join(pairs)})" if pairs else "( )"
     return raw
