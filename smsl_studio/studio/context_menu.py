@@ -12,6 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.clipping import Clipping
+from smsl_studio.studio.popups import passing_menu
 from smsl_studio.studio.session import Session
 
 ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")
@@ -27,8 +28,7 @@ def context_menu(
     address: Address | None,
 ) -> QMenu:
     """The menu for an element, which is selected with it, or for the empty canvas."""
-    menu = QMenu(_window(editor))
-    menu.aboutToHide.connect(menu.deleteLater)
+    menu = passing_menu(_window(editor))
     if address is None:
         at = editor.canvas.mapToScene(editor.canvas.mapFromGlobal(QCursor.pos()))
         add = menu.addAction("Add a state here", partial(editor.add_state_at, at))

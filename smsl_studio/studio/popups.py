@@ -1,10 +1,10 @@
-"""The menus whose entries are only known when they open: recent files, samples, sub-SBs."""
+"""Menus whose entries are only known when they open: recent files, samples, sub-SBs."""
 
 from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files import Files, samples
@@ -12,6 +12,13 @@ from smsl_studio.studio.session import Session
 
 MOST = 64
 """So many facts are offered in a menu."""
+
+
+def passing_menu(window: QWidget) -> QMenu:
+    """A menu for one time; it goes when it is left."""
+    menu = QMenu(window)
+    menu.aboutToHide.connect(menu.deleteLater)
+    return menu
 
 
 def fill_recent(files: Files, menu: QMenu) -> None:

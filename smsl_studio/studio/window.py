@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
-from PySide6.QtWidgets import QLineEdit, QMainWindow, QMenu, QWidget
+from PySide6.QtWidgets import QMainWindow
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -17,6 +17,7 @@ from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.body import Body
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.captions import Captions
 from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands import all_actions
 from smsl_studio.studio.compare.comparing import Comparing
@@ -38,10 +39,9 @@ from smsl_studio.studio.palette import Palette
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.panels.history import History
 from smsl_studio.studio.panels.library import Library
-from smsl_studio.studio.panels.lines.box import Box
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
-from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs
+from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs, passing_menu
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.safety import Safety
 from smsl_studio.studio.session import Session
@@ -51,6 +51,7 @@ from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tidings import Tidings
 from smsl_studio.studio.toast import Toast
+from smsl_studio.studio.typed_field import take_over
 from smsl_studio.studio.windows import Windows
 
 SIZE, SMALLEST = (1440, 900), (900, 560)
@@ -65,7 +66,6 @@ class Window(QMainWindow):
         self._mode = "draw"
         self._loaded = Loaded()
         self.tokens = windows.tokens
-        self.setWindowTitle("SMSL Studio")
         self.setMinimumSize(*SMALLEST)
         self.setAcceptDrops(True)
         self.session = Session(empty_blueprint(), self)
@@ -76,8 +76,7 @@ class Window(QMainWindow):
         self._build_frame()
         self._connect()
         self._restore()
-        self._show_blueprint()
-        self._show_title()
+        self._show_offers()
         windows.add(self)
 
     # Building.
@@ -132,6 +131,9 @@ class Window(QMainWindow):
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
+        self._captions = Captions(
+            self.session, self.files, self.source, self.menu_row, self.status_line, self
+        )
         self.going = Going(self.docks, self.properties, self.files)
         finder = Finder(self.session, actions, self.findings, self.going)
         self.command_palette = Palette(finder, tokens, self)
@@ -143,16 +145,11 @@ class Window(QMainWindow):
 
     def _connect(self) -> None:
         session, actions = self.session, self.actions_table
-        session.blueprint_changed.connect(lambda *_: self._show_blueprint())
-        session.selection_changed.connect(lambda *_: self._show_place())
-        session.branch_changed.connect(lambda *_: self._show_place())
-        self.source.caret_moved.connect(self.status_line.show_caret)
-        session.edited_changed.connect(lambda *_: self._show_title())
+        session.blueprint_changed.connect(lambda *_: self._show_offers())
         for signal in (session.blueprint_changed, session.selection_changed,
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
             signal.connect(lambda *_: actions.refresh())
         session.opened.connect(self.tidings.forget)
-        session.blueprint_changed.connect(lambda *_: self._show_title())
         session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_what_moved)
@@ -162,7 +159,6 @@ class Window(QMainWindow):
         self.comparing.element_shown.connect(lambda _: self.set_mode("draw"))
         self.comparing.element_shown.connect(self.canvas.reveal)
         self.files.said.connect(self.toast.say)
-        self.files.changed.connect(self._show_title)
         self.findings.count_changed.connect(
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)
         )
@@ -247,7 +243,7 @@ class Window(QMainWindow):
 
     def choose_sub_sb(self) -> None:
         """A menu of the facts, and of the SBs that could expand each."""
-        menu = _passing_menu(self)
+        menu = passing_menu(self)
         fill_sub_sbs(self.session, self.drawing, menu)
         menu.popup(self.mode_bar.below("sub_sb"))
 
@@ -265,34 +261,19 @@ class Window(QMainWindow):
     def set_plugins(self, loaded: Loaded) -> None:
         """What the installed plugins offer; those that did not load are named."""
         self._loaded = loaded
-        self.library.set_offers(offers(loaded, self.session.blueprint))
+        self._show_offers()
         self.source.set_library(operation_names(loaded))
         self.properties.set_plugins(loaded)
         if loaded.faults:
             self.toast.warn(str(loaded.faults[0]))
 
-    def _show_blueprint(self) -> None:
+    def _show_offers(self) -> None:
         self.library.set_offers(offers(self._loaded, self.session.blueprint))
-        self.status_line.show_blueprint(self.session.blueprint)
-        self._show_place()
-
-    def _show_place(self) -> None:
-        session = self.session
-        chosen = next(iter(session.selection), Address(session.branch))
-        self.status_line.show_place(session.blueprint, chosen)
-        # Whoever types wants to know where the caret is, not where the graph follows it.
-        self.source.tell_caret()
 
     def _show_broken(self) -> None:
         """A text that does not read is repaired in the source, where its faults are marked."""
         if self.session.broken is not None and self._mode == "draw":
             self.show_tab("Source")
-        self._show_title()
-
-    def _show_title(self) -> None:
-        title = self.files.title
-        self.menu_row.show_title(title.name, title.edited)
-        self.setWindowTitle(f"{title} · SMSL Studio")
 
     def _say_what_moved(self, before: Blueprint, after: Blueprint) -> None:
         words = goal_moved(before, after)
@@ -307,20 +288,7 @@ class Window(QMainWindow):
     def settle(self) -> None:
         """What is still being typed counts: leaving a field takes it over, then one goes on."""
         self.source.settle()
-        field = self.focusWidget()
-        if isinstance(field, Box):
-            field.clearFocus()
-            field.setFocus()
-        if isinstance(field, QLineEdit):
-            at, marked, length = (
-                field.cursorPosition(), field.selectionStart(), field.selectionLength()
-            )  # fmt: skip
-            field.clearFocus()
-            if field.isVisible():
-                field.setFocus()
-                field.setCursorPosition(at)
-                if length:
-                    field.setSelection(marked, length)
+        take_over(self.focusWidget())
 
     def _run_exists(self, exists: bool) -> None:
         self.mode_bar.show_stop(exists)
@@ -331,7 +299,7 @@ class Window(QMainWindow):
         menu.popup(at)
 
     def _offer_samples(self) -> None:
-        menu = _passing_menu(self)
+        menu = passing_menu(self)
         fill_samples(self.files, menu)
         button = self.canvas.overlays.empty.sample
         menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))
@@ -382,10 +350,3 @@ class Window(QMainWindow):
         self.session.history.blockSignals(True)
         self._windows.remove(self)
         event.accept()
-
-
-def _passing_menu(window: QWidget) -> QMenu:
-    """A menu for one time; it goes when it is left."""
-    menu = QMenu(window)
-    menu.aboutToHide.connect(menu.deleteLater)
-    return menu

@@ -18,7 +18,7 @@ from tests.stories.conftest import Sit
 from tests.stories.person import Person
 from tests.stories.test_files import copy_of
 
-OPENED = 4
+OPENED = 3
 
 
 def work(person: Person) -> None:

@@ -1,0 +1,55 @@
+"""Captions: what the frame of the window says of what is open, and of where one is in it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QMainWindow
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.files import Files
+from smsl_studio.studio.menu_row import MenuRow
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.status_line import StatusLine
+
+
+class Captions(QObject):
+    """Keeps the title and the status line in step with session and files."""
+
+    def __init__(
+        self,
+        session: Session,
+        files: Files,
+        source: Source,
+        row: MenuRow,
+        line: StatusLine,
+        window: QMainWindow,
+    ) -> None:
+        super().__init__(window)
+        self._session, self._files, self._source = session, files, source
+        self._row, self._line, self._window = row, line, window
+        session.blueprint_changed.connect(lambda *_: self._show_blueprint())
+        session.selection_changed.connect(lambda *_: self._show_place())
+        session.branch_changed.connect(lambda *_: self._show_place())
+        for signal in (session.edited_changed, session.blueprint_changed, session.broken_changed,
+                       files.changed):  # fmt: skip
+            signal.connect(lambda *_: self._show_title())
+        source.caret_moved.connect(line.show_caret)
+        self._show_blueprint()
+        self._show_title()
+
+    def _show_blueprint(self) -> None:
+        self._line.show_blueprint(self._session.blueprint)
+        self._show_place()
+
+    def _show_place(self) -> None:
+        session = self._session
+        chosen = next(iter(session.selection), Address(session.branch))
+        self._line.show_place(session.blueprint, chosen)
+        # Whoever types wants to know where the caret is, not where the graph follows it.
+        self._source.tell_caret()
+
+    def _show_title(self) -> None:
+        title = self._files.title
+        self._row.show_title(title.name, title.edited)
+        self._window.setWindowTitle(f"{title} · SMSL Studio")
