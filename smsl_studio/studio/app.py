@@ -19,7 +19,7 @@ from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
 from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left, left_behind
 from smsl_studio.studio.journal.restoring import is_saved
-from smsl_studio.studio.recovery import crash_hook
+from smsl_studio.studio.safety.crash import crash_hook
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of
 from smsl_studio.studio.window import Window

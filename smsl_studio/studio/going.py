@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from smsl_studio.studio.docks import Docks
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.panels.properties import Properties
 
 

@@ -15,10 +15,10 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.broken import Broken
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.status_line import StatusLine
 from smsl_studio.studio.words import faults_of, tally, worst
 
 

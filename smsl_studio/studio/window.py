@@ -14,43 +14,43 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.actions import Actions
-from smsl_studio.studio.body import Body
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
-from smsl_studio.studio.captions import Captions
 from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands import all_actions
 from smsl_studio.studio.compare.comparing import Comparing
-from smsl_studio.studio.context_menu import context_menu
-from smsl_studio.studio.dialogs import Dialogs
-from smsl_studio.studio.docks import Docks
 from smsl_studio.studio.drawing import Drawing
-from smsl_studio.studio.files import Files, empty_blueprint
+from smsl_studio.studio.files.dialogs import Dialogs
+from smsl_studio.studio.files.files import Files, empty_blueprint
 from smsl_studio.studio.find.finder import Finder
+from smsl_studio.studio.find.palette import Palette
 from smsl_studio.studio.fix_card import FixCard
+from smsl_studio.studio.frame.body import Body
+from smsl_studio.studio.frame.captions import Captions
+from smsl_studio.studio.frame.context_menu import context_menu
+from smsl_studio.studio.frame.docks import Docks
+from smsl_studio.studio.frame.help import about_dialog, shortcuts_dialog
+from smsl_studio.studio.frame.menu_row import MenuRow
+from smsl_studio.studio.frame.mode_bar import ModeBar
+from smsl_studio.studio.frame.popups import fill_recent, fill_samples, fill_sub_sbs, passing_menu
+from smsl_studio.studio.frame.status_line import StatusLine
+from smsl_studio.studio.frame.toast import Toast
 from smsl_studio.studio.going import Going
-from smsl_studio.studio.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.inspector import Inspector
-from smsl_studio.studio.menu_row import MenuRow
-from smsl_studio.studio.mode_bar import ModeBar
 from smsl_studio.studio.notices import goal_moved
 from smsl_studio.studio.offers import offers, operation_names
-from smsl_studio.studio.palette import Palette
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.panels.history import History
 from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
-from smsl_studio.studio.popups import fill_recent, fill_samples, fill_sub_sbs, passing_menu
 from smsl_studio.studio.run.pane import RunPane
-from smsl_studio.studio.safety import Safety
+from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.pane import Source
-from smsl_studio.studio.status_line import StatusLine
 from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tidings import Tidings
-from smsl_studio.studio.toast import Toast
 from smsl_studio.studio.typed_field import take_over
 from smsl_studio.studio.windows import Windows
 

@@ -9,7 +9,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.studio.safety import Safety
+from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMess
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio.dialogs import Dialogs
+from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.window import Window
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person, sample

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.app import offer_recovery
-from smsl_studio.studio.dialogs import Dialogs
+from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.journal.place import Place
 from smsl_studio.studio.journal.recovering import left_behind
 from tests.stories.conftest import Sit

@@ -9,9 +9,9 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.context_menu import context_menu
+from smsl_studio.studio.frame.context_menu import context_menu
+from smsl_studio.studio.frame.popups import fill_sub_sbs
 from smsl_studio.studio.panels.finding_rows import FindingsView
-from smsl_studio.studio.popups import fill_sub_sbs
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person, sample
 

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl import together
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio.dialogs import Dialogs
+from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.panels.outline_tree import line_of
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

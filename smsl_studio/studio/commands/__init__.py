@@ -14,9 +14,9 @@ from smsl_studio.studio.commands.samples import sample_actions
 from smsl_studio.studio.commands.shell import Shell, Transport
 from smsl_studio.studio.commands.view import view_actions
 from smsl_studio.studio.compare.comparing import Comparing
-from smsl_studio.studio.docks import Docks
 from smsl_studio.studio.drawing import Drawing
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.windows import Windows

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.commands.shell import Shell
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.windows import Windows
 

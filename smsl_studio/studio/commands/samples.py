@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from smsl_studio.studio.actions import Action
-from smsl_studio.studio.files import Files, samples
+from smsl_studio.studio.files.files import Files, samples
 
 
 def sample_actions(files: Files) -> tuple[Action, ...]:

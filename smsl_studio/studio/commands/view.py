@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.commands.shell import Shell
-from smsl_studio.studio.docks import Docks
 from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.windows import Windows
 
 

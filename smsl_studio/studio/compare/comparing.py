@@ -17,7 +17,7 @@ from smsl_studio.studio.beside import Beside, Came
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
 from smsl_studio.studio.compare.versions import Version, as_saved, at_revision, in_file
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from datetime import datetime
 
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.journal.entry import Entry, Kept
 from smsl_studio.studio.session import Session
 

@@ -13,9 +13,9 @@ from smsl_studio.blueprint.comparing import Difference, compare
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
 from smsl_studio.studio.broken import Broken, read_text
-from smsl_studio.studio.files import Files
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.files.opening import Opened, open_file, understood
 from smsl_studio.studio.journal.entry import Entry, Kept
-from smsl_studio.studio.opening import Opened, open_file, understood
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.words import counted, faults_of
 

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.controls import label
+from smsl_studio.studio.frame.tabs import Tabs
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.camera import VIEWS
@@ -37,7 +38,6 @@ from smsl_studio.studio.run.timeline import Timeline
 from smsl_studio.studio.run.transport import Transport
 from smsl_studio.studio.run.world_view import WorldView
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.tabs import Tabs
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import capital
 

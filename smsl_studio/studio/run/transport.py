@@ -9,7 +9,7 @@ from PySide6.QtGui import QIntValidator, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from smsl_studio.studio.controls import Combo, Field, label, rule
-from smsl_studio.studio.key_button import KeyButton
+from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
 

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from smsl_studio.smsl.together import save_together
-from smsl_studio.studio.opening import open_file
+from smsl_studio.studio.files.opening import open_file
 
 
 def test_opening_brings_a_save_to_its_end_that_was_left_unfinished(

@@ -14,9 +14,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.studio.frame.tabs import Tabs
 from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
-from smsl_studio.studio.tabs import Tabs
 
 LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.controls import row, rule
+from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.icons import draw, icon
-from smsl_studio.studio.key_button import KeyButton
 from smsl_studio.studio.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
 
 DRAW_TOOLS = (

@@ -7,20 +7,20 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from smsl_studio.studio.change_bar import ChangeBar
-from smsl_studio.studio.files import UNTITLED, Files
+from smsl_studio.studio.files.files import UNTITLED, Files
+from smsl_studio.studio.frame.toast import Toast
 from smsl_studio.studio.journal.entry import Kept
 from smsl_studio.studio.journal.keeping import Unsaved
 from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left
 from smsl_studio.studio.journal.restoring import keep_text, restore
 from smsl_studio.studio.journal.writing import Journal
-from smsl_studio.studio.outside import Compare, Outside
+from smsl_studio.studio.safety.change_bar import ChangeBar
+from smsl_studio.studio.safety.outside import Compare, Outside
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.toast import Toast
 
 
 class Safety(QObject):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from smsl_studio.studio.recovery import crash_hook
+from smsl_studio.studio.safety.crash import crash_hook
 
 
 def test_the_hook_says_that_the_work_is_kept(capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,7 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.clipping import Clipping
-from smsl_studio.studio.popups import passing_menu
+from smsl_studio.studio.frame.popups import passing_menu
 from smsl_studio.studio.session import Session
 
 ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")

@@ -19,9 +19,9 @@ from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.together import save_together
-from smsl_studio.studio.converting import form_words, leaves_comments, moved
-from smsl_studio.studio.on_disk import OnDisk
-from smsl_studio.studio.opening import Opened, open_file, understood
+from smsl_studio.studio.files.converting import form_words, leaves_comments, moved
+from smsl_studio.studio.files.on_disk import OnDisk
+from smsl_studio.studio.files.opening import Opened, open_file, understood
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.words import counted

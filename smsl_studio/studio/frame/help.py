@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.studio.actions import Action, Actions, key_words
 from smsl_studio.studio.controls import label
-from smsl_studio.studio.menu_row import MENUS
+from smsl_studio.studio.frame.menu_row import MENUS
 from smsl_studio.studio.source.keys import SOURCE_KEYS
 
 CANVAS_KEYS = (

@@ -7,7 +7,7 @@ from functools import partial
 from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.studio.drawing import Drawing
-from smsl_studio.studio.files import Files, samples
+from smsl_studio.studio.files.files import Files, samples
 from smsl_studio.studio.session import Session
 
 MOST = 64

@@ -6,11 +6,11 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QMainWindow
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.files import Files
-from smsl_studio.studio.menu_row import MenuRow
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.frame.menu_row import MenuRow
+from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.pane import Source
-from smsl_studio.studio.status_line import StatusLine
 
 
 class Captions(QObject):

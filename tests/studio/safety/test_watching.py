@@ -7,8 +7,8 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from smsl_studio.studio.on_disk import OnDisk
-from smsl_studio.studio.watching import Watcher
+from smsl_studio.studio.files.on_disk import OnDisk
+from smsl_studio.studio.safety.watching import Watcher
 
 
 def test_every_way_to_change_a_file_stirs(qapp: QApplication, qtbot: QtBot, tmp_path: Path) -> None:

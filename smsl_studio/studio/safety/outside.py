@@ -17,12 +17,12 @@ from smsl_studio.blueprint.revising import with_document
 from smsl_studio.errors import EditRefused, ReadError, StudioError
 from smsl_studio.smsl.files import read_document
 from smsl_studio.studio.broken import Broken, read_text
-from smsl_studio.studio.change_bar import ChangeBar
 from smsl_studio.studio.compare.versions import Version
-from smsl_studio.studio.files import Files
-from smsl_studio.studio.on_disk import Look
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.files.on_disk import Look
+from smsl_studio.studio.safety.change_bar import ChangeBar
+from smsl_studio.studio.safety.watching import Watcher
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.watching import Watcher
 
 AGAIN = 400
 """Milliseconds after which one looks again at a text that does not read: it may be half written."""

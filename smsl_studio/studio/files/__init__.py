@@ -1,0 +1,1 @@
+"""Files: opened, saved, converted, and what of them stands on the disk."""

@@ -1,0 +1,1 @@
+"""The frame of the window: menus, bars, docks, tabs, and what they say."""

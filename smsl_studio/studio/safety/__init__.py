@@ -1,0 +1,1 @@
+"""Working without fear: journal, other programs, crashes."""
