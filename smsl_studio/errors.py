@@ -80,6 +80,14 @@ class ReadError(StudioError):
         super().__init__(sentence, place, advice)
         self.length, self.fix, self.more = length, fix, tuple(more)
 
+    @classmethod
+    def of(cls, faults: Sequence[ReadError]) -> ReadError:
+        """One error that tells several: the first, with the others behind it."""
+        first, *more = faults
+        return cls(
+            first.sentence, first.place, first.advice, length=first.length, fix=first.fix, more=more
+        )
+
     @property
     def faults(self) -> tuple[ReadError, ...]:
         """This fault and all further ones."""

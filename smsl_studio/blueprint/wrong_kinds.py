@@ -11,22 +11,17 @@ from typing import Any
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.smsl.document import Document, Member, Path
+from smsl_studio.smsl.limits import MAX_FAULTS
 
 Json = Any
-MOST = 100
-"""So many wrong kinds of one document are told."""
-
 A_BRANCH, A_STATE, A_TARGET, A_NAME = "a State Branch", "a state", "a target", "a name"
 _BY_DEPTH = ("a State Branch", "a state", "an operation")
 
 
 def refused(document: Document, wrong: Sequence[tuple[Path, str, Json]]) -> ReadError:
     """One error that tells them all: where each stands, what should stand there, what does."""
-    errors = [_error(document, *one) for one in wrong[:MOST]]
-    first, *more = sorted(errors, key=lambda error: error.place or document.place(()))
-    return ReadError(
-        first.sentence, first.place, first.advice, length=first.length, fix=first.fix, more=more
-    )
+    errors = [_error(document, *one) for one in wrong[:MAX_FAULTS]]
+    return ReadError.of(sorted(errors, key=lambda error: error.place or document.place(())))
 
 
 def _error(document: Document, path: Path, what: str, value: Json) -> ReadError:

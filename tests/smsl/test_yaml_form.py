@@ -15,8 +15,8 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, ReadError
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.files import read_document
+from smsl_studio.smsl.limits import MAX_DEPTH
 from smsl_studio.smsl.yaml_form import keep_winner, parse, reconcile, recover, tidy, write
-from smsl_studio.smsl.yaml_form.nodes import MAX_DEPTH
 from tests.smsl.texts import VALUES
 
 LISTS = """\

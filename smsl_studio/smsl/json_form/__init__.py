@@ -3,7 +3,6 @@
 The functions here are the doors of a form; see ``forms.Form``.
 """
 
-from smsl_studio.smsl.json_form.limits import MAX_DEPTH
 from smsl_studio.smsl.json_form.reading import parse, recover, write
 from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
 from smsl_studio.smsl.json_form.tidying import tidy
@@ -12,7 +11,6 @@ parse_json, write_json = parse, write
 """The names under which those call them who want this form and no other."""
 
 __all__ = [
-    "MAX_DEPTH",
     "keep_winner",
     "parse",
     "parse_json",

@@ -11,13 +11,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_FAULTS, MAX_REMOVED
 from smsl_studio.smsl.json_form.strides import BALANCE, balance_of, flat_object
 from smsl_studio.smsl.json_form.tokens import END, TEXT, WORD, Fault, Token, Tokens, short
+from smsl_studio.smsl.limits import MAX_DEPTH, MAX_FAULTS, TOO_DEEP
 
 Json = Any
 NOTHING = object()
 """What stands for a value that could not be read."""
+
+_MOST_REMOVED = 2000
+"""A text with so many pieces that belong nowhere is no JSON, and is not read to its end."""
 
 _FEW = 8
 """Where more closing brackets are missing, the kind of a value says nothing about their places."""
@@ -106,8 +109,7 @@ class Brackets:
 
     def _push(self, token: Token, key: str = "") -> None:
         if len(self._frames) >= MAX_DEPTH:
-            words = f"nested deeper than {MAX_DEPTH} levels"
-            self._fault(token, words, "SMSL needs three levels and a few for annotations.")
+            self._fault(token, *TOO_DEEP)
             raise Enough
         holds: Json = {} if token.kind == "{" else []
         self._frames.append(Frame(token, holds, token.indent, last_end=token.end, name=key))
@@ -154,7 +156,7 @@ class Brackets:
     def _remove(self, token: Token) -> None:
         """Say that a token does not belong where it stands; neighbours are one fault."""
         self._removed += 1
-        if self._removed > MAX_REMOVED:
+        if self._removed > _MOST_REMOVED:
             raise Enough
         found = short(self._text[token.start : min(token.end, token.start + 50)])
         start, end, last = token.start, token.end, self.faults[-1] if self.faults else None

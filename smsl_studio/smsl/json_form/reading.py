@@ -11,10 +11,10 @@ from typing import Any, NoReturn
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
-from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS, MAX_DEPTH, too_large
 from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
 from smsl_studio.smsl.json_form.style import CANONICAL, render
+from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_DEPTH, too_large, too_long
 
 _BRACKET = re.compile(STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
 
@@ -26,11 +26,8 @@ def parse(text: str, file: str) -> Document:
     first, and ``Document.duplicates`` finds them all.
     """
     if len(text) > MAX_CHARACTERS:
-        raise ReadError(
-            f"the file is larger than {MAX_CHARACTERS >> 20} million characters",
-            Place(file, 1, 1),
-            "Split it into several files.",
-        )
+        sentence, advice = too_long(MAX_CHARACTERS)
+        raise ReadError(sentence, Place(file, 1, 1), advice)
     quick = quick_values(text.removeprefix("\ufeff"), MAX_DEPTH) if len(text) >= LONG else None
     values, doubled = (quick, False) if quick is not None else _exact_values(text, file)
     return Document(text, file, "json", values, JsonSpans, doubled)

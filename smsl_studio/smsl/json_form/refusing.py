@@ -48,10 +48,7 @@ def refusal(text: str, file: str) -> ReadError:
     ]
     if not faults:
         return ReadError("this is no valid JSON", blank.place_at(start), "Check its spelling.")
-    first, *more = faults
-    return ReadError(
-        first.sentence, first.place, first.advice, length=first.length, fix=first.fix, more=more
-    )
+    return ReadError.of(faults)
 
 
 _FULL = {"smsl": f"native {WORDS['smsl']}", "yaml": WORDS["yaml"]}

@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from smsl_studio.errors import Place, ReadError, TextFix
-
-MOST = 100
-"""So many faults of one text are told."""
+from smsl_studio.smsl.limits import MAX_FAULTS
 
 
 class Enough(Exception):  # noqa: N818
@@ -33,14 +31,11 @@ class Faults:
         length = max(1, end - at)
         error = ReadError(sentence, self._place_at(at), advice, length=length, fix=fix)
         self._found.append((at, error))
-        if len(self._found) >= MOST:
+        if len(self._found) >= MAX_FAULTS:
             raise Enough
 
     def error(self) -> ReadError | None:
         """All of them as one error, in the order of the text; None where there are none."""
         if not self._found:
             return None
-        first, *more = (error for _, error in sorted(self._found, key=lambda item: item[0]))
-        return ReadError(
-            first.sentence, first.place, first.advice, length=first.length, fix=first.fix, more=more
-        )
+        return ReadError.of([error for _, error in sorted(self._found, key=lambda item: item[0])])

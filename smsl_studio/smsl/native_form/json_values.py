@@ -7,12 +7,12 @@ import re
 from math import isfinite
 from typing import Any, NoReturn
 
-from smsl_studio.smsl.json_form.limits import MAX_DEPTH, MAX_DIGITS
+from smsl_studio.smsl.json_form.characters import half_pair
+from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP, too_large
 
 Json = Any
 
 _BRACKET = re.compile(r'"[^"\\]*+(?:\\.[^"\\]*+)*+"|[\[\]{}]', re.DOTALL)
-_SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
 
 
 class BadJson(ValueError):  # noqa: N818
@@ -59,8 +59,10 @@ def read_json(raw: str, depth: int) -> tuple[Json, int, bool]:
     except _BadNumber as error:
         sentence = f"no valid JSON: {error.sentence}"
         raise BadJson(0, len(raw), sentence, "Write a plain, shorter number.") from None
-    if _SURROGATE.search(raw, 0, end):
-        _check_characters(raw, value)
+    half = half_pair(raw, 0, end)
+    if half is not None:
+        words = "half a surrogate pair is no character"
+        raise BadJson(half, 6, words, "Write the character itself, or both halves of the pair.")
     return value, end, doubled
 
 
@@ -81,7 +83,7 @@ def _float(text: str) -> float:
 
 
 def _int(text: str) -> int:
-    if len(text) > MAX_DIGITS:
+    if too_large(text):
         raise _BadNumber("the number is too large")
     return int(text)
 
@@ -94,22 +96,6 @@ def _check_depth(raw: str, most: int) -> None:
         if match[0] in "[{":
             depth += 1
             if depth > most:
-                sentence = f"nested deeper than {MAX_DEPTH} levels"
-                advice = "SMSL needs three levels and a few for annotations."
-                raise BadJson(match.start(), 1, sentence, advice)
+                raise BadJson(match.start(), 1, *TOO_DEEP)
         elif match[0] in "]}":
             depth -= 1
-
-
-def _check_characters(raw: str, value: Json) -> None:
-    try:
-        one_line(value).encode("utf-8")
-    except UnicodeEncodeError:
-        match = _SURROGATE.search(raw)
-        at = match.start() if match else 0
-        raise BadJson(
-            at,
-            6,
-            "half a surrogate pair is no character",
-            "Write the character itself, or both halves of the pair.",
-        ) from None

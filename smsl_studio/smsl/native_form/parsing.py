@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.json_form.limits import MAX_CHARACTERS
+from smsl_studio.smsl.limits import MAX_CHARACTERS, too_long
 from smsl_studio.smsl.native_form import strays
 from smsl_studio.smsl.native_form.faults import Enough, Faults
 from smsl_studio.smsl.native_form.lines import BadValue, Line, line_at, read_value
@@ -55,8 +55,7 @@ class Parser:
     def _is_sound(self) -> bool:
         text = self.text
         if len(text) > MAX_CHARACTERS:
-            sentence = f"the file is larger than {MAX_CHARACTERS >> 20} million characters"
-            self.faults.add(0, 1, sentence, "Split it into several files.")
+            self.faults.add(0, 1, *too_long(MAX_CHARACTERS))
             return False
         try:
             text.encode("utf-8")

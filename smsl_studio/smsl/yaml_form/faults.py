@@ -9,9 +9,7 @@ import yaml
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.smsl.document import Document
-
-MOST_FAULTS = 100
-"""One reading tells no more than this many."""
+from smsl_studio.smsl.limits import MAX_FAULTS
 
 
 class Fault(NamedTuple):
@@ -26,20 +24,17 @@ class Fault(NamedTuple):
 
 def as_error(faults: Iterable[Fault], document: Document) -> ReadError:
     """One error that carries all faults, in the order of the text; at least one must be given."""
-    ordered = sorted(faults, key=lambda fault: fault.start)[:MOST_FAULTS]
-    errors = [_error(fault, document) for fault in ordered]
-    first, fault = errors[0], ordered[0]
-    return _error(fault, document, errors[1:]) if errors[1:] else first
+    ordered = sorted(faults, key=lambda fault: fault.start)[:MAX_FAULTS]
+    return ReadError.of([_error(fault, document) for fault in ordered])
 
 
-def _error(fault: Fault, document: Document, more: Iterable[ReadError] = ()) -> ReadError:
+def _error(fault: Fault, document: Document) -> ReadError:
     return ReadError(
         fault.sentence,
         document.place_at(min(fault.start, len(document.text))),
         fault.advice,
         length=max(1, fault.length),
         fix=fault.fix,
-        more=tuple(more),
     )
 
 

@@ -14,9 +14,9 @@ from typing import Any
 import yaml
 
 from smsl_studio.errors import TextFix
+from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP
 from smsl_studio.smsl.yaml_form.faults import Fault, shown, syntax_fault
 
-MAX_DEPTH = 64
 MAX_NODES = 2_000_000
 MAX_REPEATED = 250_000
 """What all aliases together may stand for, in characters and nodes."""
@@ -31,6 +31,7 @@ _TAGS = {f"tag:yaml.org,2002:{name}": name for name in ("str", "int", "float", "
     "tag:yaml.org,2002:map": "map",
     "!": "str",
 }
+_TAG = re.compile(r"(?:&\S+\s+)?(\S+)\s*")
 _PARSER: Any = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
 
 
@@ -114,7 +115,7 @@ class Tree:
         elif found.end < 0:
             sentence, advice = f"*{anchor} stands inside what it stands for", "Write it out."
         elif depth + found.height > MAX_DEPTH:
-            sentence, advice = _too_deep()
+            sentence, advice = TOO_DEEP
         else:
             told = self._repeated > MAX_REPEATED
             self._repeated += found.weight
@@ -198,7 +199,7 @@ class _Building:
             return ""
         tag = _TAGS.get(event.tag)
         if tag is None:
-            written = re.compile(r"(?:&\S+\s+)?(\S+)\s*").match(self._text, start)
+            written = _TAG.match(self._text, start)
             begin, end = written.span(1) if written else (start, start + 1)
             words = f"the tag {shown(self._text[begin:end])} is not read"
             fix = TextFix("Remove the tag", begin, written.end() if written else end, "")
@@ -219,7 +220,7 @@ class _Building:
     def _begin(self, event: Any, kind: str) -> None:
         start, end = self._span(event)
         if len(self._open) >= MAX_DEPTH:
-            self._stop(start, *_too_deep())
+            self._stop(start, *TOO_DEEP)
             return
         node = Node(kind, start, -1, [], self._tag(event, start))
         node.flow = bool(event.flow_style) and end > start
@@ -258,13 +259,6 @@ class _Building:
                 node.start = node.end = colon + 1 if colon >= 0 else name.end
             above.value.append((name, node))
             self._names[-1] = None
-
-
-def _too_deep() -> tuple[str, str]:
-    return (
-        f"nested deeper than {MAX_DEPTH} levels",
-        "SMSL needs three levels and a few for annotations.",
-    )
 
 
 def _odd_character(match: re.Match[str]) -> Fault:

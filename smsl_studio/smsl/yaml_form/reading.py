@@ -11,6 +11,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.limits import too_long
 from smsl_studio.smsl.yaml_form import scalars
 from smsl_studio.smsl.yaml_form.faults import Fault, as_error, shown
 from smsl_studio.smsl.yaml_form.levels import FILE, FREE, NAME, below, is_map, members, strangers
@@ -42,8 +43,7 @@ def recover(text: str, file: str) -> Document:
 
 def _read(text: str, file: str) -> tuple[Document, list[Fault]]:
     if len(text) > MAX_CHARACTERS:
-        words = f"the file is larger than {MAX_CHARACTERS >> 20} million characters"
-        fault = Fault(0, 1, words, "Split it into several files.")
+        fault = Fault(0, 1, *too_long(MAX_CHARACTERS))
         return Document(text, file, "yaml", {}, lambda _: YamlSpans("")), [fault]
     tree = Tree(text)
     reading = _Reading(tree.faults)

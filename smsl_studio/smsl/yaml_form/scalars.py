@@ -11,9 +11,10 @@ import re
 from math import isfinite
 from typing import Any
 
+from smsl_studio.smsl.limits import MAX_DIGITS
+
 Json = Any
 
-MAX_DIGITS = 4000
 _MAX_BASED = 3000
 
 _NULL = {"", "~", "null", "Null", "NULL"}
