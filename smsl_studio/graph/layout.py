@@ -8,7 +8,8 @@ pure functions of the branch: the same branch is always drawn the same way.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import count
 
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import graph_of
@@ -20,6 +21,8 @@ SMALL = 60
 """Up to so many states columns are readable."""
 NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
 """No two nodes are nearer than this in both directions (a full node is 108 by 54)."""
+TRIED = 200_000
+"""So many places are tried for all new states together; the rest stands in rows below."""
 
 
 def place_states(
@@ -69,19 +72,19 @@ def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
                 continue
             seen.add(name)
             near = [graph.names[i] for i in graph.neighbours[number]]
-            wanted = _beside([places[other] for other in near if other in places], places)
+            wanted = _beside([places[other] for other in near if other in places], taken.below)
             places[name] = taken.free(wanted)
             queue.appendleft(number)
     return places
 
 
-def _beside(near: list[Point], places: Mapping[str, Point]) -> Point:
+def _beside(near: list[Point], below: Point) -> Point:
     """The middle of several neighbours, the right of one, the line below everything for none."""
     if len(near) > 1:
         return (sum(x for x, _ in near) / len(near), sum(y for _, y in near) / len(near))
     if near:
         return (near[0][0] + 218.0, near[0][1])
-    return (min(x for x, _ in places.values()), max(y for _, y in places.values()) + 172.0)
+    return below
 
 
 class _Grid:
@@ -89,21 +92,41 @@ class _Grid:
 
     def __init__(self, points: Iterable[Point]) -> None:
         self._cells: dict[tuple[int, int], list[Point]] = {}
+        self._left = self._right = self._bottom = 0.0
+        self._tries = TRIED
+        self._rows: Iterator[Point] | None = None
         for point in points:
             self._take(point)
 
+    @property
+    def below(self) -> Point:
+        """Where a line below everything begins."""
+        return self._left, self._bottom + 172.0
+
     def free(self, wanted: Point) -> Point:
-        """The free place nearest to ``wanted`` on rings around it; it is taken from now on."""
+        """The free place nearest to ``wanted`` on rings around it; it is taken from now on.
+
+        Where very many are asked for in a crowd, the last ones stand in rows below everything.
+        """
         ring = 0
-        while True:
-            for x, y in _ring(ring):
+        while self._tries > 0:
+            cells = _ring(ring)
+            self._tries -= len(cells)
+            for x, y in cells:
                 point = (wanted[0] + x * NODE_GAP_X / 2, wanted[1] + y * NODE_GAP_Y / 2)
                 if self._is_free(point):
                     self._take(point)
                     return point
             ring += 1
+        self._rows = self._rows or _rows(self.below, self._right)
+        return next(self._rows)
 
     def _take(self, point: Point) -> None:
+        x, y = point
+        if not self._cells:
+            self._left, self._right, self._bottom = x, x, y
+        self._left, self._right = min(self._left, x), max(self._right, x)
+        self._bottom = max(self._bottom, y)
         self._cells.setdefault(_cell(point), []).append(point)
 
     def _is_free(self, point: Point) -> bool:
@@ -120,10 +143,18 @@ def _cell(point: Point) -> tuple[int, int]:
     return int(point[0] // NODE_GAP_X), int(point[1] // NODE_GAP_Y)
 
 
+def _rows(start: Point, right: float) -> Iterator[Point]:
+    """Places side by side, one row below the other."""
+    wide = max(1, int((right - start[0]) // NODE_GAP_X) + 1)
+    for at in count():
+        yield start[0] + at % wide * NODE_GAP_X, start[1] + at // wide * NODE_GAP_Y
+
+
 def _ring(radius: int) -> list[tuple[int, int]]:
     """The half cells at this distance, to the right and below first."""
     if radius == 0:
         return [(0, 0)]
-    around = range(-radius, radius + 1)
-    cells = [(x, y) for x in around for y in around if max(abs(x), abs(y)) == radius]
+    ends = (-radius, radius)
+    cells = [(x, y) for x in range(-radius, radius + 1) for y in ends]
+    cells += [(x, y) for x in ends for y in range(1 - radius, radius)]
     return sorted(cells, key=lambda cell: (abs(cell[0]) + abs(cell[1]), -cell[0], -cell[1]))

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from smsl_studio.blueprint.elements import Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.graph import layout
 from smsl_studio.graph.layout import place_states
 from smsl_studio.smsl.json_form import parse_json
 
@@ -255,3 +256,21 @@ def test_eight_disks_have_a_place_each() -> None:
     places = place_states(StateBranch("SB", dict(hanoi(8))))
     assert len(set(places.values())) == 6561
     assert not covers(places)
+
+
+def test_very_many_new_states_in_a_crowd_are_placed_without_looking_for_long(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Half of a large SB was replaced: its neighbours stand close together."""
+    tried: list[int] = []
+    ring = layout._ring
+    monkeypatch.setattr(layout, "_ring", lambda r: tried.append(1) or ring(r))
+    names = [f"State_{n}" for n in range(3000)]
+    table = {name: {"a": names[n * 3 % 3000], "b": names[n // 7]} for n, name in enumerate(names)}
+    branch = StateBranch("SB", table)
+    former = {name: (n % 50 * 150.0, n // 50 * 90.0) for n, name in enumerate(names[::2])}
+    places = place_states(branch, former)
+    assert not covers(places)
+    assert {name: places[name] for name in former} == former
+    # Each ring has more places than the one before, and so many are tried in all.
+    assert len(tried) < 20_000

@@ -50,14 +50,14 @@ class Places:
         return place_states(replace(branch, fields=fields))
 
     def _follow_rename(self, branch: StateBranch, former: dict[str, Position]) -> None:
-        """A state that was renamed keeps its place."""
+        """States that were renamed, one or many at once, keep their places."""
         before, now = self._order[branch.name], tuple(branch.table)
         if len(before) != len(now):
             return
-        changed = [(a, b) for a, b in zip(before, now, strict=True) if a != b]
-        if len(changed) == 1 and changed[0][0] in former:
-            old, new = changed[0]
-            former[new] = former[old]
+        gone, fresh = set(before) - set(now), set(now) - set(before)
+        for old, new in zip(before, now, strict=True):
+            if old in gone and new in fresh and old in former:
+                former[new] = former[old]
 
     def rename_branch(self, before: str, after: str) -> None:
         """An SB that was renamed keeps its places."""
