@@ -264,10 +264,15 @@ def test_very_many_new_states_in_a_crowd_are_placed_without_looking_for_long(
     """Half of a large SB was replaced: its neighbours stand close together."""
     tried: list[int] = []
     ring = layout._ring
-    monkeypatch.setattr(layout, "_ring", lambda r: tried.append(1) or ring(r))
+
+    def counted(radius: int) -> list[tuple[int, int]]:
+        tried.append(radius)
+        return ring(radius)
+
+    monkeypatch.setattr(layout, "_ring", counted)
     names = [f"State_{n}" for n in range(3000)]
     table = {name: {"a": names[n * 3 % 3000], "b": names[n // 7]} for n, name in enumerate(names)}
-    branch = StateBranch("SB", table)
+    branch = StateBranch("SB", dict(table))
     former = {name: (n % 50 * 150.0, n // 50 * 90.0) for n, name in enumerate(names[::2])}
     places = place_states(branch, former)
     assert not covers(places)
