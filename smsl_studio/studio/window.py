@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -188,10 +189,14 @@ class Window(QMainWindow):
 
     def new_window(self) -> None:
         """Show another window, empty, on what the plugins offer here."""
+        self._beside()
+
+    def _beside(self) -> Window:
         window = Window(self._windows)
         window.set_plugins(self._loaded)
         window.move(self.pos() + QPoint(32, 32))
         window.show()
+        return window
 
     def set_mode(self, mode: str) -> None:
         """Show Draw or Run; each remembers its panels."""
@@ -330,7 +335,13 @@ class Window(QMainWindow):
         paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         if paths:
             event.acceptProposedAction()
-            QTimer.singleShot(0, self, lambda: self.files.open(paths[0]))
+            QTimer.singleShot(0, self, lambda: self._open_all(paths))
+
+    def _open_all(self, paths: Sequence[Path]) -> None:
+        """The first of several files takes the place of what is here, each other a window."""
+        self.files.open(paths[0])
+        for path in paths[1:]:
+            self._beside().files.open(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self.files.may_leave():

@@ -175,6 +175,36 @@ def test_a_file_dropped_on_the_window_is_opened(sit: Sit, tmp_path: Path) -> Non
     person.until(lambda: person.window.files.name == "hanoi.json")
 
 
+def test_several_files_dropped_on_the_window_have_a_window_each(sit: Sit, tmp_path: Path) -> None:
+    person = sit()
+    names = ("hanoi.json", "hfsm.json")
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(os.fspath(copy_of(name, tmp_path))) for name in names])
+    copy, none = Qt.DropAction.CopyAction, Qt.KeyboardModifier.NoModifier
+    at = QPointF(600, 400)
+    enter = QDragEnterEvent(at.toPoint(), copy, data, Qt.MouseButton.LeftButton, none)
+    QApplication.sendEvent(person.window, enter)
+    drop = QDropEvent(at, copy, data, Qt.MouseButton.LeftButton, none)
+    QApplication.sendEvent(person.window, drop)
+    person.until(lambda: [window.name for window in person.windows] == list(names))
+
+
+def test_recent_files_are_told_apart_and_shown_as_they_are_called(sit: Sit, tmp_path: Path) -> None:
+    (tmp_path / "deeper").mkdir()
+    here, there = copy_of("hfsm.json", tmp_path), copy_of("hfsm.json", tmp_path / "deeper")
+    odd = tmp_path / "this & that.json"
+    odd.write_text("{}")
+    person = sit(odd)
+    for path in (here, there):
+        person.window.files.open(path)
+    menu = _menu(person.window, "Open recent")
+    menu.aboutToShow.emit()
+    shown = [action.text() for action in menu.actions()]
+    assert shown[2] == "this && that.json"
+    assert len({*shown[:2]}) == 2
+    assert all(text.startswith("hfsm.json in ") for text in shown[:2])
+
+
 def test_what_was_closed_is_as_it_was(sit: Sit, tmp_path: Path) -> None:
     person = sit(copy_of("hfsm.json", tmp_path), (1300, 820))
     person.windows.set_theme("dark")

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from functools import partial
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.studio.drawing import Drawing
@@ -12,6 +14,13 @@ from smsl_studio.studio.session import Session
 
 MOST = 64
 """So many facts are offered in a menu."""
+WIDEST = 70
+"""Characters of a recent file's name and folder; its tooltip has it all."""
+
+
+def as_it_is(text: str) -> str:
+    """A text for a menu, in which & would underline what follows."""
+    return text.replace("&", "&&")
 
 
 def passing_menu(window: QWidget) -> QMenu:
@@ -25,8 +34,13 @@ def fill_recent(files: Files, menu: QMenu) -> None:
     """The files opened or saved last."""
     menu.clear()
     menu.setToolTipsVisible(True)
+    names = Counter(path.name for path in files.recent)
     for path in files.recent:
-        menu.addAction(path.name, partial(files.open, path)).setToolTip(str(path))
+        # Of two files with one name the folder tells which is which.
+        said = path.name if names[path.name] == 1 else f"{path.name} in {path.parent}"
+        room = menu.fontMetrics().averageCharWidth() * WIDEST
+        shown = menu.fontMetrics().elidedText(said, Qt.TextElideMode.ElideMiddle, room)
+        menu.addAction(as_it_is(shown), partial(files.open, path)).setToolTip(str(path))
     if menu.isEmpty():
         menu.addAction("No file was opened yet").setEnabled(False)
 
@@ -35,14 +49,14 @@ def fill_samples(files: Files, menu: QMenu) -> None:
     """The samples; each is opened as a copy."""
     menu.clear()
     for path in samples():
-        menu.addAction(path.name, partial(files.open_copy, path))
+        menu.addAction(as_it_is(path.name), partial(files.open_copy, path))
 
 
 def fill_sub_sbs(session: Session, drawing: Drawing, menu: QMenu) -> None:
     """The facts of the SB that is shown, and the SBs that could expand each."""
     branch = session.blueprint[session.branch]
     for digit in range(min(branch.num_facts, MOST)):
-        inner = menu.addMenu(f"{digit}  {branch.fact_name(digit)}")
+        inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))
         taken = branch.subs.get(digit)
         if taken is not None:
             inner.addAction(f"Expanded by {taken}").setEnabled(False)

@@ -1,7 +1,8 @@
 """Watching files: tells that something may have happened to them, also where they are replaced.
 
 The system forgets a file that another one takes the place of, so the folders are watched as well,
-and every file is watched anew after each stir. What stirred, and whether it matters, is for others.
+and those above them, because a folder is not told that it was moved itself. Every file is watched
+anew after each stir. What stirred, and whether it matters, is for others.
 """
 
 from __future__ import annotations
@@ -9,10 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QFileSystemWatcher, QObject, QTimer, Signal
 
 SETTLED = 150
 """Milliseconds without a stir after which one looks: a program may write in several pieces."""
+LATEST = 1000
+"""Milliseconds after which one looks although it goes on: beside a file others may be busy."""
 
 
 class Watcher(QObject):
@@ -31,6 +34,7 @@ class Watcher(QObject):
         self._timer.setSingleShot(True)
         self._timer.setInterval(SETTLED)
         self._timer.timeout.connect(self._settled)
+        self._since = QElapsedTimer()
 
     def watch(self, files: Iterable[Path]) -> None:
         """Watch these files and no others."""
@@ -46,7 +50,10 @@ class Watcher(QObject):
 
     def stir(self) -> None:
         """Tell in a moment, as if something had happened."""
-        self._timer.start()
+        if not self._timer.isActive():
+            self._since.start()
+        if self._since.elapsed() < LATEST:
+            self._timer.start()
 
     def _settled(self) -> None:
         self._renew()
@@ -54,7 +61,8 @@ class Watcher(QObject):
 
     def _renew(self) -> None:
         wanted = {str(path) for path in self._files if path.is_file()}
-        wanted |= {str(path.parent) for path in self._files if path.parent.is_dir()}
+        folders = {folder for path in self._files for folder in (path.parent, path.parent.parent)}
+        wanted |= {str(folder) for folder in folders if folder.is_dir()}
         present = {*self._system.files(), *self._system.directories()}
         if present - wanted:
             self._system.removePaths(sorted(present - wanted))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
@@ -29,6 +30,32 @@ def test_every_way_to_change_a_file_stirs(qapp: QApplication, qtbot: QtBot, tmp_
     for change in (replace, append, replace, lambda: late.write_text("{}"), path.unlink):
         with qtbot.waitSignal(watcher.stirred, timeout=10_000):
             change()
+    watcher.stop()
+    watcher.deleteLater()
+
+
+def test_a_folder_that_is_moved_stirs(qapp: QApplication, qtbot: QtBot, tmp_path: Path) -> None:
+    path = tmp_path / "here" / "a.json"
+    path.parent.mkdir()
+    path.write_text("{}")
+    watcher = Watcher(qapp)
+    watcher.watch([path])
+    with qtbot.waitSignal(watcher.stirred, timeout=10_000):
+        path.parent.rename(tmp_path / "there")
+    watcher.stop()
+    watcher.deleteLater()
+
+
+def test_who_is_busy_beside_a_file_keeps_nobody_from_looking(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
+    watcher = Watcher(qapp)
+    busy = QTimer(watcher)
+    busy.timeout.connect(watcher.stir)
+    busy.start(20)
+    with qtbot.waitSignal(watcher.stirred, timeout=10_000):
+        watcher.stir()
+    busy.stop()
     watcher.stop()
     watcher.deleteLater()
 
