@@ -14,6 +14,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
 from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, put_aside
 from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
 
@@ -117,8 +118,6 @@ class Session(QObject):
         changes nothing leaves no step. While a text does not read every edit is refused: it would
         be made in a text that is no longer the one that stands there.
         """
-        from smsl_studio.errors import StudioError
-
         self.settling.emit()
         try:
             if self._broken is not None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
@@ -16,6 +17,12 @@ KINDS = {
     ".yaml": "YAML (*.yaml *.yml)",
 }
 OPEN = f"SMSL blueprints ({' '.join(f'*{suffix}' for suffix in SUFFIXES)});;{ALL}"
+
+ROLES = {
+    "Save": QMessageBox.ButtonRole.AcceptRole,
+    "Cancel": QMessageBox.ButtonRole.RejectRole,
+}
+"""Of the buttons; every other one loses something."""
 
 
 class Dialogs:
@@ -77,28 +84,27 @@ class Dialogs:
         )
 
     def unsaved(self, said: str) -> Answer:
-        box = QMessageBox(self._window)
-        box.setWindowTitle("Unsaved changes")
-        box.setText(said)
-        box.setInformativeText("Saving writes them to the file. Discarding loses them.")
-        save = box.addButton("Save", QMessageBox.ButtonRole.AcceptRole)
-        discard = box.addButton("Discard changes", QMessageBox.ButtonRole.DestructiveRole)
-        stay = box.addButton("Cancel", QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(save)
-        box.setEscapeButton(stay)
-        box.exec()
-        if box.clickedButton() is save:
-            return "save"
-        return "discard" if box.clickedButton() is discard else "cancel"
+        words = ("Save", "Discard changes", "Cancel")
+        why = "Saving writes them to the file. Discarding loses them."
+        chosen = self._chosen("Unsaved changes", said, why, words, default="Save")
+        return "save" if chosen == "Save" else "cancel" if chosen == "Cancel" else "discard"
 
     def _agrees(self, title: str, what: str, why: str, verb: str) -> bool:
+        return self._chosen(title, what, why, (verb, "Cancel"), default="Cancel") == verb
+
+    def _chosen(self, title: str, what: str, why: str, words: Sequence[str], default: str) -> str:
+        """The words of the button that was chosen; Escape is "Cancel"."""
         box = QMessageBox(self._window)
         box.setWindowTitle(title)
         box.setText(what)
         box.setInformativeText(why)
-        agree = box.addButton(verb, QMessageBox.ButtonRole.DestructiveRole)
-        stay = box.addButton("Cancel", QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(stay)
-        box.setEscapeButton(stay)
+        buttons = {
+            one: box.addButton(one, ROLES.get(one, QMessageBox.ButtonRole.DestructiveRole))
+            for one in words
+        }
+        box.setDefaultButton(buttons[default])
+        box.setEscapeButton(buttons["Cancel"])
         box.exec()
-        return box.clickedButton() is agree
+        clicked = box.clickedButton()
+        box.deleteLater()
+        return next((one for one, made in buttons.items() if made is clicked), "Cancel")

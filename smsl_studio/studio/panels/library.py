@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address, note_key
@@ -36,8 +36,6 @@ class Offer:
 
 class Library(Panel):
     """Operations by name, how often each is used, and who acts. A click selects its edges."""
-
-    add_plugin_wanted = Signal()
 
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Library", parent)

@@ -16,7 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.revising import with_document
 from smsl_studio.errors import EditRefused, ReadError, StudioError
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio.broken import Broken, read_text
+from smsl_studio.studio.broken import Broken, Reading, read_text
 from smsl_studio.studio.compare.versions import Version
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.on_disk import Look
@@ -191,39 +191,44 @@ class Outside(QObject):
         elif mine != self._files.on_disk.text(file) or self._held(file):
             self._asked[file] = look
             self._ask()
-        elif self._is_doubtful(look, text):
+        else:
+            self._read(look, text)
+
+    def _read(self, look: Look, text: str) -> None:
+        """Follow the disk, unless what stands there is half done."""
+        file, reading = look.file, read_text(self._session.blueprint, look.file, text)
+        if isinstance(reading, Broken) and self._is_doubtful(file, text):
             self._doubted[file] = text
             self._later.start()
-        else:
-            self._doubted.pop(file, None)
-            name = self._files.display(file)
-            self._take(look, f"{name} was changed by another program")
-            self.said.emit(f"{name} was changed by another program. Shown is what it holds now.")
+            return
+        self._doubted.pop(file, None)
+        name = self._files.display(file)
+        self._take(look, f"{name} was changed by another program", reading)
+        self.said.emit(f"{name} was changed by another program. Shown is what it holds now.")
 
     def _held(self, file: str) -> bool:
         """Whether another text does not read, so that no step can be made in this one."""
         broken = self._session.broken
         return broken is not None and broken.file != file
 
-    def _is_doubtful(self, look: Look, text: str) -> bool:
-        """Whether a text that read before does not now, and was not seen twice: it is half done."""
-        if self._session.broken is not None or self._doubted.get(look.file) == text:
-            return False
-        return isinstance(read_text(self._session.blueprint, look.file, text), Broken)
+    def _is_doubtful(self, file: str, text: str) -> bool:
+        """Whether a text that does not read did before, and was not seen twice."""
+        return self._session.broken is None and self._doubted.get(file) != text
 
     def _look_again(self) -> None:
         for file in list(self._doubted):
             self._signs[file] = _sign(file)
             self._look_at(file)
 
-    def _take(self, look: Look, words: str) -> bool:
+    def _take(self, look: Look, words: str, reading: Reading | None = None) -> bool:
         """Make a step of what another program wrote; False where that cannot be done yet."""
         if look.text is None:
             return False
         if look.file in self._session.aside:
             self._session.give_up(words, look.file)
         else:
-            self._session.write(words, look.text, look.file)
+            reading = reading or read_text(self._session.blueprint, look.file, look.text)
+            self._session.take(words, reading, look.file)
             if self._session.texts[look.file] != look.text:
                 return False
         self._files.on_disk.saw(look.file, look.text)
