@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import stat
 import time
@@ -27,6 +26,8 @@ def short(name: str) -> str:
     raw = os.fsencode(name)
     if len(raw) <= _LONGEST:
         return name
+    import hashlib  # seldom needed, and slow to load
+
     return f"{name[:20]}~{hashlib.sha256(raw).hexdigest()[:20]}"
 
 

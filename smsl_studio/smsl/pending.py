@@ -7,7 +7,6 @@ stands: the new bytes. None: what stands in the file. Nothing here writes.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import re
@@ -85,6 +84,8 @@ def token_of(journal: Path) -> str:
 
 def digest_at(target: Path) -> str | None:
     """The digest of a file's bytes, None where there is no file."""
+    import hashlib  # needed only where a save is being made, and slow to load
+
     try:
         return hashlib.sha256(target.read_bytes()).hexdigest()
     except OSError:

@@ -3,9 +3,16 @@
 The functions here are the doors of a form; see ``forms.Form``.
 """
 
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from smsl_studio.smsl.json_form.reading import parse, recover, write
-from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
-from smsl_studio.smsl.json_form.tidying import tidy
+
+if TYPE_CHECKING:
+    from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
+    from smsl_studio.smsl.json_form.tidying import tidy
 
 parse_json, write_json = parse, write
 """The names under which those call them who want this form and no other."""
@@ -20,3 +27,12 @@ __all__ = [
     "write",
     "write_json",
 ]
+
+# What only edits need is loaded with the first one, so that `check` starts quickly.
+_OF_EDITS = {"keep_winner": "splicing", "reconcile": "splicing", "tidy": "tidying"}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _OF_EDITS:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f"{__name__}.{_OF_EDITS[name]}"), name)
