@@ -11,6 +11,7 @@ import pytest
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.json_form import parse_json, recover
+from smsl_studio.smsl.json_form.strides import balance_of
 
 SAMPLES = sorted((Path(__file__).parents[2] / "samples").glob("*.json"))
 
@@ -226,6 +227,16 @@ def test_what_is_hostile_is_refused_in_one_pass(piece: str) -> None:
         error = refusal(begin + piece * 1_500)
         assert 1 <= len(error.faults) <= 100
         assert recover(begin + piece * 1_500, "f.json").text
+
+
+def test_a_quote_that_is_not_closed_is_sought_once() -> None:
+    # Asked again of every quote behind it, this takes minutes.
+    text = '{"a": ' + '"\\' * 60_000
+    error = refusal(text)
+    assert error.place is not None
+    assert error.place.column == 7
+    assert balance_of('{"[\\"" } \'"]\' ] // "}\n] "}') == 3
+    assert balance_of('{"a": "}}}, "b": 1\n}}') == 1
 
 
 def test_one_fault_in_a_large_text_is_one_fault_in_its_place() -> None:

@@ -9,10 +9,13 @@ from smsl_studio.smsl.json_form.tokens import Tokens
 
 BALANCE = {"{": -1, "[": -1, "}": 1, "]": 1}
 
-_PIECES = re.compile(
-    r'"[^"\\\r\n]*(?:\\[^\r\n][^"\\\r\n]*)*"|\'[^\'\r\n]*\'|(?://|#)[^\r\n]*|/\*.*?(?:\*/|\Z)',
-    re.DOTALL,
+_PIECE = (
+    r'"[^"\\\r\n]*+(?:\\[^\r\n][^"\\\r\n]*+)*+"'
+    r"|'[^'\r\n]*'|(?://|#)[^\r\n]*|/\*.*?(?:\*/|\Z)"
 )
+_PIECES = re.compile(_PIECE, re.DOTALL)
+_TO_A_LOST_QUOTE = re.compile(rf"(?:[^\"'/#]++|{_PIECE}|['/])*+\"", re.DOTALL)
+"""Up to the first quote that is not closed: asked once, it is not asked of every quote behind."""
 _NAME, _GAP = r'"[^"\\\x00-\x1f\ud800-\udfff]*"', r"[ \t\r\n]*"
 _MEMBER = rf"{_NAME}{_GAP}:{_GAP}{_NAME}{_GAP}"
 _FLAT = re.compile(rf"\{{{_GAP}(?:{_MEMBER}(?:,{_GAP}{_MEMBER})*)?\}}")
@@ -20,17 +23,15 @@ _FLAT = re.compile(rf"\{{{_GAP}(?:{_MEMBER}(?:,{_GAP}{_MEMBER})*)?\}}")
 
 def balance_of(text: str) -> int:
     """How many closing brackets a text has beyond the opening ones, outside of texts."""
-    bare = _PIECES.sub("", text)
-    if '"' not in bare:
-        return _balance(bare)
+    if _TO_A_LOST_QUOTE.match(text) is None:
+        return _balance(_PIECES.sub("", text))
     return sum(map(_line_balance, text.split("\n")))
 
 
 def _line_balance(line: str) -> int:
     """The balance of one line; where a quote is missing in it, token by token."""
-    bare = _PIECES.sub("", line)
-    if '"' not in bare:
-        return _balance(bare)
+    if _TO_A_LOST_QUOTE.match(line) is None:
+        return _balance(_PIECES.sub("", line))
     tokens, total = Tokens(line, lambda _: None), 0
     while (token := tokens.take()).kind != "end":
         total += BALANCE.get(token.kind, 0)
