@@ -10,7 +10,7 @@ import argparse
 import os
 
 from smsl_studio.blueprint.comparing import Change, Difference, compare
-from smsl_studio.blueprint.comparing.signs import CHANGED, SIGNS
+from smsl_studio.blueprint.comparing.signs import ADDED, REMOVED, sign_of
 from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.git_driver import by_git, show_for_git
 from smsl_studio.cli.output import Output, one_line
@@ -57,13 +57,13 @@ def print_difference(difference: Difference, out: Output) -> None:
     What differs beside the meaning stands apart, under a line of its own.
     """
     for change in difference.changes:
-        sign = SIGNS.get(change.kind, CHANGED)
-        paint = {"+": out.green, "-": out.red}.get(sign, out.yellow)
+        sign = sign_of(change.kind)
+        paint = {ADDED: out.green, REMOVED: out.red}.get(sign, out.yellow)
         out.line(paint(_told(sign, change)) + _places(difference, change))
     if difference.fields:
         out.line("Beside the meaning:")
     for change in difference.fields:
-        sign = SIGNS.get(change.kind, CHANGED)
+        sign = sign_of(change.kind)
         out.line(f"  {_told(sign, change)}{_places(difference, change)}")
     out.line(one_line(difference.words))
 

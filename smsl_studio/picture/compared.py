@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import Change, Difference
-from smsl_studio.blueprint.comparing.signs import Signs, signs_of
+from smsl_studio.blueprint.comparing.signs import Signs, sign_of, signs_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.aligned import changed_pairs, places_of
 from smsl_studio.picture.colours import LIGHT, Colours
@@ -89,7 +89,7 @@ def _rows(
     """A sentence a row, from a height on; and the height below them."""
     parts: list[str] = []
     for change in changes[:MOST_ROWS]:
-        sign = {"added": "+", "removed": "-"}.get(change.kind.value, "~")
+        sign = sign_of(change.kind)
         parts.extend(sign_at((EDGE + 7.0, y - 4.5), sign, colours))
         words = elided(change.words, SIZE, WIDE)
         parts.append(text((EDGE + 22.0, y), words, SIZE, colours[ink], 400, "start"))

@@ -53,8 +53,8 @@ def panel_of(
         parts.append(text((80.0, 14.0), "no states", NOTE, colours["tx3"]))
     parts.append("</g>")
     below = HEAD + bottom - top + 2 * EDGE
-    for number_, (svg, _) in enumerate(rows):
-        parts.append(f'<g transform="translate({number(EDGE)} {number(below + number_ * ROW)})">')
+    for row, (svg, _) in enumerate(rows):
+        parts.append(f'<g transform="translate({number(EDGE)} {number(below + row * ROW)})">')
         parts.append(f"{svg}</g>")
     return Panel(wide, high + (12.0 if rows else 0.0), "\n".join(parts))
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
+from smsl_studio.blueprint.comparing.signs import ADDED, CHANGED, REMOVED
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.shape import Point
 from smsl_studio.picture.strokes import circle, polyline
 
-ADDED, REMOVED, CHANGED = "+", "-", "~"
 WORDS = {ADDED: "added", REMOVED: "removed", CHANGED: "renamed, retargeted or changed"}
 DASHES: Mapping[str, str] = {REMOVED: "5 3"}
 

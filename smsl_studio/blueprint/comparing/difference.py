@@ -101,12 +101,6 @@ class Difference:
         """Whether boxes were moved and nothing else happened."""
         return bool(self.moved) and not (self.changes or self.fields)
 
-    @property
-    def removals_first(self) -> tuple[Change, ...]:
-        """The changes with the removals in front, which are the hardest to see otherwise."""
-        order = list(Kind)
-        return tuple(sorted(self.changes, key=lambda change: order.index(change.kind)))
-
     def count(self, kind: Kind) -> int:
         return Counter(change.kind for change in self.changes)[kind]
 

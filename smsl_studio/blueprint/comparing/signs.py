@@ -8,8 +8,12 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing.difference import Difference, Kind
 from smsl_studio.blueprint.model import Blueprint
 
-SIGNS = {Kind.ADDED: "+", Kind.REMOVED: "-"}
-CHANGED = "~"
+ADDED, REMOVED, CHANGED = "+", "-", "~"
+
+
+def sign_of(kind: Kind) -> str:
+    """The sign of one kind of change."""
+    return {Kind.ADDED: ADDED, Kind.REMOVED: REMOVED}.get(kind, CHANGED)
 
 
 @dataclass
@@ -24,7 +28,7 @@ class Signs:
     def add(self, address: Address, sign: str, blueprint: Blueprint) -> None:
         """Mark an element and, where it came or went, all that belongs to it."""
         # What came or went stays so, whatever else is told about it.
-        if self.by_address.get(address) in SIGNS.values():
+        if self.by_address.get(address) in (ADDED, REMOVED):
             return
         self.by_address[address] = sign
         if sign == CHANGED or address.operation:
@@ -42,7 +46,7 @@ def signs_of(difference: Difference) -> tuple[Signs, Signs]:
     before, after = Signs(), Signs()
     for change in difference.changes:
         whole = change.what in ("branch", "state", "operation")
-        sign = SIGNS.get(change.kind, CHANGED) if whole else CHANGED
+        sign = sign_of(change.kind) if whole else CHANGED
         if change.before is not None:
             before.add(change.before, sign, difference.before)
         if change.after is not None:

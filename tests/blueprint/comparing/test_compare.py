@@ -11,7 +11,7 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing import Change, Difference, compare
+from smsl_studio.blueprint.comparing import Difference, compare
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import values_of
@@ -311,11 +311,3 @@ def test_a_difference_as_json_has_places_on_both_sides() -> None:
     assert (found["same"], found["layout_only"], len(found["changes"])) == (False, False, 2)
     assert found["changes"][0]["place_after"]["line"] == 73
     assert found["changes"][0]["old"] == "Op_1c"
-
-
-def test_removals_can_be_read_first() -> None:
-    before = two_levels()
-    after = edit.delete(edit.add_branch(before, "New"), [A("Base", "State11", "Drop")])
-    after = edit.retarget(after, A("Base", "State00", "Stay"), "State11")
-    first: tuple[Change, ...] = compare(before, after).removals_first
-    assert [c.kind.value for c in first] == ["removed", "retargeted", "added"]
