@@ -20,6 +20,14 @@ Unsaved = Callable[[Document], bool]
 NOTHING: Aside = MappingProxyType({})
 
 
+def leaving(before: Blueprint, after: Blueprint, unsaved: Unsaved) -> Aside:
+    """What was imported before, is not any more, and has unsaved text."""
+    if before.documents[1:] == after.documents[1:]:
+        return NOTHING
+    here = {document.file for document in after.documents}
+    return {one.file: one for one in before.documents[1:] if one.file not in here and unsaved(one)}
+
+
 def put_aside(
     before: Blueprint, after: Blueprint, aside: Aside, unsaved: Unsaved
 ) -> tuple[Blueprint, Aside]:
@@ -29,8 +37,8 @@ def put_aside(
     if before.documents[1:] == after.documents[1:] and not aside:
         return after, NOTHING
     here = {document.file for document in after.documents}
-    left = {one.file: one for one in before.documents[1:] if one.file not in here}
-    kept = {file: one for file, one in {**aside, **left}.items() if unsaved(one)}
+    waiting = {file: one for file, one in aside.items() if unsaved(one)}
+    kept = {**waiting, **leaving(before, after, unsaved)}
     for document in [kept.pop(file) for file in here & kept.keys()]:
         after = with_document(after, document)
     return after, kept or NOTHING

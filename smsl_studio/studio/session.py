@@ -15,7 +15,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, put_aside
+from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, leaving, put_aside
 from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
 
 __all__ = ["Broken", "Session"]
@@ -225,6 +225,8 @@ class Session(QObject):
         self.history.push(_Edit(words, self, before, after))
 
     def _show(self, blueprint: Blueprint, broken: Broken | None, aside: Aside) -> None:
+        # An undo may take out an import too; the history does not know what of it was saved.
+        aside = {**leaving(self._blueprint, blueprint, self.unsaved), **aside}
         told, self._aside = self._aside.keys() != aside.keys(), aside
         # A step from before a save under another name: the name stays the new one.
         self._replace(*under_name(blueprint, broken, self._blueprint.file))

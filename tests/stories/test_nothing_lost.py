@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.app import offer_recovery
@@ -68,6 +68,41 @@ def test_a_file_that_is_imported_no_longer_keeps_its_unsaved_text(sit: Sit, oute
     person.window.session.history.undo()
     assert person.window.files.save()
     assert (outer.read_text(), inner_of(outer).read_text()) == (OUTER, INNER)
+
+
+def test_an_undo_that_takes_out_an_import_keeps_what_is_unsaved_in_it(
+    sit: Sit, outer: Path
+) -> None:
+    outer.write_text(ALONE)
+    person = sit(outer)
+    leave_out(person, OUTER)
+    add(person, "SB2")
+    assert person.window.files.save()
+    person.window.session.history.undo()
+    person.window.session.history.undo()
+    assert person.window.menu_row.title == "outer.json and 1 more edited"
+    assert person.window.files.save()
+    assert (outer.read_text(), inner_of(outer).read_text()) == (ALONE, INNER)
+    person.window.session.history.redo()
+    person.window.session.history.redo()
+    assert person.window.files.save()
+    assert "State_9" in inner_of(outer).read_text()
+    assert outer.read_text() == OUTER
+
+
+def test_the_form_that_takes_out_an_import_keeps_what_is_unsaved_in_it(
+    sit: Sit, outer: Path
+) -> None:
+    person = sit(outer)
+    add(person, "SB2")
+    person.window.session.show_branch("SB1")
+    found = person.window.properties.file.findChildren(QAbstractButton)
+    (button,) = (one for one in found if one.toolTip() == "Import this file no longer")
+    person.click(button)
+    assert "SB2" not in person.blueprint.branches
+    assert person.window.menu_row.title == "outer.json and 1 more edited"
+    assert person.window.files.save()
+    assert "State_9" in inner_of(outer).read_text()
 
 
 def test_a_file_that_is_imported_again_comes_with_its_unsaved_text(sit: Sit, outer: Path) -> None:
