@@ -29,6 +29,7 @@ class Bulb(QToolButton):
         self.setProperty("role", "small")
         self.setFixedSize(SIDE + 2, SIDE)
         self.setAccessibleName("Quick fixes")
+        editor.reshaped.connect(self._follow)
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -46,6 +47,10 @@ class Bulb(QToolButton):
         self.setVisible(bool(repairs))
         if repairs:
             self.setToolTip("\n".join((*(one.words for one in repairs), "(Ctrl+.)")))
+            self._place()
+
+    def _follow(self) -> None:
+        if self.isVisible():
             self._place()
 
     def _place(self) -> None:

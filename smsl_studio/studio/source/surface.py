@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QRect, QRectF, Qt
+from PySide6.QtCore import QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextCursor, QWheelEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
@@ -22,6 +22,9 @@ SIZE, SMALLEST, LARGEST = 12, 8, 32
 
 class Surface(QPlainTextEdit):
     """A text widget without lines that wrap. Lines are those shown, counted from 0."""
+
+    reshaped = Signal()
+    """Lines stand elsewhere, or have other room."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -120,6 +123,7 @@ class Surface(QPlainTextEdit):
         self.setViewportMargins(wide, 0, 0, 0)
         inside = self.contentsRect()
         self.gutter.setGeometry(QRect(inside.left(), inside.top(), wide + 3, inside.height()))
+        self.reshaped.emit()
 
     def _scroll_gutter(self, rect: QRect, down: int) -> None:
         if down:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication, QMenu
 
 from smsl_studio.blueprint.reading import read_blueprint
@@ -41,6 +42,27 @@ def test_a_finding_is_fixed_from_its_line(at_text: At) -> None:
     assert len(writer.words) == 1
     writer.key(Qt.Key.Key_Z, CTRL)
     assert '"Op_1c": "State_bbb"' in writer.text
+
+
+def test_the_bulb_keeps_to_its_line_in_a_wider_and_a_larger_text(at_text: At) -> None:
+    writer = at_text((SAMPLES / "hanoi.json").read_text("utf-8"), "hanoi.json")
+    pane, bulb = writer.pane, writer.pane.repairing.bulb
+    pane.set_findings(inspect(writer.session.blueprint))
+    pane.resize(220, 600)
+    writer.go('"Op_1c": "State_bbb"')
+    row = pane.editor.cursorRect
+    assert not row().top() <= bulb.geometry().center().y() <= row().bottom(), "no room behind it"
+    pane.resize(700, 600)
+    assert row().top() <= bulb.geometry().center().y() <= row().bottom()
+    beside = bulb.x()
+    none = QPoint()
+    turn = QWheelEvent(
+        QPointF(50, 50), QPointF(50, 50), none, QPoint(0, 120), Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.ControlModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(pane.editor.viewport(), turn)
+    assert bulb.x() > beside
+    assert row().top() <= bulb.geometry().center().y() <= row().bottom()
 
 
 def test_a_broken_file_is_shown_with_its_faults_and_repaired_one_by_one(at_text: At) -> None:
