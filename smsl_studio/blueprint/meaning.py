@@ -1,4 +1,4 @@
-"""What the annotations of a blueprint mean, as plain values: equal where they say the same.
+"""What a blueprint and its annotations mean, as plain values: equal where they say the same.
 
 Defaults are made explicit by leaving them out: a cost of 1, and no cost, is one meaning. An entry
 that does not fit its table means what is written, word for word; so do arguments of a binding.
@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Notes, OperationNote
-    from smsl_studio.blueprint.model import StateBranch
+    from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 Json = Any
 MEANING_FIELDS = ("_facts", "_states", "_operations")
@@ -24,6 +24,41 @@ _COST = 1.0
 """The cost of an operation that declares none."""
 
 _EXACT = 2**53
+
+
+def blueprint_meaning(blueprint: Blueprint) -> dict[str, Json]:
+    """See ``Blueprint.meaning``."""
+    return {
+        "branches": [[branch.name, branch.meaning] for branch in blueprint],
+        "hazards": hazards_meaning(_hazards_written(blueprint)),
+        "imports": blueprint.fields.get("_imports") or None,
+    }
+
+
+def branch_meaning(branch: StateBranch) -> dict[str, Json]:
+    """See ``StateBranch.meaning``.
+
+    NUM_STATES only checks the number of states, so it means nothing. How the names are cut into
+    facts is part of the meaning, whether NUM_FACTS says so or it was inferred.
+    """
+    shape = branch.shape
+    return {
+        "initial": branch.initial,
+        "activating": branch.activating,
+        "facts": [shape.num_facts, shape.width, shape.opaque],
+        "sub_sbs": subs_meaning(branch.header.sub_sbs),
+        "states": {name: dict(operations) for name, operations in branch.table.items()},
+        "notes": notes_meaning(branch),
+    }
+
+
+def _hazards_written(blueprint: Blueprint) -> Json:
+    """What stands in ``_hazards``: of the file, or one behind the other of all its files."""
+    written = [one.values.get("_hazards") for one in blueprint.documents]
+    if not any(written[1:]):
+        return written[0]
+    listed = (item if isinstance(item, list) else [item] for item in written if item)
+    return [hazard for items in listed for hazard in items]
 
 
 def notes_meaning(branch: StateBranch) -> dict[str, Json]:

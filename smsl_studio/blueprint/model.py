@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
-from smsl_studio.blueprint.meaning import hazards_meaning, notes_meaning, subs_meaning
+from smsl_studio.blueprint.meaning import blueprint_meaning, branch_meaning
+from smsl_studio.blueprint.resolving import resolved
 from smsl_studio.errors import AddressError, Place, did_you_mean
 
 if TYPE_CHECKING:
@@ -169,20 +170,8 @@ class StateBranch:
 
     @cached_property
     def meaning(self) -> Json:
-        """This SB as plain values, defaults made explicit, layout and comments left out.
-
-        NUM_STATES only checks the number of states, so it means nothing. How the names are cut
-        into facts is part of the meaning, whether NUM_FACTS says so or it was inferred.
-        """
-        shape = self.shape
-        return {
-            "initial": self.initial,
-            "activating": self.activating,
-            "facts": [shape.num_facts, shape.width, shape.opaque],
-            "sub_sbs": subs_meaning(self.header.sub_sbs),
-            "states": {name: dict(operations) for name, operations in self.table.items()},
-            "notes": notes_meaning(self),
-        }
+        """This SB as plain values, defaults made explicit, layout and comments left out."""
+        return branch_meaning(self)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, StateBranch):
@@ -291,40 +280,7 @@ class Blueprint:
 
         The SB may be left out where the file has one root: ``State_aaa/Op_1c``.
         """
-        parts = text.path if isinstance(text, Address) else Address.split(text)
-        if parts and parts[0] not in self.branches and len(self.roots) == 1:
-            root = self[self.roots[0]]
-            if parts[0] in root.table:
-                parts = (root.name, *parts)
-            elif len(parts) == 1 and parts[0]:
-                raise AddressError(
-                    f"there is neither a State Branch nor a state {parts[0]!r}",
-                    advice=self._homes(parts)
-                    or did_you_mean(parts[0], [*self.branches, *root.table]),
-                )
-        if not 1 <= len(parts) <= 3 or not all(parts):
-            raise AddressError(
-                f"{text!s} is no address", advice="Write SB, SB/State or SB/State/Operation."
-            )
-        if parts[0] not in self.branches and (homes := self._homes(parts)):
-            raise AddressError(f"there is no State Branch {parts[0]!r}", advice=homes)
-        branch = self[parts[0]]
-        if len(parts) > 1 and parts[1] not in branch.table:
-            raise AddressError(
-                f"there is no state {parts[1]!r} in {branch.name}",
-                advice=did_you_mean(parts[1], branch.table),
-            )
-        if len(parts) > 2 and parts[2] not in branch.table[parts[1]]:
-            raise AddressError(
-                f"there is no operation {parts[2]!r} in {branch.name}/{parts[1]}",
-                advice=did_you_mean(parts[2], branch.table[parts[1]]),
-            )
-        return Address(*parts)
-
-    def _homes(self, parts: tuple[str, ...]) -> str:
-        """An advice to put the SB before a state that some SBs have, or the empty text."""
-        found = [Address(one.name, *parts[:2]) for one in self if parts[0] in one.table]
-        return f"Write {' or '.join(map(str, found[:3]))}." if found and len(parts) < 3 else ""
+        return resolved(self, text)
 
     def place(self, address: Address, *below: str) -> Place:
         """Where an address (or a key below it, such as HEADER, INITIAL) stands in the text."""
@@ -333,19 +289,7 @@ class Blueprint:
     @cached_property
     def meaning(self) -> Json:
         """Everything a digest signs, as plain values; the order of SBs counts."""
-        return {
-            "branches": [[branch.name, branch.meaning] for branch in self],
-            "hazards": hazards_meaning(self._hazards_written()),
-            "imports": self.fields.get("_imports") or None,
-        }
-
-    def _hazards_written(self) -> Json:
-        """What stands in ``_hazards``: of the file, or one behind the other of all its files."""
-        written = [one.values.get("_hazards") for one in self.documents]
-        if not any(written[1:]):
-            return written[0]
-        listed = (item if isinstance(item, list) else [item] for item in written if item)
-        return [hazard for items in listed for hazard in items]
+        return blueprint_meaning(self)
 
     @cached_property
     def behaviour(self) -> str:

@@ -1,0 +1,50 @@
+"""From a written address to what it means: the one element of a blueprint that has it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import AddressError, did_you_mean
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint
+
+
+def resolved(blueprint: Blueprint, text: str | Address) -> Address:
+    """See ``Blueprint.resolve``."""
+    parts = text.path if isinstance(text, Address) else Address.split(text)
+    if parts and parts[0] not in blueprint.branches and len(blueprint.roots) == 1:
+        root = blueprint[blueprint.roots[0]]
+        if parts[0] in root.table:
+            parts = (root.name, *parts)
+        elif len(parts) == 1 and parts[0]:
+            raise AddressError(
+                f"there is neither a State Branch nor a state {parts[0]!r}",
+                advice=_homes(blueprint, parts)
+                or did_you_mean(parts[0], [*blueprint.branches, *root.table]),
+            )
+    if not 1 <= len(parts) <= 3 or not all(parts):
+        raise AddressError(
+            f"{text!s} is no address", advice="Write SB, SB/State or SB/State/Operation."
+        )
+    if parts[0] not in blueprint.branches and (homes := _homes(blueprint, parts)):
+        raise AddressError(f"there is no State Branch {parts[0]!r}", advice=homes)
+    branch = blueprint[parts[0]]
+    if len(parts) > 1 and parts[1] not in branch.table:
+        raise AddressError(
+            f"there is no state {parts[1]!r} in {branch.name}",
+            advice=did_you_mean(parts[1], branch.table),
+        )
+    if len(parts) > 2 and parts[2] not in branch.table[parts[1]]:
+        raise AddressError(
+            f"there is no operation {parts[2]!r} in {branch.name}/{parts[1]}",
+            advice=did_you_mean(parts[2], branch.table[parts[1]]),
+        )
+    return Address(*parts)
+
+
+def _homes(blueprint: Blueprint, parts: tuple[str, ...]) -> str:
+    """An advice to put the SB before a state that some SBs have, or the empty text."""
+    found = [Address(one.name, *parts[:2]) for one in blueprint if parts[0] in one.table]
+    return f"Write {' or '.join(map(str, found[:3]))}." if found and len(parts) < 3 else ""
