@@ -14,7 +14,8 @@ from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.limits import MAX_CHARACTERS, too_long
 from smsl_studio.smsl.native_form import strays
 from smsl_studio.smsl.native_form.faults import Enough, Faults
-from smsl_studio.smsl.native_form.lines import BadValue, Line, line_at, read_value
+from smsl_studio.smsl.native_form.keeping import Keeping
+from smsl_studio.smsl.native_form.lines import Line, line_at
 from smsl_studio.smsl.native_form.refusing import misnamed
 from smsl_studio.smsl.native_form.spans import NativeSpans
 from smsl_studio.smsl.native_form.states import StateReader
@@ -41,16 +42,20 @@ class Parser:
     def __init__(self, text: str, file: str) -> None:
         self.text = text
         self.values: dict[str, Json] = {}
-        self.doubled = False
         blank = Document(text, file, "smsl", {}, NativeSpans)
         self.faults = Faults(blank.place_at)
-        self._states = StateReader(text, self.faults)
+        self._keeping = Keeping(text, self.faults)
+        self._states = StateReader(text, self.faults, self._keeping)
         try:
             if self._is_sound():
                 self._file()
         except Enough:
             pass
-        self.doubled = self.doubled or self._states.doubled
+
+    @property
+    def doubled(self) -> bool:
+        """Whether a key came twice in one map."""
+        return self._keeping.doubled
 
     def _is_sound(self) -> bool:
         text = self.text
@@ -87,7 +92,7 @@ class Parser:
         if line is None:
             return strays.broken_line(self.text, at, self.faults)
         if line.level == "field":
-            return self._keep_line(self.values, line, 1)
+            return self._keeping.line(self.values, line, 1)
         return self._branch_without_brace(at)
 
     def _branch_without_brace(self, at: int) -> int:
@@ -107,7 +112,7 @@ class Parser:
             state = self._states.whole(at)
             if state is not None:
                 key, value, at = state
-                self._keep(members, key, value)
+                self._keeping.keep(members, key, value)
                 continue
             mark = text[at : at + 1]
             if mark == "}":
@@ -119,9 +124,9 @@ class Parser:
                     name = name or strays.meant_name(text, at)
                     at = strays.broken_line(text, at, self.faults)
                 elif line.level == "field":
-                    at = self._keep_line(members, line, 2)
+                    at = self._keeping.line(members, line, 2)
                 elif line.level == "header":
-                    at = self._keep_line(header, line, 3)
+                    at = self._keeping.line(header, line, 3)
                 elif name is None:
                     name = self._name(line)
                     at = line.end
@@ -134,33 +139,15 @@ class Parser:
             else:
                 odd = self._states.odd(at)
                 if odd.key is not None:
-                    self._keep(members, odd.key, odd.value)
+                    self._keeping.keep(members, odd.key, odd.value)
                 at = odd.end
         if name is None:
             name = strays.no_name(text, start, self.values, self.faults if braced else None)
-        self._keep(self.values, name, {"HEADER": header, **members} if header else members)
+        self._keeping.keep(self.values, name, {"HEADER": header, **members} if header else members)
         return at
 
     def _name(self, line: Line) -> str:
         found: dict[str, Json] = {}
-        self._keep_line(found, line, 1)
+        self._keeping.line(found, line, 1)
         name: str = found.get(line.key) or strays.free_name(self.values)
         return name
-
-    def _keep_line(self, table: dict[str, Json], line: Line, depth: int) -> int:
-        """Keep what a line says, or may have meant where that cannot be read; what it goes to."""
-        try:
-            value, _, doubled = read_value(self.text, line, depth)
-        except BadValue as error:
-            self.faults.add(error.at, error.end, error.sentence, error.advice, error.fix)
-            if error.guess is not None:
-                self._keep(table, line.key, error.guess)
-            return error.resume or line.end
-        self.doubled = self.doubled or doubled
-        self._keep(table, line.key, value)
-        return line.end
-
-    def _keep(self, table: dict[str, Json], key: str, value: Json) -> None:
-        if key in table:
-            self.doubled = True
-        table[key] = value

@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.native_form import names, strays, tokens
 from smsl_studio.smsl.native_form.faults import Faults
-from smsl_studio.smsl.native_form.lines import BadValue, line_at, read_value
+from smsl_studio.smsl.native_form.keeping import Keeping
+from smsl_studio.smsl.native_form.lines import line_at
 from smsl_studio.smsl.native_form.tokens import decoded, skip_gap, skip_separator
 
 Json = Any
@@ -30,12 +31,10 @@ class Reading(NamedTuple):
 class StateReader:
     """Reads the states of one text."""
 
-    def __init__(self, text: str, faults: Faults) -> None:
-        self._text = text
-        self._faults = faults
+    def __init__(self, text: str, faults: Faults, keeping: Keeping) -> None:
+        self._text, self._faults, self._keeping = text, faults, keeping
         self._match = tokens.state.match
         self._same: dict[str, str] = {}
-        self.doubled = False
 
     def whole(self, at: int) -> tuple[str, dict[str, Json], int] | None:
         """The state at ``at`` if it is well formed and holds nothing but edges."""
@@ -55,7 +54,7 @@ class StateReader:
             return None
         table: dict[str, Json] = {same(name, name): same(to, to) for name, to in pairs}
         if len(table) != len(pairs):
-            self.doubled = True
+            self._keeping.doubled = True
         return key, table, match.end()
 
     def odd(self, at: int) -> Reading:
@@ -132,7 +131,7 @@ class StateReader:
             at = skip_separator(text, last)
             match = tokens.edge.match(text, at)
             if match is not None and (pair := self._pair(match)):
-                self._keep(table, *pair)
+                self._keeping.keep(table, *pair)
                 last, before = match.end(), match.span(2)
                 continue
             mark = text[at : at + 1]
@@ -160,16 +159,7 @@ class StateReader:
         line = line_at(self._text, at)
         if line is None:
             return strays.broken_line(self._text, at, self._faults)
-        try:
-            value, _, doubled = read_value(self._text, line, 3)
-        except BadValue as error:
-            self._faults.add(error.at, error.end, error.sentence, error.advice, error.fix)
-            if error.guess is not None:
-                self._keep(table, line.key, error.guess)
-            return error.resume or line.end
-        self.doubled = self.doubled or doubled
-        self._keep(table, line.key, value)
-        return line.end
+        return self._keeping.line(table, line, 3)
 
     def _odd_edge(self, at: int, before: tuple[int, int] | None, table: dict[str, Json]) -> int:
         """Something in a state that is no edge as it should be; the offset behind it."""
@@ -223,7 +213,7 @@ class StateReader:
         if target is None:
             faults.add(at, behind, f"the operation {name!r} leads to no state", advice)
             return target_at
-        self._keep(table, name, target[0])
+        self._keeping.keep(table, name, target[0])
         return target[1]
 
     def _pair(self, match: re.Match[str]) -> tuple[str, str] | None:
@@ -231,8 +221,3 @@ class StateReader:
             return decoded(match[1]), decoded(match[2])
         except ValueError:
             return None
-
-    def _keep(self, table: dict[str, Json], key: str, value: Json) -> None:
-        if key in table:
-            self.doubled = True
-        table[key] = value
