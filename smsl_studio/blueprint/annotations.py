@@ -122,6 +122,9 @@ class Notes:
 
 PLAIN = OperationNote()
 
+FAR = 1e7
+"""So many pixels from the middle, in either direction, nothing is drawn any more."""
+
 
 def read_notes(fields: Mapping[str, Json]) -> Notes:
     """The typed annotations in an SB's ``_`` fields; faults carry the path and the reason."""
@@ -155,8 +158,9 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
             operations[name], written[name] = operation, words
     layout: dict[str, tuple[float, float]] = {}
     for name, at in table("_layout").items():
-        if _is_point(at):
-            layout[name] = (float(at[0]), float(at[1]))
+        point = point_of(at)
+        if point is not None:
+            layout[name] = point
         else:
             faults.append((("_layout", name), "a position is [x, y]"))
     return Notes(facts, states, operations, layout, tuple(faults), written)
@@ -171,12 +175,13 @@ def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, 
     return tuple(note for note in notes if note is not None), tuple(faults)
 
 
-def _is_point(at: Json) -> bool:
-    return (
-        isinstance(at, list)
-        and len(at) == 2
-        and all(isinstance(v, int | float) and not isinstance(v, bool) and abs(v) < 1e7 for v in at)
-    )
+def point_of(at: Json) -> tuple[float, float] | None:
+    """A position as ``_layout`` writes it; None for what is none, or too far away to be drawn."""
+    if not isinstance(at, list) or len(at) != 2:
+        return None
+    if not all(type(value) in (int, float) and abs(value) < FAR for value in at):
+        return None
+    return float(at[0]), float(at[1])
 
 
 def _validated(

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.annotations import read_hazards, read_notes
+from smsl_studio.blueprint.annotations import FAR, read_hazards, read_notes
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named
 from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -17,7 +17,6 @@ from smsl_studio.errors import EditRefused, did_you_mean
 from smsl_studio.smsl.splicing import keep_winner
 
 Json = Any
-FAR = 1e7
 
 
 def set_layout(

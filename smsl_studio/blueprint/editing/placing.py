@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from math import ceil, isfinite, sqrt
+from math import ceil, sqrt
 from typing import Any
 
-from smsl_studio.blueprint.editing.notes import FAR, point
+from smsl_studio.blueprint.annotations import point_of
+from smsl_studio.blueprint.editing.notes import point
 
 Json = Any
 Point = tuple[float, float]
@@ -32,7 +33,7 @@ class Places:
         self, states: list[str], layout: Mapping[str, Json], taken: Iterable[Point]
     ) -> Iterator[tuple[str, list[float]]]:
         """Which states get a place, and which one."""
-        points = {state: place for state in states if (place := _point(layout.get(state)))}
+        points = {state: place for state in states if (place := point_of(layout.get(state)))}
         if not points and self.at is not None:
             points = _rows(states)
         if points:
@@ -50,16 +51,6 @@ class Places:
         while any((x + dx, y + dy) in taken for x, y in points):
             dx, dy = dx + ASIDE[0], dy + ASIDE[1]
         return dx, dy
-
-
-def _point(written: Json) -> Point | None:
-    """A place as it is written, None for what is none."""
-    if not isinstance(written, list) or len(written) != 2:
-        return None
-    for value in written:
-        if type(value) not in (int, float) or abs(value) >= FAR or not isfinite(value):
-            return None
-    return float(written[0]), float(written[1])
 
 
 def _rows(states: list[str]) -> dict[str, Point]:
