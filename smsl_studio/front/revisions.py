@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from smsl_studio.errors import ReadError
+from smsl_studio.smsl.files import LARGEST
 
 MOST = 500
 """So many commits are listed at most, the latest ones."""
 _PATIENCE = 20.0
-_LARGEST = 256 * 1024 * 1024
 _SAFE = ("--no-pager", "--literal-pathspecs", "-c", "core.quotePath=false", "-c",
          "core.fsmonitor=false", "-c", "log.showSignature=false")  # fmt: skip
 _BEGIN, _PART = "\x02", "\x1f"
@@ -61,8 +61,11 @@ def bytes_at(file: Path, revision: Revision) -> bytes:
     """What stood in a file at a revision; ReadError where it was not there."""
     thing = f"{revision.commit}:{revision.name}"
     size = _git(file, "cat-file", "-s", thing)
-    if not size.strip().isdigit() or int(size) > _LARGEST:
-        raise ReadError(f"{file.name} is too large in {revision.short}")
+    if not size.strip().isdigit() or int(size) > LARGEST:
+        raise ReadError(
+            f"{file.name} is larger than {LARGEST >> 20} MB in {revision.short}",
+            advice="Compare with another commit.",
+        )
     return _git(file, "cat-file", "blob", thing)
 
 
