@@ -182,6 +182,14 @@ def test_what_can_be_read_is_recovered() -> None:
     assert recover("", "f.smsl").values == {}
 
 
+def test_a_quote_that_is_not_closed_is_asked_once_of_its_line() -> None:
+    begun = "{\n# NAME: A\nS: [a -> S"
+    lost = '"\\' * 60_000  # asked again of every quote behind it, this takes a minute
+    assert [fault.place and fault.place.line for fault in faults(f"{begun}, {lost}\n")] == [3, 3]
+    repaired_text = repaired(f'{begun}, b -> "S  \n}}').text
+    assert repaired_text.startswith(begun)
+
+
 @pytest.mark.parametrize(
     "piece", ["{", "[", "a ", '"', ":", "->", "a->b ", "# _x: {\n", ")\n", "{ # NAME: A\nB: [x\n"]
 )

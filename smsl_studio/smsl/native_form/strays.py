@@ -160,5 +160,6 @@ def _behind_last(text: str, start: int, at: int) -> int:
     return line.end() if line else end
 
 
-_TOKEN = re.compile(rf'//[^\r\n]*+|#[^\r\n]*+|{tokens.NAME}|->|[{{}}\[\]:()>"/]')
+_TOKEN = re.compile(rf'//[^\r\n]*+|#[^\r\n]*+|{tokens.NAME}|->|[{{}}\[\]:()>/]|"(?:[^\r\n]*\S)?')
+"""A quote that is not closed goes on to the end of its line, so that no other is asked there."""
 _REST = re.compile(r"[^\S\r\n]*+,?(?:[^\S\r\n]*+//[^\r\n]*+)?")
