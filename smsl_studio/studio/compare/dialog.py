@@ -151,7 +151,9 @@ class CompareDialog(QDialog):
             (self.after, difference.after, pair[1], places[1], self._signs[1]),
         ):
             side.show_branch(blueprint, name, where, signs.by_address)
-        if fit or (places != self._places and self.before.canvas.camera.fitted):
+        moved = places != self._places and self.before.canvas.camera.fitted
+        # Before it is seen it has no room to fit in yet.
+        if self.isVisible() and (fit or moved):
             self._link.fit()
         self._places = places
 
