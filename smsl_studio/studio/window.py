@@ -151,6 +151,7 @@ class Window(QMainWindow):
                        session.branch_changed, session.history.indexChanged):  # fmt: skip
             signal.connect(lambda *_: actions.refresh())
         session.opened.connect(self.tidings.forget)
+        session.opened.connect(self.toast.hide)
         session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)
         session.blueprint_changed.connect(self._say_what_moved)

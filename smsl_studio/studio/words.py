@@ -57,6 +57,8 @@ def whole_sentence(finding: Finding) -> str:
 
 
 def capital(sentence: str) -> str:
-    """The sentence with a capital letter and a full stop."""
-    said = sentence[:1].upper() + sentence[1:]
+    """The sentence with a capital letter and a full stop. A file keeps the name it has."""
+    first = sentence.partition(" ")[0].rstrip(".")
+    is_file = "." in first or "/" in first
+    said = sentence if is_file else sentence[:1].upper() + sentence[1:]
     return said if said.endswith((".", "?", ":")) or not said else f"{said}."

@@ -168,3 +168,24 @@ def test_the_offered_fix_says_in_which_line_it_is(sit: Sit, tmp_path: Path) -> N
     faults = sit(path).window.source.faults
     assert faults.said.text().startswith("2 faults: line 1, ")
     assert faults.fix_button.text().startswith("Line 4: ")
+
+
+def test_nobody_is_asked_to_draw_where_drawing_is_refused(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    path.write_text("{")
+    person = sit(path)
+    hint = person.window.canvas.overlays.empty
+    assert "Nothing of it can be drawn" in person.window.canvas.overlays.banner.text
+    assert not hint.isVisible()
+    person.window.session.write("Repair", '{"SB1": {}}')
+    assert hint.isVisible()
+
+
+def test_what_was_said_of_one_file_goes_with_it(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "a.json"
+    path.write_text('{"SB1": {"State_0": {}}}')
+    person = sit(path)
+    assert not person.window.files.open(tmp_path / "none.json")
+    assert "cannot be read" in person.window.toast.words
+    assert person.window.files.open(path)
+    assert not person.window.toast.words

@@ -10,13 +10,15 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front.revisions import MOST, Revision
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
+from smsl_studio.studio.theme import LIGHT
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -146,6 +148,7 @@ def test_a_commit_is_chosen_and_compared(
     person.until(lambda: person.window.findChild(RevisionDialog) is not None)
     asking = person.window.findChild(RevisionDialog)
     assert asking is not None
+    assert asking.said.text() == "2 commits touched plan.json"
     QTest.keyClicks(asking.search, "draw")
     assert [row.text for row in asking.rows.rows.rows] == ["Draw the plan"]
     QTest.keyClick(asking.search, Qt.Key.Key_Return)
@@ -178,3 +181,14 @@ def test_the_choice_of_a_state_branch_is_as_wide_as_its_names(sit: Sit, tmp_path
     assert choice.toolTip() == choice.currentText()
     # Beside the words stand the margin and the arrow.
     assert choice.width() > choice.fontMetrics().horizontalAdvance(choice.currentText()) + 30
+
+
+def test_of_a_long_history_it_is_said_that_only_the_latest_are_listed(
+    qapp: QApplication, qtbot: QtBot
+) -> None:
+    one = Revision("0" * 40, "2026-01-01", "Ada", "Draw", "plan.json")
+    for number, said in ((1, "1 commit touched plan.json"), (MOST, "The latest 500 commits")):
+        parent = QWidget()
+        qtbot.addWidget(parent)
+        asking = RevisionDialog("plan.json", [one] * number, LIGHT, parent)
+        assert asking.said.text().startswith(said)

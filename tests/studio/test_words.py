@@ -36,7 +36,14 @@ def test_the_gravest_letter_of_an_address_wins_and_notes_are_no_mark() -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "sentence"), [("that is so", "That is so."), ("Did you?", "Did you?"), ("", "")]
+    ("said", "sentence"),
+    [
+        ("that is so", "That is so."),
+        ("Did you?", "Did you?"),
+        ("", ""),
+        ("plain.json is in no git repository", "plain.json is in no git repository."),
+        ("stop.", "Stop."),
+    ],
 )
 def test_sentences(said: str, sentence: str) -> None:
     assert capital(said) == sentence

@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QPushButton, QVBoxLayout, QWidget
 
-from smsl_studio.front.revisions import Revision
+from smsl_studio.front.revisions import MOST, Revision
 from smsl_studio.studio.controls import Field, label, row
 from smsl_studio.studio.rows import Row, RowsView
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import counted
 
 
 class RevisionDialog(QDialog):
@@ -43,7 +44,11 @@ class RevisionDialog(QDialog):
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(8)
-        column.addWidget(label(f"{len(self._revisions)} commits touched {name}", "second"))
+        touched = f"{counted(len(self._revisions), 'commit')} touched {name}"
+        if len(self._revisions) == MOST:
+            touched = f"The latest {MOST} commits that touched {name}"
+        self.said = label(touched, "second")
+        column.addWidget(self.said)
         column.addWidget(self.search)
         column.addWidget(self.rows, 1)
         column.addLayout(row(None, cancel, self.compare))

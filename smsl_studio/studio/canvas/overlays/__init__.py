@@ -91,7 +91,8 @@ class Overlays:
         """Say how to begin, where there is nothing yet."""
         sheet = self._canvas.sheet
         nothing = sheet is None or not len(sheet.picture)
-        self.empty.setVisible(nothing and self._canvas.editing)
+        # A banner tells why nothing can be drawn at present.
+        self.empty.setVisible(nothing and self._canvas.editing and not self.banner.text)
 
     def _explain(self) -> None:
         """Say what compact nodes and labels stand for, while they are shown."""
@@ -133,6 +134,7 @@ class Overlays:
         if text == self.banner.text:
             return
         self.banner.show_text(text)
+        self.show_empty()
         self.place()
         if self._canvas.camera.fitted:
             self._canvas.fit(smooth=False)
