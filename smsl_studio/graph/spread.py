@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -11,10 +12,13 @@ from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.shape import distances
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Cell = tuple[int, int]
 EDGE = 190.0
 """Pixels between neighbours, on average."""
 CELL_X, CELL_Y = 150.0, 90.0
 _PIVOTS, _ROUNDS = 32, 8
+BLOCK = 4
+"""Cells to a side, of which one remembers for the others how crowded it is around."""
 
 
 def by_distance(branch: StateBranch) -> dict[str, tuple[float, float]]:
@@ -98,25 +102,53 @@ def _turned(places: Array, initial: int, goal: int) -> Array:
 
 def _own_cells(places: Array) -> list[tuple[float, float]]:
     """Each state to a cell of its own, the nearest free one, so that no node covers another."""
-    taken: set[tuple[int, int]] = set()
-    next_ring: dict[tuple[int, int], int] = {}
+    taken: set[Cell] = set()
+    full = _Full()
     found: list[tuple[float, float]] = []
     for x, y in places.tolist():
         wanted = (round(x / CELL_X), round(y / CELL_Y))
-        ring = next_ring.get(wanted, 0)
+        ring = full.around(wanted)
         cell = _free(wanted, ring, taken)
         while cell is None:
             ring += 1
             cell = _free(wanted, ring, taken)
-        next_ring[wanted] = ring
+        full.learn(wanted, ring)
         taken.add(cell)
         found.append((cell[0] * CELL_X, cell[1] * CELL_Y))
     return found
 
 
-def _free(
-    wanted: tuple[int, int], ring: int, taken: set[tuple[int, int]]
-) -> tuple[int, int] | None:
+class _Full:
+    """How far around a cell everything is known to be taken, so that no crowd is searched twice.
+
+    What is full within a radius of one cell is full within less of a cell near it.
+    """
+
+    def __init__(self) -> None:
+        self._rings: dict[Cell, int] = {}
+        self._widest: dict[Cell, tuple[Cell, int]] = {}
+
+    def around(self, cell: Cell) -> int:
+        """The first ring around a cell on which something may be free."""
+        x, y = cell
+        ring = self._rings.get(cell, 0)
+        column, row = x // BLOCK, y // BLOCK
+        for block in product((column - 1, column, column + 1), (row - 1, row, row + 1)):
+            known = self._widest.get(block)
+            if known is not None:
+                (i, j), radius = known
+                ring = max(ring, radius - max(abs(x - i), abs(y - j)))
+        return ring
+
+    def learn(self, cell: Cell, ring: int) -> None:
+        """All rings within this one are full."""
+        self._rings[cell] = ring
+        block = cell[0] // BLOCK, cell[1] // BLOCK
+        if ring > self._widest.get(block, (cell, -1))[1]:
+            self._widest[block] = cell, ring
+
+
+def _free(wanted: Cell, ring: int, taken: set[Cell]) -> Cell | None:
     around = range(-ring, ring + 1)
     cells = (
         (wanted[0] + i, wanted[1] + j)
