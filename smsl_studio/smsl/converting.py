@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from smsl_studio.errors import ConvertError
-from smsl_studio.smsl.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import WORDS, form_named
+from smsl_studio.smsl.forms import HOLD_COMMENTS, WORDS, form_named
 
 
 @dataclass(frozen=True)
@@ -26,32 +25,10 @@ def convert(document: Document, form: str, file: str) -> Converted:
     if form == document.form:
         return Converted(replace(document, file=file))
     _must_be_single(document, form)
-    said = _comments(document)
+    said = form_named(document.form).comments_in(document)
     doors = form_named(form)
-    text = doors.write(document.values)
-    if not len(said):
-        return Converted(doors.parse(text, file))
-    if form == "yaml":
-        from smsl_studio.smsl.yaml_form import write
-
-        return Converted(doors.parse(write(document.values, said), file))
-    if form == "smsl":
-        from smsl_studio.smsl.native_form.comments import with_comments
-
-        return Converted(doors.parse(with_comments(text, said), file))
-    return Converted(doors.parse(text, file), len(said))
-
-
-def _comments(document: Document) -> Comments:
-    if document.form == "yaml":
-        from smsl_studio.smsl import yaml_form
-
-        return yaml_form.comments_in(document)
-    if document.form == "smsl":
-        from smsl_studio.smsl.native_form.comments import comments_in
-
-        return comments_in(document)
-    return NO_COMMENTS
+    written = doors.parse(doors.write(document.values, said), file)
+    return Converted(written, 0 if form in HOLD_COMMENTS else len(said))
 
 
 def _must_be_single(document: Document, form: str) -> None:

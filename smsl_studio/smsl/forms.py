@@ -8,15 +8,20 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from pathlib import PurePath
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from smsl_studio.smsl.document import Document, Path
+
+if TYPE_CHECKING:
+    from smsl_studio.smsl.comments import Comments
 
 Json = Any
 
 SUFFIXES = {".json": "json", ".smsl": "smsl", ".yaml": "yaml", ".yml": "yaml"}
 WORDS = {"json": "JSON", "smsl": "SMSL", "yaml": "YAML"}
 """What people call the forms."""
+HOLD_COMMENTS = ("smsl", "yaml")
+"""The forms that have comments."""
 
 
 class Form(Protocol):
@@ -28,8 +33,14 @@ class Form(Protocol):
     def recover(self, text: str, file: str) -> Document:
         """A document of its own with everything that could be read of a faulty text."""
 
-    def write(self, values: Mapping[str, Json]) -> str:
-        """Values as a new text in the canonical layout; ConvertError for what has no spelling."""
+    def write(self, values: Mapping[str, Json], comments: Comments | None = None) -> str:
+        """Values as a new text in the canonical layout; ConvertError for what has no spelling.
+
+        Comments stand with what they belong to, where the form has any (see ``HOLD_COMMENTS``).
+        """
+
+    def comments_in(self, document: Document) -> Comments:
+        """The comments of a document, by what they belong to."""
 
     def reconcile(self, document: Document, values: Mapping[str, Json]) -> Document:
         """A document that reads to ``values``; see ``splicing``."""

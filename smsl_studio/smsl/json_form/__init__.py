@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from smsl_studio.smsl.json_form.reading import parse, recover, write
+from smsl_studio.smsl.json_form.reading import comments_in, parse, recover, write
 
 if TYPE_CHECKING:
     from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
@@ -18,6 +18,7 @@ parse_json, write_json = parse, write
 """The names under which those call them who want this form and no other."""
 
 __all__ = [
+    "comments_in",
     "keep_winner",
     "parse",
     "parse_json",

@@ -6,7 +6,7 @@ import json
 import re
 from collections.abc import Mapping
 from math import isfinite
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.document import Document
@@ -15,6 +15,9 @@ from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
 from smsl_studio.smsl.json_form.style import CANONICAL, render
 from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_DEPTH, too_large, too_long
+
+if TYPE_CHECKING:
+    from smsl_studio.smsl.comments import Comments
 
 _BRACKET = re.compile(STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
 
@@ -53,9 +56,19 @@ def recover(text: str, file: str) -> Document:
     return Document(clean, file, "json", values, JsonSpans)
 
 
-def write(values: Mapping[str, Any]) -> str:
-    """Values as a new text in the canonical layout: four spaces, one member a line."""
+def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
+    """Values as a new text in the canonical layout: four spaces, one member a line.
+
+    JSON has no comments: those that are given are left behind.
+    """
     return render(dict(values), CANONICAL, "", 0) + "\n"
+
+
+def comments_in(document: Document) -> Comments:
+    """None: JSON has no comments."""
+    from smsl_studio.smsl.comments import NO_COMMENTS
+
+    return NO_COMMENTS
 
 
 def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:

@@ -3,6 +3,7 @@
 The functions here are the doors of a form; see ``forms.Form``.
 """
 
+from smsl_studio.smsl.native_form.comments import comments_in
 from smsl_studio.smsl.native_form.parsing import parse
 from smsl_studio.smsl.native_form.recovery import recover
 from smsl_studio.smsl.native_form.splicing import reconcile
@@ -10,4 +11,4 @@ from smsl_studio.smsl.native_form.tidying import tidy
 from smsl_studio.smsl.native_form.winning import keep_winner
 from smsl_studio.smsl.native_form.writing import write
 
-__all__ = ["keep_winner", "parse", "reconcile", "recover", "tidy", "write"]
+__all__ = ["comments_in", "keep_winner", "parse", "reconcile", "recover", "tidy", "write"]

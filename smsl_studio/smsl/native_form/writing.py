@@ -5,12 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from smsl_studio.smsl.comments import Comments
+from smsl_studio.smsl.native_form.comments import with_comments
 from smsl_studio.smsl.native_form.style import CANONICAL, values_text
 
 
-def write(values: Mapping[str, Any]) -> str:
+def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
     """Values as a new text in the canonical layout; ConvertError for what has no spelling.
 
     A HEADER with nothing in it is left out: it says as much as none.
     """
-    return values_text(values, CANONICAL)
+    text = values_text(values, CANONICAL)
+    return with_comments(text, comments) if comments else text

@@ -24,9 +24,9 @@ _UNFIT = re.compile(
 )
 
 
-def write(values: Mapping[str, Json], comments: Comments = NO_COMMENTS) -> str:
+def write(values: Mapping[str, Json], comments: Comments | None = None) -> str:
     """Values as a new text in the canonical layout."""
-    lines = list(_Writing(comments).file(values))
+    lines = list(_Writing(comments or NO_COMMENTS).file(values))
     return "\n".join(lines) + "\n"
 
 
