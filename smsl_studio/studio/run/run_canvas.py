@@ -98,7 +98,14 @@ class RunCanvas(QWidget):
         return self._run.exists and held is not drawn and held != drawn
 
     def refresh(self) -> None:
-        """Show the run as it stands now."""
+        """Show the run as it stands now. What nobody sees is drawn when it is shown: routing its
+        arrows along would make each edit in Draw wait twice.
+        """
+        if self.isVisible():
+            self._draw()
+        self._show_banner()
+
+    def _draw(self) -> None:
         blueprint = self._blueprint()
         if self._branch not in blueprint.branches:
             self._branch = next(iter(blueprint.roots), next(iter(blueprint.branches), ""))
@@ -115,16 +122,11 @@ class RunCanvas(QWidget):
             marks = Marks()
         if marks != self.canvas.marks:
             self.canvas.set_marks(marks)
-        self._show_banner()
 
     def drawing_changed(self) -> None:
         """The drawing was edited: a run that is there goes on with its own version, and says so."""
         self._refusal = ""
-        # Routing every arrow of what nobody sees would make each edit wait twice.
-        if self.isVisible():
-            self.refresh()
-        else:
-            self._show_banner()
+        self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
