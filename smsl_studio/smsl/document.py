@@ -7,6 +7,7 @@ out when first asked for, by the form the text is written in, because most loads
 
 from __future__ import annotations
 
+import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
@@ -17,6 +18,7 @@ from smsl_studio.errors import Place, ReadError
 
 Json = Any
 Path = tuple[str, ...]
+_LINE_END = re.compile("\r\n?|\n")
 
 
 class Member(NamedTuple):
@@ -129,11 +131,18 @@ class Document:
 
     @cached_property
     def _line_starts(self) -> list[int]:
-        starts, at = [0], self.text.find("\n")
-        while at >= 0:
-            starts.append(at + 1)
-            at = self.text.find("\n", at + 1)
-        return starts
+        return _line_starts(self.text)
+
+
+def _line_starts(text: str) -> list[int]:
+    """Where each line begins. A line ends with LF, CR or both."""
+    if text.count("\r") != text.count("\r\n"):
+        return [0, *(end.end() for end in _LINE_END.finditer(text))]
+    starts, at = [0], text.find("\n")
+    while at >= 0:
+        starts.append(at + 1)
+        at = text.find("\n", at + 1)
+    return starts
 
 
 def decode(raw: bytes, file: str) -> str:
@@ -141,9 +150,9 @@ def decode(raw: bytes, file: str) -> str:
     try:
         return raw.decode("utf-8")
     except UnicodeDecodeError as error:
-        before = raw[: error.start]
-        line = before.count(b"\n") + 1
-        column = len(before[before.rfind(b"\n") + 1 :].decode("utf-8", "replace")) + 1
+        before = raw[: error.start].decode("utf-8").removeprefix("\ufeff")
+        starts = _line_starts(before)
+        line, column = len(starts), len(before) - starts[-1] + 1
         raise ReadError(
             f"byte 0x{raw[error.start]:02x} is no UTF-8",
             Place(file, line, column),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import copy
 import random
+import re
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -190,7 +191,7 @@ def _use(blueprint: Blueprint) -> None:
 
 def _must_be_told(error: ReadError, text: str, file: str) -> None:
     """Every fault has a sentence, an advice and a place within the text; repairs stay in it."""
-    lines = text.removeprefix("\ufeff").split("\n")
+    lines = re.split("\r\n?|\n", text.removeprefix("\ufeff"))
     assert error.faults
     for fault in error.faults:
         place = fault.place

@@ -346,6 +346,19 @@ def test_a_comment_puts_nothing_into_yaml_but_words(char: str) -> None:
     assert form_named("yaml").tidy(there).text == there.text
 
 
+@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("newline", ["\n", "\r\n", "\r"])
+def test_lines_are_counted_by_whichever_line_ends_there_are(form: str, newline: str) -> None:
+    doors = form_named(form)
+    text = doors.write({"SB": {"State_0": {"a": "State_1"}, "State_1": {}}})
+    plain = doors.parse(text, "f")
+    ended = doors.parse(text.replace("\n", newline), "f")
+    for path in (("SB",), ("SB", "State_0"), ("SB", "State_0", "a"), ("SB", "State_1")):
+        assert ended.place(path) == plain.place(path)
+    mixed = doors.parse("\r" + text.replace("\n", "\r\n", 1), "f")
+    assert mixed.place(("SB", "State_1")).line == plain.place(("SB", "State_1")).line + 1
+
+
 def test_what_is_written_twice_is_not_thrown_away() -> None:
     text = '{"SB": {"S": {"a": "S", "a": "T"}, "T": {}}}'
     document = parse_json(text, "x.json")
