@@ -98,8 +98,12 @@ def test_done_or_dropped_work_is_let_go_of(beside: Beside, qapp: QApplication) -
     for number in range(300):
         thing = Thing()
         held.append(weakref.ref(thing))
-        beside.do(partial(id, thing), lambda _, thing=thing: None)
-        del thing
+
+        def show(_: int, thing: Thing = thing) -> None:
+            """Holds what it would show."""
+
+        beside.do(partial(id, thing), show)
+        del thing, show
         if number % 7 == 0:
             beside.drop()
     beside.wait()
