@@ -35,8 +35,8 @@ def test_a_short_path_is_as_wide_as_its_names(sit: Sit, tmp_path: Path) -> None:
 
 
 def test_the_offer_to_recover_shortens_names_and_folders(sit: Sit, tmp_path: Path) -> None:
-    folder = tmp_path / ("deep-" * 30)
-    folder.mkdir()
+    folder = tmp_path.joinpath(*["deep-" * 40] * 5)
+    folder.mkdir(parents=True)
     first = sit(long_file(folder))
     add(first, "State_9")
     die(first)
@@ -44,6 +44,7 @@ def test_the_offer_to_recover_shortens_names_and_folders(sit: Sit, tmp_path: Pat
     (row,) = offer.rows.values()
     assert row.name.mapTo(offer, row.name.rect().topRight()).x() <= offer.width() - 20
     assert row.name.toolTip() == LONG
+    assert row.name.width() > 200, "a long folder leaves the name its room"
 
 
 def test_an_empty_window_has_no_empty_parts_in_its_status_line(sit: Sit) -> None:

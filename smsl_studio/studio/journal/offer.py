@@ -27,7 +27,7 @@ from smsl_studio.studio.journal.restoring import brings, sides
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
 
-WIDTH, TALLEST = 620, 520
+WIDTH, TALLEST, NAME = 620, 520, 320
 Act = Callable[[Left], bool]
 
 
@@ -131,6 +131,8 @@ class _Row(QWidget):
         self.name.setProperty("role", "heading")
         self.name.setToolTip(entry.name)
         self.name.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
+        self.name.ensurePolished()
+        self.name.setMinimumWidth(min(self.name.sizeHint().width(), NAME))
         folder = Elided(str(Path(entry.path).parent) if entry.path else "never saved")
         folder.setProperty("role", "small")
         folder.setToolTip(entry.path)
