@@ -8,6 +8,12 @@ HALF = re.compile("[\ud800-\udfff]")
 """A half that stands in a text as it is; only a text that came from no file can hold one."""
 
 ESCAPED_HALF = re.compile(r"\\u[dD][89a-fA-F]")
+HALF_PAIR = (
+    "half a surrogate pair is no character",
+    "Write the character itself, or both halves of the pair.",
+)
+"""What is told of one, and what to do."""
+
 _ESCAPE = re.compile(r"\\(?:u([0-9a-fA-F]{4})|.)", re.DOTALL)
 
 

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.json_form.characters import HALF, half_pair
+from smsl_studio.smsl.json_form.characters import HALF, HALF_PAIR, half_pair
 
 
 class Fault(NamedTuple):
@@ -243,10 +243,9 @@ class Tokens:
             at = raw.start()
         if at is not None:
             length = 6 if content[at] == "\\" else 1
-            words = "half a surrogate pair is no character"
+            words, advice = HALF_PAIR
             if length == 6:
                 words = f"{content[at : at + 6]} is half a surrogate pair, which is no character"
-            advice = "Write the character itself, or both halves of the pair."
             self._complain(Fault(start + at, length, words, advice))
 
     def _say(self, start: int, end: int, sentence: str, instead: str) -> None:

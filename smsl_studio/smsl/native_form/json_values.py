@@ -7,7 +7,7 @@ import re
 from math import isfinite
 from typing import Any, NoReturn
 
-from smsl_studio.smsl.json_form.characters import half_pair
+from smsl_studio.smsl.json_form.characters import HALF_PAIR, half_pair
 from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP, too_large
 
 Json = Any
@@ -61,8 +61,7 @@ def read_json(raw: str, depth: int) -> tuple[Json, int, bool]:
         raise BadJson(0, len(raw), sentence, "Write a plain, shorter number.") from None
     half = half_pair(raw, 0, end)
     if half is not None:
-        words = "half a surrogate pair is no character"
-        raise BadJson(half, 6, words, "Write the character itself, or both halves of the pair.")
+        raise BadJson(half, 6, *HALF_PAIR)
     return value, end, doubled
 
 

@@ -11,7 +11,16 @@ from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Member
 from smsl_studio.smsl.limits import MAX_DIGITS
 from smsl_studio.smsl.native_form.json_values import BadJson, one_line, read_json
-from smsl_studio.smsl.native_form.tokens import BARE, NAME, QUOTED, bare, decoded, quoted
+from smsl_studio.smsl.native_form.tokens import (
+    BARE,
+    NAME,
+    NEEDS_QUOTES,
+    NO_TEXT,
+    QUOTED,
+    bare,
+    decoded,
+    quoted,
+)
 
 Json = Any
 Level = Literal["name", "header", "field"]
@@ -179,8 +188,7 @@ def _name(raw: str, line: Line) -> Value:
         )
     fix = TextFix("Write it in quotes", at, end, json.dumps(words, ensure_ascii=False))
     sentence = f"{words!r} is no name without quotes"
-    advice = 'A name with spaces or any of {}[]:,#/"()> is written in quotes.'
-    raise BadValue(at, end, sentence, advice, fix, words)
+    raise BadValue(at, end, sentence, NEEDS_QUOTES, fix, words)
 
 
 def _quoted(raw: str, line: Line) -> Value:
@@ -194,9 +202,7 @@ def _quoted(raw: str, line: Line) -> Value:
     try:
         value = decoded(match[0])
     except ValueError:
-        sentence = "what stands in the quotes is no text in JSON"
-        advice = r"Write a backslash as \\, a tab as \t, and no half surrogate pairs."
-        raise BadValue(start, start + match.end(), sentence, advice) from None
+        raise BadValue(start, start + match.end(), *NO_TEXT) from None
     _check_trail(raw, match.end(), line)
     return Value(value, start + match.end())
 
@@ -223,8 +229,7 @@ def _map(raw: str, line: Line) -> Value | None:
             found[decoded(entry[1])] = int(entry[2])
         except ValueError:
             at = line.value_start + entry.start(1)
-            sentence = "what stands in the quotes is no text in JSON"
-            raise BadValue(at, at + len(entry[1]), sentence, "Check the backslashes.") from None
+            raise BadValue(at, at + len(entry[1]), *NO_TEXT) from None
     return Value(found, line.value_start + match.end(), len(found) != count)
 
 

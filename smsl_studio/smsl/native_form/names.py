@@ -7,7 +7,7 @@ import re
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.native_form.faults import Faults
-from smsl_studio.smsl.native_form.tokens import bare, decoded, quoted
+from smsl_studio.smsl.native_form.tokens import NEEDS_QUOTES, NO_TEXT, bare, decoded, quoted
 
 BEFORE_BRACKET = re.compile(r"[^\S\r\n]*+:")
 BEFORE_ARROW = re.compile(r"[^\S\r\n]*+(?:->|=>)")
@@ -16,7 +16,6 @@ BEFORE_COMMA = re.compile(r"[^\S\r\n]*+(?:[,\]\r\n]|//|$)")
 
 _LINE = re.compile(r"[^\r\n]*+")
 _RUN = re.compile(r'[^\r\n{}\[\],#"]*+')
-_ADVICE = 'A name with spaces or any of {}[]:,#/"()> is written in quotes.'
 
 
 def read(text: str, at: int, faults: Faults, behind: re.Pattern[str]) -> tuple[str, int] | None:
@@ -63,7 +62,7 @@ def torn_target(text: str, before: tuple[int, int], at: int, faults: Faults) -> 
 def _tell(faults: Faults, at: int, whole: str) -> None:
     end = at + len(whole)
     fix = TextFix("Write it in quotes", at, end, json.dumps(whole, ensure_ascii=False))
-    faults.add(at, end, f"{whole!r} is no name without quotes", _ADVICE, fix)
+    faults.add(at, end, f"{whole!r} is no name without quotes", NEEDS_QUOTES, fix)
 
 
 def _cut(run: str, behind: re.Pattern[str]) -> int | None:
@@ -80,9 +79,7 @@ def _quoted(text: str, at: int, faults: Faults, behind: re.Pattern[str]) -> tupl
         try:
             return decoded(match[0]), match.end()
         except ValueError:
-            sentence = "what stands in the quotes is no text in JSON"
-            advice = r"Write a backslash as \\, a tab as \t, and no half surrogate pairs."
-            faults.add(at, match.end(), sentence, advice)
+            faults.add(at, match.end(), *NO_TEXT)
             return match[0][1:-1].encode("utf-8", "replace").decode(), match.end()
     line = _LINE.match(text, at + 1)
     run = line[0] if line else ""

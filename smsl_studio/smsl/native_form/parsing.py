@@ -11,6 +11,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.json_form.characters import HALF_PAIR
 from smsl_studio.smsl.limits import MAX_CHARACTERS, too_long
 from smsl_studio.smsl.native_form import strays
 from smsl_studio.smsl.native_form.faults import Enough, Faults
@@ -65,9 +66,7 @@ class Parser:
         try:
             text.encode("utf-8")
         except UnicodeEncodeError as error:
-            sentence = "half a surrogate pair is no character"
-            advice = "Write the character itself, or both halves of the pair."
-            self.faults.add(error.start, error.end, sentence, advice)
+            self.faults.add(error.start, error.end, *HALF_PAIR)
             return False
         return True
 

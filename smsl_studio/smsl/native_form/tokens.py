@@ -28,6 +28,15 @@ state = re.compile(rf"({NAME}){GAP}:{GAP}\[((?:{SEPARATOR}{EDGE})*+){SEPARATOR}\
 opening = re.compile(rf"({NAME}){GAP}:{GAP}\[")
 rest_of_line = re.compile(r"[^\r\n]*+")
 
+NEEDS_QUOTES = 'A name with spaces or any of {}[]:,#/"()> is written in quotes.'
+"""What is advised where a name has none."""
+
+NO_TEXT = (
+    "what stands in the quotes is no text in JSON",
+    r"Write a backslash as \\, a tab as \t, and no half surrogate pairs.",
+)
+"""What is told of a name or text that ``decoded`` refuses, and what to do."""
+
 _SURROGATE = re.compile(r"\\u[dD][89a-fA-F]")
 
 
