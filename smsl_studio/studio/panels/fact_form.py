@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.controls import label, row
-from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.lines.choice import ChoiceLine, SwitchLine
 from smsl_studio.studio.panels.lines.line import Said
 from smsl_studio.studio.panels.lines.text import Bounds, ListLine, NumberLine, TextLine
 from smsl_studio.studio.panels.note_form import Entry, NoteForm, misfits_of, written_words
+from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.panels.value_table import ValueTable
 from smsl_studio.studio.session import Session
@@ -49,11 +49,7 @@ class FactForm(NoteForm):
         self._branch, self._digit = "", 0
         self.chip = Tag(tokens)
         self._place: QLabel = label("", "second")
-        self.close_button = QToolButton()
-        self.close_button.setProperty("role", "small")
-        self.close_button.setFixedSize(24, 24)
-        self.close_button.setToolTip("Back to what is selected")
-        self.close_button.setAccessibleName("Back to what is selected")
+        self.close_button = SmallButton("Back to what is selected", "close", tokens)
         self.close_button.clicked.connect(self.left)
         heading = row(label("Fact", "heading"), self.chip, self._place, None, self.close_button)
         self.column.addLayout(heading)
@@ -75,7 +71,7 @@ class FactForm(NoteForm):
     def set_tokens(self, tokens: Tokens) -> None:
         self.chip.set_tokens(tokens)
         self._values.set_tokens(tokens)
-        self.close_button.setIcon(icon("close", tokens, 12))
+        self.close_button.set_tokens(tokens)
 
     def _build(self) -> None:
         self.name = self.add("name", TextLine("Name", "A plain name of the fact, for people")).field

@@ -7,15 +7,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtWidgets import QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.editing import set_imports
 from smsl_studio.smsl.document import Document
 from smsl_studio.studio.controls import Elided, label, row
-from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.panels.kept import Kept, kept_fields
 from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
@@ -49,7 +49,7 @@ class FileForm(Panel):
         self.refusal = Said("refusal")
         self.column.addWidget(self.refusal)
         self.column.addLayout(row(self.add, None))
-        self.rows: list[tuple[QWidget, Elided, QToolButton]] = []
+        self.rows: list[tuple[QWidget, Elided, SmallButton]] = []
         self.kept = Kept("Kept in this file")
         self.column.addWidget(self.kept)
         session.blueprint_changed.connect(lambda *_: self.show_file())
@@ -59,7 +59,7 @@ class FileForm(Panel):
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         for _, _, gone in self.rows:
-            gone.setIcon(icon("close", tokens, 12))
+            gone.set_tokens(tokens)
 
     def show_file(self) -> None:
         """Show what the file says as it is now."""
@@ -81,13 +81,9 @@ class FileForm(Panel):
             {k: v for k, v in home.values.items() if k.startswith("_")}, KNOWN))  # fmt: skip
         self.refusal.say("")
 
-    def _new_row(self, at: int) -> tuple[QWidget, Elided, QToolButton]:
-        frame, name, gone = QWidget(), Elided(), QToolButton()
-        gone.setProperty("role", "small")
-        gone.setFixedSize(24, 24)
-        gone.setIcon(icon("close", self._tokens, 12))
-        gone.setToolTip("Import this file no longer")
-        gone.setAccessibleName("Import this file no longer")
+    def _new_row(self, at: int) -> tuple[QWidget, Elided, SmallButton]:
+        frame, name = QWidget(), Elided()
+        gone = SmallButton("Import this file no longer", "close", self._tokens)
         gone.clicked.connect(lambda: self._remove(at))
         frame.setLayout(row(name, gone, spacing=4))
         self._list.addWidget(frame)

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtWidgets import QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.controls import Field, label, row
-from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
 from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
@@ -30,7 +30,7 @@ class Card:
     frame: QWidget
     name: Field
     facts: FactRows
-    gone: QToolButton
+    gone: SmallButton
 
 
 class HazardForm(Panel):
@@ -65,7 +65,7 @@ class HazardForm(Panel):
         self._tokens = tokens
         for card in self.cards:
             card.facts.set_tokens(tokens)
-            card.gone.setIcon(icon("trash", tokens, 14))
+            card.gone.set_tokens(tokens)
 
     def show_hazards(self) -> None:
         """Show the hazards as they are now; one that is being written stays."""
@@ -111,19 +111,15 @@ class HazardForm(Panel):
         column = QVBoxLayout(frame)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
-        card = Card(-1, frame, Field(), FactRows(self._tokens, "Add a fact"), QToolButton())
+        gone = SmallButton("Remove this hazard", "trash", self._tokens, 14)
+        card = Card(-1, frame, Field(), FactRows(self._tokens, "Add a fact"), gone)
         card.name.setPlaceholderText("Name of the hazard")
         card.name.setAccessibleName("Name of the hazard")
         card.name.setToolTip("What must not happen, in plain words")
         card.name.editingFinished.connect(lambda: self._named(card))
         card.facts.given.connect(lambda facts: self._changed(card, facts))
-        card.gone.setProperty("role", "small")
-        card.gone.setFixedSize(24, 24)
-        card.gone.setIcon(icon("trash", self._tokens, 14))
-        card.gone.setToolTip("Remove this hazard")
-        card.gone.setAccessibleName("Remove this hazard")
-        card.gone.clicked.connect(lambda: self._remove(card))
-        column.addLayout(row(card.name, card.gone, spacing=4))
+        gone.clicked.connect(lambda: self._remove(card))
+        column.addLayout(row(card.name, gone, spacing=4))
         column.addWidget(card.facts)
         self._list.addWidget(frame)
         return card

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -20,8 +19,8 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.controls import Field, label, row
-from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.lines.fact_completer import FactCompleter, fact_fault, fact_model
+from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.theme import Tokens, mono_font
 
 
@@ -32,7 +31,7 @@ class FactRow:
     text: str
     fact: Field
     value: Field
-    gone: QToolButton
+    gone: SmallButton
     layout: QHBoxLayout
 
 
@@ -68,7 +67,7 @@ class FactRows(QWidget):
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         for one in self.rows:
-            one.gone.setIcon(icon("close", tokens, 12))
+            one.gone.set_tokens(tokens)
 
     def show_facts(self, blueprint: Blueprint, facts: Mapping[str, str]) -> None:
         """Show these facts; a row that is being added stays where the blueprint is the same."""
@@ -96,7 +95,8 @@ class FactRows(QWidget):
         self.refusal.setVisible(bool(sentence))
 
     def _new_row(self) -> FactRow:
-        fact, value, gone = Field(), Field(), QToolButton()
+        fact, value = Field(), Field()
+        gone = SmallButton("Remove this fact", "close", self._tokens)
         layout = row(fact, label("=", "second"), value, gone, spacing=4)
         one = FactRow("", fact, value, gone, layout)
         for field, words in ((fact, "Fact, as SB/digit"), (value, "Value of the fact")):
@@ -107,11 +107,6 @@ class FactRows(QWidget):
         fact.textEdited.connect(lambda *_: self._complete(one))
         value.setPlaceholderText("value")
         value.setFixedWidth(58)
-        gone.setProperty("role", "small")
-        gone.setFixedSize(24, 24)
-        gone.setIcon(icon("close", self._tokens, 12))
-        gone.setToolTip("Remove this fact")
-        gone.setAccessibleName("Remove this fact")
         gone.clicked.connect(lambda: self._remove(one))
         fact.editingFinished.connect(lambda: self._typed(one, fact))
         value.editingFinished.connect(lambda: self._typed(one, value))

@@ -1,0 +1,27 @@
+"""The small button behind a line: a picture, and the words of what it does."""
+
+from __future__ import annotations
+
+from PySide6.QtWidgets import QToolButton
+
+from smsl_studio.studio.icons import icon
+from smsl_studio.studio.theme import Tokens
+
+SIDE = 24
+
+
+class SmallButton(QToolButton):
+    """Says by its tooltip, and to assistive tools, what a click does."""
+
+    def __init__(self, words: str, picture: str, tokens: Tokens, size: int = 12) -> None:
+        super().__init__()
+        self._picture, self._size = picture, size
+        self.setProperty("role", "small")
+        self.setFixedSize(SIDE, SIDE)
+        self.setToolTip(words)
+        self.setAccessibleName(words)
+        self.set_tokens(tokens)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+        self.setIcon(icon(self._picture, tokens, self._size))
