@@ -43,10 +43,9 @@ def gone() -> None:
 def held() -> tuple[int, int]:
     """How many widgets there are, and how many objects of ours."""
     gc.collect()
-    ours = [
-        one for one in gc.get_objects() if type(one).__module__.startswith("smsl_studio.studio")
-    ]
-    return len(QApplication.allWidgets()), len(ours)
+    modules = (str(type(one).__module__) for one in gc.get_objects())
+    ours = sum(module.startswith("smsl_studio.studio") for module in modules)
+    return len(QApplication.allWidgets()), ours
 
 
 def test_windows_that_were_closed_leave_nothing_behind(sit: Sit, tmp_path: Path) -> None:
