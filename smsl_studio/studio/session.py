@@ -15,14 +15,14 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, leaving, put_aside
+from smsl_studio.smsl.document import Document
+from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, brought_back, put_aside
 from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
 
 __all__ = ["Broken", "Session"]
 
-Stand = tuple[Blueprint, Broken | None, Aside]
-"""The last blueprint that could be read, the text typed since that cannot, and the unsaved texts
-of files that are imported no longer."""
+Stand = tuple[Blueprint, Broken | None]
+"""The last blueprint that could be read, and the text typed since that cannot."""
 
 
 class _Edit(QUndoCommand):
@@ -37,6 +37,23 @@ class _Edit(QUndoCommand):
 
     def redo(self) -> None:
         self._session._show(*self._after)
+
+
+class _GiveUp(QUndoCommand):
+    """The text of a file that is imported no longer is not wanted, or wanted after all."""
+
+    def __init__(self, words: str, session: Session, document: Document) -> None:
+        super().__init__(words)
+        self._session, self._document = session, document
+
+    def undo(self) -> None:
+        self._session._lay_aside({**self._session.aside, self._document.file: self._document})
+
+    def redo(self) -> None:
+        aside = self._session.aside
+        self._session._lay_aside(
+            {file: aside[file] for file in aside.keys() - {self._document.file}}
+        )
 
 
 class Session(QObject):
@@ -151,8 +168,7 @@ class Session(QObject):
 
     def give_up(self, words: str, file: str) -> None:
         """One undoable step: the text of a file that is imported no longer is not wanted."""
-        rest = {name: document for name, document in self._aside.items() if name != file}
-        self._step(words, (self._blueprint, self._broken, rest or NOTHING))
+        self.history.push(_GiveUp(words, self, self._aside[file]))
 
     def open(self, blueprint: Blueprint, broken: Broken | None = None) -> None:
         """Replace the blueprint by another file's; history and selection start anew.
@@ -217,21 +233,21 @@ class Session(QObject):
 
     def _push(self, words: str, after: Blueprint, broken: Broken | None) -> None:
         if after is not self._blueprint or broken != self._broken:
-            after, aside = put_aside(self._blueprint, after, self._aside, self.unsaved)
-            self._step(words, (after, broken, aside))
+            after = brought_back(after, self._aside, self.unsaved)
+            before = (self._blueprint, self._broken)
+            self.history.push(_Edit(words, self, before, (after, broken)))
 
-    def _step(self, words: str, after: Stand) -> None:
-        before = (self._blueprint, self._broken, self._aside)
-        self.history.push(_Edit(words, self, before, after))
-
-    def _show(self, blueprint: Blueprint, broken: Broken | None, aside: Aside) -> None:
-        # An undo may take out an import too; the history does not know what of it was saved.
-        aside = {**leaving(self._blueprint, blueprint, self.unsaved), **aside}
-        told, self._aside = self._aside.keys() != aside.keys(), aside
+    def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
+        former = self._aside.keys()
+        self._aside = put_aside(self._blueprint, blueprint, self._aside, self.unsaved)
         # A step from before a save under another name: the name stays the new one.
         self._replace(*under_name(blueprint, broken, self._blueprint.file))
-        if told:
+        if self._aside.keys() != former:
             self.aside_changed.emit()
+
+    def _lay_aside(self, aside: Aside) -> None:
+        self._aside = aside
+        self.aside_changed.emit()
 
     def _replace(self, blueprint: Blueprint, broken: Broken | None) -> None:
         before, self._blueprint = self._blueprint, blueprint
