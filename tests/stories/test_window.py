@@ -17,6 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import EditRefused
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -269,3 +271,14 @@ def test_the_palette_over_a_name_being_edited_gives_the_focus_to_what_is_left(si
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     person.press(Key.Key_Escape)
     assert not person.window.command_palette.isVisible()
+
+
+def test_the_canvas_of_run_is_drawn_when_it_is_seen(sit: Sit) -> None:
+    person, fresh = sit(SAMPLES / "hfsm.json"), Address("SB1", "State011")
+    session, canvas = person.window.session, person.window.run_pane.canvas.canvas
+    session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State011"))
+    assert canvas.sheet is None, "an edit in Draw waits for one canvas only"
+    person.ctrl(Key.Key_2)
+    assert canvas.rect_of(fresh) is not None
+    session.edit("Delete", lambda bp: editing.delete(bp, [fresh]))
+    assert canvas.rect_of(fresh) is None
