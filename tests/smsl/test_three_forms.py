@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from pathlib import Path
 from typing import Any
 
@@ -357,6 +358,20 @@ def test_lines_are_counted_by_whichever_line_ends_there_are(form: str, newline: 
         assert ended.place(path) == plain.place(path)
     mixed = doors.parse("\r" + text.replace("\n", "\r\n", 1), "f")
     assert mixed.place(("SB", "State_1")).line == plain.place(("SB", "State_1")).line + 1
+
+
+def test_comments_around_an_arrow_go_along() -> None:
+    text = (
+        "{\n# NAME: SB\nState_0: [a // one\n// two\n-> // three\n// four\nState_0 // five\n"
+        ', "b b"->// six\nState_0]}'
+    )
+    document = form_named("smsl").parse(text, "f.smsl")
+    words = ["one", "two", "three", "four", "five", "six"]
+    there = to(document, "yaml")
+    back = to(there, "smsl")
+    for found in (there, back, form_named("smsl").tidy(document)):
+        assert found.values == document.values
+        assert all(len(re.findall(rf"\b{word}\b", found.text)) == 1 for word in words)
 
 
 def test_what_is_written_twice_is_not_thrown_away() -> None:

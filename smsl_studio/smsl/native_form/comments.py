@@ -24,6 +24,10 @@ def comments_in(document: Document) -> Comments:
         if element.kind in ("branch", "state"):
             leaves.append(Leaf(element.key_start, element.key_end, path, path))
             holders.append(Holder(element.value_start, element.value_end, path))
+        elif element.kind == "edge":
+            # A comment may stand on either side of the arrow.
+            leaves.append(Leaf(element.key_start, element.key_end, path, path))
+            leaves.append(Leaf(element.value_start, element.value_end, path, path))
         else:
             leaves.append(Leaf(element.start, element.end, path, path))
     return comments_between(document.text, leaves, holders, _COMMENT)
