@@ -6,6 +6,7 @@ from pathlib import PurePath
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
+    QColor,
     QFontMetricsF,
     QMouseEvent,
     QPainter,
@@ -15,10 +16,11 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.icons import draw
-from smsl_studio.studio.theme import Tokens, text_font
+from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, text_font
 
-EDGE, NARROWEST = 14, 72.0
-"""Pixels beside it in the view, and to which a name is shortened at most where room is short."""
+EDGE, NARROWEST, VEIL = 14, 72.0, 235
+"""Pixels beside it in the view, and to which a name is shortened at most where room is short;
+how little is seen through it."""
 
 
 def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
@@ -129,6 +131,12 @@ class Breadcrumb(QWidget):
         tokens = self.tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        # A large graph lies below it, and is not to be seen through the names.
+        behind = QColor(tokens.canvas)
+        behind.setAlpha(VEIL)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(behind)
+        painter.drawRoundedRect(self.rect(), RADIUS_CHIP, RADIUS_CHIP)
         draw(painter, "file", QRectF(0, 5.5, 15, 15), tokens.tx2, tokens.canvas)
         places = self._places()
         for i, (text, rect) in enumerate(zip(self.words, places, strict=True)):
