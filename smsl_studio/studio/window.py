@@ -22,7 +22,8 @@ from smsl_studio.studio.commands import all_actions
 from smsl_studio.studio.compare.comparing import Comparing
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files.dialogs import Dialogs
-from smsl_studio.studio.files.files import Files, empty_blueprint
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.files.fresh import empty_blueprint
 from smsl_studio.studio.find.finder import Finder
 from smsl_studio.studio.find.palette import Palette
 from smsl_studio.studio.fix_card import FixCard

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.studio import inspector as room
-from smsl_studio.studio.files.files import empty_blueprint
+from smsl_studio.studio.files.fresh import empty_blueprint
 from smsl_studio.studio.inspector import Inspector
 from smsl_studio.studio.session import Session
 

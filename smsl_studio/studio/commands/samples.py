@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from smsl_studio.studio.actions import Action
-from smsl_studio.studio.files.files import Files, samples
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.files.fresh import samples
 
 
 def sample_actions(files: Files) -> tuple[Action, ...]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from smsl_studio.smsl.forms import SUFFIXES
-from smsl_studio.studio.files.files import Answer
+from smsl_studio.studio.files.asking import Answer
 
 ALL = "All files (*)"
 KINDS = {

@@ -5,29 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal, Protocol
 
 from PySide6.QtCore import QObject, Signal
 
-from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.importing import real_path
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.names import fresh_branch_name
-from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.errors import SaveError, StudioError
-from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.together import save_together
+from smsl_studio.studio.files.asking import Asker
 from smsl_studio.studio.files.converting import form_words, leaves_comments, moved
+from smsl_studio.studio.files.fresh import UNTITLED, empty_blueprint
 from smsl_studio.studio.files.on_disk import OnDisk
 from smsl_studio.studio.files.opening import Opened, open_file, understood
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.words import counted
-
-Answer = Literal["save", "discard", "cancel"]
-UNTITLED = "untitled.json"
 
 
 @dataclass(frozen=True)
@@ -39,28 +32,6 @@ class Title:
 
     def __str__(self) -> str:
         return f"{self.name} ({self.edited})" if self.edited else self.name
-
-
-class Asker(Protocol):
-    """Who asks the person; the dialogs of the window, or a test."""
-
-    def file_to_open(self, folder: Path) -> Path | None:
-        """The file to open, None where it was called off."""
-
-    def file_to_save(self, suggested: Path) -> Path | None:
-        """Where to save, None where it was called off."""
-
-    def unsaved(self, said: str) -> Answer:
-        """What becomes of unsaved changes; ``said`` names the files."""
-
-    def may_overwrite(self, names: str) -> bool:
-        """Whether to save over what another program has written."""
-
-    def may_save_broken(self, name: str, faults: str) -> bool:
-        """Whether to save a text that does not read as a blueprint."""
-
-    def may_leave_comments(self, name: str, form: str) -> bool:
-        """Whether to save in a form into which comments do not come along."""
 
 
 class Files(QObject):
@@ -363,15 +334,3 @@ def _over_an_import(target: str) -> SaveError:
         f"the blueprint imports {target}, and would take its place",
         advice="Save under another name.",
     )
-
-
-def samples() -> tuple[Path, ...]:
-    """The samples that come along, in every form."""
-    found = (path for path in samples_dir().iterdir() if path.suffix in SUFFIXES)
-    return tuple(sorted(found))
-
-
-def empty_blueprint() -> Blueprint:
-    """What New shows: one SB without states."""
-    blank = new_blueprint(UNTITLED)
-    return editing.add_branch(blank, fresh_branch_name(blank))

@@ -9,7 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.studio.drawing import Drawing
-from smsl_studio.studio.files.files import Files, samples
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.files.fresh import samples
 from smsl_studio.studio.session import Session
 
 MOST = 64

@@ -7,7 +7,8 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from smsl_studio.studio.files.files import UNTITLED, Files
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.files.fresh import UNTITLED
 from smsl_studio.studio.frame.toast import Toast
 from smsl_studio.studio.journal.entry import Kept
 from smsl_studio.studio.journal.keeping import Unsaved
