@@ -109,6 +109,13 @@ def test_the_view_follows_edits_against_what_was_saved(sit: Sit, tmp_path: Path)
     while session.history.canUndo():
         session.history.undo()
     person.until(lambda: dialog.summary == "No difference.")
+    noted = session.blueprint.document.text.replace("{", '{"_comment": "seen",', 1)
+    session.write("Type", noted)
+    person.until(lambda: "_comment differs" in dialog.summary)
+    words = [row.text for row in dialog.changes.rows.rows]
+    assert words[0] == "Fields without meaning, which are no change"
+    assert words[1].startswith("The field _comment of the file is ")
+    assert dialog.next.isEnabled()
 
 
 def test_a_text_that_does_not_read_is_compared_as_it_last_did(sit: Sit, tmp_path: Path) -> None:
