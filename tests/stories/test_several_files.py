@@ -5,16 +5,22 @@ from __future__ import annotations
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QRectF, Qt, QTimer
+from PySide6.QtGui import QFontMetricsF, QPainter
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl import together
 from smsl_studio.smsl.files import read_document
+from smsl_studio.studio import rows
 from smsl_studio.studio.files.dialogs import Dialogs
+from smsl_studio.studio.panels import outline_tree
 from smsl_studio.studio.panels.outline_tree import line_of
+from smsl_studio.studio.rows import Ink
+from smsl_studio.studio.theme import text_font
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -204,3 +210,21 @@ def test_encoding_and_line_ends_are_said_and_kept(sit: Sit, tmp_path: Path) -> N
     saved = path.read_bytes()
     assert saved.startswith(b"\xef\xbb\xbf{\r\n")
     assert saved.count(b"\n") == saved.count(b"\r\n")
+
+
+def test_why_an_import_failed_is_not_cut(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rooms: dict[str, float] = {}
+    paint = rows.paint_text
+
+    def seen(painter: QPainter, rect: QRectF, text: str, ink: Ink, **more: Any) -> float:
+        rooms[text] = rect.width()
+        return paint(painter, rect, text, ink, **more)
+
+    monkeypatch.setattr(outline_tree, "paint_text", seen)
+    path = tmp_path / "outer.json"
+    path.write_text('{"_imports": ["missing.json"], "SB1": {"State_0": {}}}')
+    person = sit(path, (1280, 800))
+    person.until(lambda: "not read" in rooms)
+    assert rooms["not read"] >= QFontMetricsF(text_font(12)).horizontalAdvance("not read")

@@ -155,7 +155,8 @@ class OutlineDelegate(QStyledItemDelegate):
             painter.drawRoundedRect(badge, 4, 4)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, Ink(tokens.tx2, 11, 500))
-        right = badge.left() - 6
+        # An import that failed has no level, and its mark stands there.
+        right = badge.right() - 1 if line.fault else badge.left() - 6
         if line.severity:
             box = QRectF(right - 15, mid - 7, 14, 14)
             colour = severity_colour(line.severity, tokens)
