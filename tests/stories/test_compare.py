@@ -112,7 +112,7 @@ def test_the_view_follows_edits_against_what_was_saved(sit: Sit, tmp_path: Path)
     noted = session.blueprint.document.text.replace("{", '{"_comment": "seen",', 1)
     session.write("Type", noted)
     person.until(lambda: "_comment differs" in dialog.summary)
-    words = [row.text for row in dialog.changes.rows.rows]
+    words = [dialog.changes.rows.rows[number].text for number in (0, 1)]
     assert words[0] == "Fields without meaning, which are no change"
     assert words[1].startswith("The field _comment of the file is ")
     assert dialog.next.isEnabled()
