@@ -91,6 +91,9 @@ def test_what_is_decided_later_is_offered_again_and_what_is_discarded_is_not(
     offer = offer_to(person)
     (row,) = offer.rows.values()
     person.click(row.discard)
+    assert offer.isVisible()
+    assert row.discard.text() == "Discard for good"
+    person.click(row.discard)
     assert offer_recovery(person.windows, person.window) is None
 
 

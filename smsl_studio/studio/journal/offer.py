@@ -28,6 +28,7 @@ from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
 
 WIDTH, TALLEST, NAME = 620, 520, 320
+SURE = "Discard for good"
 Act = Callable[[Left], bool]
 
 
@@ -53,7 +54,7 @@ class RecoveryOffer(QDialog):
                 column.addWidget(rule())
             column.addWidget(shown)
             shown.recover.clicked.connect(lambda _=False, one=one: self._do(recover, one))
-            shown.discard.clicked.connect(lambda _=False, one=one: self._do(_drop, one))
+            shown.discard.clicked.connect(lambda _=False, one=one: self._discard(one))
             shown.compare.clicked.connect(lambda _=False, one=one: compare(one))
         column.addStretch(1)
         self._build(column, len(left))
@@ -99,6 +100,11 @@ class RecoveryOffer(QDialog):
         self.row_of(left).done()
         if not self._waiting:
             self.accept()
+
+    def _discard(self, left: Left) -> None:
+        """The first click asks, in the button itself; what is discarded is gone."""
+        if self.row_of(left).is_sure():
+            self._do(_drop, left)
 
     def _later(self) -> None:
         for left in self._waiting:
@@ -153,6 +159,12 @@ class _Row(QWidget):
         column.addWidget(self.when)
         column.addSpacing(4)
         column.addLayout(row(self.recover, self.compare, self.discard, None))
+
+    def is_sure(self) -> bool:
+        """Whether Discard was asked about before; else the button asks now."""
+        asked = self.discard.text() == SURE
+        self.discard.setText(SURE)
+        return asked
 
     def done(self) -> None:
         """It was decided."""
