@@ -7,9 +7,8 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import Parser, add_format, add_world
-from smsl_studio.cli.output import Output, one_line, report
-from smsl_studio.cli.reading import read_argument
-from smsl_studio.errors import ReadError
+from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.reading import read_each
 from smsl_studio.front.reading import inspect
 from smsl_studio.inspection.finding import Finding, Severity
 
@@ -28,11 +27,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         _must_exist(options.world)
     inspect(_nothing(), options.rule)
     reports, status = [], 0
-    for file in options.files:
-        try:
-            blueprint = read_argument(file)
-        except ReadError as error:
-            report(error, "smsl-studio check")
+    for blueprint in read_each(options.files, "smsl-studio check"):
+        if blueprint is None:
             status = 2
             continue
         findings = inspect(blueprint, options.rule)

@@ -6,9 +6,8 @@ import argparse
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.cli.arguments import Parser, add_format
-from smsl_studio.cli.output import Output, one_line, report
-from smsl_studio.cli.reading import read_argument
-from smsl_studio.errors import ReadError
+from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.reading import read_each
 
 
 def add_arguments(parser: Parser) -> None:
@@ -18,11 +17,8 @@ def add_arguments(parser: Parser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     found, status = [], 0
-    for file in options.files:
-        try:
-            blueprint = read_argument(file)
-        except ReadError as error:
-            report(error, "smsl-studio digest")
+    for blueprint in read_each(options.files, "smsl-studio digest"):
+        if blueprint is None:
             status = 2
             continue
         kinds = digests(blueprint).as_json()

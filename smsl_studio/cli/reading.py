@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.output import report
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.reading import read, read_bytes
 from smsl_studio.smsl.files import LARGEST
@@ -17,6 +19,18 @@ def read_argument(file: str) -> Blueprint:
     if file != "-":
         return read(file)
     return read_bytes(_standard_input(), STDIN)
+
+
+def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
+    """The blueprint of every file; None for one that cannot be read, which is told."""
+    for file in files:
+        try:
+            blueprint = read_argument(file)
+        except ReadError as error:
+            report(error, command)
+            yield None
+        else:
+            yield blueprint
 
 
 def _standard_input() -> bytes:

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
-from smsl_studio.smsl.json_form.brackets import NOTHING, Brackets, Enough, Frame
+from smsl_studio.smsl.json_form.brackets import NOTHING, Enough, Frame
+from smsl_studio.smsl.json_form.commas import Commas
 from smsl_studio.smsl.json_form.merging import merged
-from smsl_studio.smsl.json_form.scalars import scalar_of
 from smsl_studio.smsl.json_form.tokens import END, NUMBER, ODD, TEXT, WORD, Token, quoted, short
 
 Json = Any
@@ -22,7 +22,7 @@ _ENDS = (",", "}", "]", END)
 _VALUES = ("{", "[", TEXT, NUMBER, WORD)
 
 
-class Recovery(Brackets):
+class Recovery(Commas):
     """The steps of the reading: what may stand here, and what was meant by what does."""
 
     def __init__(self, text: str) -> None:
@@ -97,9 +97,7 @@ class Recovery(Brackets):
         elif kind in ("}", "]") and self._is_extra(frame, token):
             self._drop_closer(token)
         elif kind == "}" and frame.comma:
-            self._fault_at_comma(frame.comma)
-            frame.comma = None
-            self._close(frame, token)
+            self._close_behind_comma(frame, frame.comma, token)
         elif kind in ("}", "]"):
             self._close(frame, token)
         elif kind == ",":
@@ -291,9 +289,7 @@ class Recovery(Brackets):
         elif kind in (TEXT, WORD, NUMBER):
             self._put(frame, self._scalar(self._take()), token.end)
         elif kind == "]" and frame.comma:
-            self._fault_at_comma(frame.comma)
-            frame.comma = None
-            self._close(frame, token)
+            self._close_behind_comma(frame, frame.comma, token)
         elif kind in ("}", "]"):
             self._close(frame, token)
         elif kind == ",":
@@ -315,44 +311,6 @@ class Recovery(Brackets):
             frame.expects = "item"
         else:
             self._remove(self._take())
-
-    # --- what both have in common ------------------------------------------------------------
-
-    def _is_glued(self, token: Token) -> bool:
-        """Whether a bare word touches a text behind it: a stray character, no name."""
-        after = self._peek(1)
-        return token.kind in (WORD, NUMBER) and after.kind == TEXT and after.start == token.end
-
-    def _comma_instead(self, frame: Frame, token: Token) -> None:
-        fix = ("Write a comma", token.start, token.end, ",")
-        words = f"a comma stands between members, not {token.value or token.kind}"
-        self._fault(token, words, "Write a comma.", fix)
-        self._take()
-        frame.expects, frame.comma = "key", token
-
-    def _missing_comma(self, frame: Frame, token: Token) -> None:
-        end = frame.last_end
-        fix = ("Insert the comma", end, end, ",")
-        self._fault(token, "a comma is missing before this", "Write a comma.", fix)
-
-    def _extra_comma(self, token: Token) -> None:
-        last = self._take()
-        while self._peek().kind == "," and not self._text[last.end : self._peek().start].strip():
-            last = self._take()
-        fix = ("Remove the comma", token.start, last.end, "")
-        words = "a comma with nothing before it"
-        self._fault(token._replace(end=last.end), words, "Remove it.", fix)
-
-    def _fault_at_comma(self, comma: Token) -> None:
-        fix = ("Remove the comma", comma.start, comma.end, "")
-        self._fault(comma, "a comma with nothing behind it", "Remove it.", fix)
-
-    def _scalar(self, token: Token) -> Json:
-        """The value of a text, number or word; what is none is told."""
-        value, wrong = scalar_of(token)
-        if wrong is not None:
-            self._say(wrong)
-        return value
 
 
 _STEPS: dict[tuple[str, str], Callable[[Recovery, Frame, Token], None]] = {
