@@ -27,7 +27,7 @@ from smsl_studio.studio.words import counted
 ACTORS = (("Human", "human"), ("Shared", "shared"), ("Robot", "robot"))
 RISKS = (("Low", "low"), ("Medium", "medium"), ("High", "high"))
 STOPS = (("Abort at once", "abort"), ("Hold where it is", "hold"), ("Finish first", "finish"))
-SUBS = (("Drive: it moves first", "drive"), ("Load: brought by the function", "load"))
+SUBS = (("Drive it first", "drive"), ("Load", "load"))
 
 
 class OperationForm(NoteForm):
