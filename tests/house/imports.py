@@ -45,6 +45,7 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pybullet_utils": (BULLET,),
     "networkx": ("graph/",),
     "scipy": ("graph/",),
+    "paho": ("monitor/mqtt.py",),
     "numpy": ("graph/", "world/", "picture/", "studio/"),
     "pydantic": ("",),
     "annotated_types": ("blueprint/",),
