@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.check import CheckResult, Scene
+from smsl_studio.blueprint.check import CheckResult, Scene, Term
+from smsl_studio.dispatch.people.task import Task
+from smsl_studio.monitor.facts import SourceState
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,7 +16,10 @@ class Possible:
     """One edge out of an active state: whether it may be asked for now, and if not, why.
 
     ``cost`` is that of its joint step, or its declared cost where it has none. ``pruned`` says
-    that it is shut out (pruned or avoided), ``risky`` that it failed and was not restored.
+    that it is shut out (pruned or avoided), ``risky`` that it failed and was not restored,
+    ``vetoed`` that the next time it is skipped. ``needs`` are the facts of other SBs that it
+    requires, as they stand; ``risk`` is declared (low, medium, high or empty), ``level`` says who
+    acts (human, shared, automatic).
     """
 
     address: Address
@@ -25,18 +30,39 @@ class Possible:
     on_route: bool
     pruned: bool = False
     risky: bool = False
+    vetoed: bool = False
+    needs: tuple[Term, ...] = ()
+    risk: str = ""
+    level: str = "automatic"
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """Something a person may do about a hold: the command, on what, and a sentence for a button.
+
+    ``command`` is restore, adopt, ask, resume, take_over or end.
+    """
+
+    command: str
+    address: str
+    sentence: str
 
 
 @dataclass(frozen=True, slots=True)
 class DispatchStatus:
     """How a run stands.
 
-    ``phase``: ``ready`` (by hand, nothing runs, the world lives), ``running``, ``paused`` (nothing
-    moves, simulated time stands still), ``held`` (a person must decide), ``finished``.
+    ``phase``: ``idle`` (no world stands yet), ``ready`` (by hand, nothing runs, the world lives),
+    ``running``, ``paused`` (nothing moves, simulated time stands still), ``waiting`` (a task is
+    open), ``no_route``, ``taken_over``, ``fault_hold`` (a person must decide), ``stopped``
+    (latched), ``done``. ``docs/supervision.md`` draws them.
     ``pending`` are the states of SBs in transit, not committed. ``running`` is the edge whose
     library function runs, ``carrying`` the edge that was asked for. ``route`` are the edges still
-    to be carried out, in order. ``check`` is the state check that is awaited, or that of the
-    active state of the SB in question. Times are simulated seconds.
+    to be carried out, in order; ``detour`` those if the next one were vetoed (None: no way).
+    ``check`` is the state check that is awaited, or that of the active state of the SB in
+    question. ``since`` has the time at which each SB entered its state, ``previous`` the edge that
+    led there. ``sources`` are all sources of all facts. ``by`` is who has taken over or stopped.
+    Times are simulated seconds.
     """
 
     phase: str
@@ -56,3 +82,12 @@ class DispatchStatus:
     reason: str
     sentence: str
     operations: int
+    details: tuple[str, ...] = ()
+    offers: tuple[Offer, ...] = ()
+    tasks: tuple[Task, ...] = ()
+    detour: tuple[Address, ...] | None = None
+    since: Mapping[str, float] = field(default_factory=dict)
+    previous: Mapping[str, Address] = field(default_factory=dict)
+    sources: tuple[SourceState, ...] = ()
+    full_map: bool = False
+    by: str = ""

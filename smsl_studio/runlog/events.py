@@ -1,43 +1,68 @@
 """Run events: the one story of a run, in simulated time.
 
 An event carries no wall time, host, path or process number (those stand in the log's header), so
-that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text.
+that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text. What
+moves and is sensed is told here, what people and supervisors do in ``regulating``; both are read
+from this module.
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
-from typing import Any, ClassVar
+from dataclasses import dataclass
+from typing import ClassVar
 
-Json = Any
+from smsl_studio.runlog.event import Event
+from smsl_studio.runlog.regulating import (
+    Commanded,
+    CostsChanged,
+    Disturbed,
+    FaultInjected,
+    GivenBack,
+    RunReset,
+    RunStopped,
+    TakenOver,
+    TaskAnswered,
+    TaskClosed,
+    TaskEscalated,
+    TaskOpened,
+)
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Event:
-    """What every event has: its word and its simulated time."""
-
-    event: ClassVar[str] = ""
-    t: float
-
-    def as_json(self) -> dict[str, Json]:
-        """The event as plain values, its word first, times rounded to a microsecond."""
-        values: dict[str, Json] = {"event": self.event}
-        for item in fields(self):
-            value = getattr(self, item.name)
-            values[item.name] = round(value, 6) if isinstance(value, float) else _plain(value)
-        return values
-
-    def line(self) -> str:
-        """The event as one line of JSON."""
-        return json.dumps(self.as_json(), ensure_ascii=False, separators=(",", ":"))
-
-
-def _plain(value: Json) -> Json:
-    if isinstance(value, Mapping):
-        return {str(k): _plain(v) for k, v in value.items()}
-    return [_plain(item) for item in value] if isinstance(value, tuple) else value
+__all__ = [
+    "Commanded",
+    "Committed",
+    "CostsChanged",
+    "Disturbed",
+    "EdgeSwept",
+    "Event",
+    "FactChanged",
+    "FaultInjected",
+    "GivenBack",
+    "GoalReached",
+    "Held",
+    "Mismatch",
+    "OperationEnded",
+    "OperationPruned",
+    "OperationRefused",
+    "OperationRestored",
+    "OperationRisky",
+    "OperationStarted",
+    "Paused",
+    "Relocalised",
+    "Resumed",
+    "RoutePlanned",
+    "RunFinished",
+    "RunReset",
+    "RunStarted",
+    "RunStopped",
+    "StateChecked",
+    "SweepFinished",
+    "TakenOver",
+    "TaskAnswered",
+    "TaskClosed",
+    "TaskEscalated",
+    "TaskOpened",
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
