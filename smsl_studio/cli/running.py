@@ -7,9 +7,7 @@ import contextlib
 import signal
 import threading
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import Parser, add_format, add_seed_and_host, add_world
 from smsl_studio.cli.output import Output, note, one_line
 from smsl_studio.cli.reading import read_argument
@@ -45,7 +43,6 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
     speed = _speed(options.speed)
     blueprint = read_argument(options.file)
-    _spare_blueprint(blueprint, options.log)
     told: list[str] = []
 
     def tell(event: Event) -> None:
@@ -102,17 +99,6 @@ def _several(parser: Parser, name: str, metavar: str, words: str) -> None:
     parser.add_argument(
         name, action="append", default=[], metavar=metavar, help=f"{words}; may be repeated"
     )
-
-
-def _spare_blueprint(blueprint: Blueprint, log: str | None) -> None:
-    """UsageError where a log would take the place of what is being run."""
-    for document in blueprint.documents:
-        with contextlib.suppress(OSError, ValueError):
-            if log is not None and Path(log).samefile(document.file):
-                raise UsageError(
-                    f"the log would overwrite {document.file}, which is being run",
-                    advice="Give the log a file of its own.",
-                )
 
 
 def _speed(text: str) -> float | None:

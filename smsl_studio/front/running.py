@@ -12,12 +12,11 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.reading import refusals
-from smsl_studio.front.run_header import log_header
+from smsl_studio.front.recording import Recording, start_log
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Event, RunFinished
-from smsl_studio.runlog.log import RunLog
 
 HOSTS = ("local", "process")
 NAP = 0.1
@@ -103,7 +102,14 @@ def run(
     goals = states_at(blueprint, goal, "goal")
     starts = states_at(blueprint, start, "start")
     shut = operations_at(blueprint, avoid)
-    story = _Story(on_event)
+    events: list[Event] = []
+
+    def hear(event: Event) -> None:
+        events.append(event)
+        if on_event is not None:
+            on_event(event)
+
+    recording = Recording(hear)
     dispatcher: Dispatcher | None = None
     refusal: RunRefused | None = None
     try:
@@ -131,20 +137,22 @@ def run(
                 "avoid": list(map(str, shut)),
                 "on_mismatch": on_mismatch,
             }
-            story.log = RunLog(Path(log), log_header(blueprint, world, loaded, asked))
+            recording.log = start_log(Path(log), blueprint, world, loaded, asked)
         if refusal is not None:
-            story.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
+            recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
         if dispatcher is not None:
-            story.tell(dispatcher.open())
-            _loop(dispatcher, story, speed, stop_when)
+            recording.tell(dispatcher.open())
+            _loop(dispatcher, recording, speed, stop_when)
     except (SaveError, WorldError) as error:
-        failed = "failed" if story.events else "refused"
-        story.end(failed, str(error), dispatcher)
+        failed = "failed" if recording.told else "refused"
+        recording.end(failed, str(error), dispatcher)
     finally:
         if dispatcher is not None:
             dispatcher.close()
-        story.close()
-    return story.run()
+        recording.close()
+    last = events[-1]
+    assert isinstance(last, RunFinished), "the last event of a run is run_finished"
+    return Run(last.reason, last.sentence, tuple(events))
 
 
 def make_host(
@@ -180,55 +188,9 @@ def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
     return discover(plugin_paths).worlds
 
 
-class _Story:
-    """What a run has said so far, written to its log and told on."""
-
-    def __init__(self, on_event: Callable[[Event], None] | None) -> None:
-        self.events: list[Event] = []
-        self.log: RunLog | None = None
-        self._on_event = on_event
-
-    def tell(self, events: Iterable[Event]) -> None:
-        """Log first, then hand on: nobody hears what the log does not have, while it lives."""
-        for event in events:
-            if self.log is not None:
-                try:
-                    self.log.write([event])
-                    if isinstance(event, RunFinished):
-                        self.log.finish()
-                except SaveError:
-                    self.close()
-                    raise
-            self.events.append(event)
-            if self._on_event is not None:
-                self._on_event(event)
-
-    def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
-        """The end of a run that its dispatcher cannot tell."""
-        status = dispatcher.status if dispatcher is not None else None
-        finished = RunFinished(
-            t=status.time if status else 0.0,
-            reason=reason,
-            sentence=sentence,
-            operations=status.operations if status else 0,
-            configuration=dict(status.configuration) if status else {},
-        )
-        self.tell([finished])
-
-    def close(self) -> None:
-        if self.log is not None:
-            self.log.close()
-        self.log = None
-
-    def run(self) -> Run:
-        last = self.events[-1]
-        assert isinstance(last, RunFinished), "the last event of a run is run_finished"
-        return Run(last.reason, last.sentence, tuple(self.events))
-
-
 def _loop(
     dispatcher: Dispatcher,
-    story: _Story,
+    recording: Recording,
     speed: float | None,
     stop_when: Callable[[], bool] | None,
 ) -> None:
@@ -242,7 +204,7 @@ def _loop(
         if not stopping and asked():
             dispatcher.stop()
             stopping = True
-        story.tell(dispatcher.tick())
+        recording.tell(dispatcher.tick())
         while speed is not None and not asked():
             ahead = dispatcher.time / speed - (time.monotonic() - began)
             if ahead < BLINK:

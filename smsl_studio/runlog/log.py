@@ -21,7 +21,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from smsl_studio.errors import Place, SaveError
+from smsl_studio.errors import Place, SaveError, UsageError
 from smsl_studio.runlog.events import Event
 from smsl_studio.seal.chain import Chain
 
@@ -38,16 +38,26 @@ _NO_DISK = (errno.EINVAL, errno.ENOTSUP, errno.EROFS)
 
 
 class RunLog:
-    """A log that is being written. SaveError where it cannot be, before anything has run."""
+    """A log that is being written. SaveError where it cannot be, before anything has run.
+
+    UsageError where the file holds something already: a record is never written over.
+    """
 
     def __init__(self, path: Path, header: Mapping[str, Json]) -> None:
         self.path = path
         self._chain = Chain()
         self._count = 0
         try:
-            self._file = path.open("wb", buffering=0)
+            # Not "wb", which would empty what is there before anybody has looked at it.
+            self._file = path.open("ab", buffering=0)
         except (OSError, ValueError) as error:
             raise self._failed(error) from None
+        if os.fstat(self._file.fileno()).st_size:
+            self._file.close()
+            raise UsageError(
+                f"{path} holds something already, and a record is never written over",
+                advice="Give the log a new file, or take that one away first.",
+            )
         try:
             self._linked(_line({"log": FORMAT, "version": VERSION, **header}))
             self._settle()

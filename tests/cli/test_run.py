@@ -146,6 +146,17 @@ def test_a_log_that_cannot_be_written_refuses_the_run(shell: Shell, tmp_path: Pa
     assert len(answer.lines) == 1
 
 
+def test_a_record_is_never_written_over(shell: Shell, tmp_path: Path) -> None:
+    log = tmp_path / "run.jsonl"
+    log.touch()
+    assert shell("run", sample("hfsm"), *TABLE, "--log", str(log)).status == 0
+    first = log.read_bytes()
+    answer = shell("run", sample("hfsm"), *TABLE, "--log", str(log))
+    assert (answer.status, answer.out) == (2, "")
+    assert "Give the log a new file" in answer.err
+    assert log.read_bytes() == first
+
+
 def test_the_text_tells_the_same_story(shell: Shell) -> None:
     answer = shell("run", sample("hfsm"), "--world", "table")
     assert answer.status == 0

@@ -79,5 +79,5 @@ def test_a_log_does_not_take_the_place_of_the_blueprint(shell: Shell, tmp_path: 
     for log in (file, tmp_path / "link.json"):
         answer = shell("run", str(file), "--world", "table", "--log", os.fspath(log))
         assert (answer.status, answer.out) == (2, "")
-        assert "the log would overwrite" in answer.err
+        assert "never written over" in answer.err
         assert file.read_bytes() == raw

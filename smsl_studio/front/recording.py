@@ -1,0 +1,103 @@
+"""Recording a run: into its log first, then to whoever listens; headless and in the window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from datetime import datetime
+from itertools import count
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.errors import SaveError
+from smsl_studio.front.run_header import log_header
+from smsl_studio.library.loading import Loaded
+from smsl_studio.runlog.events import Event, Held, RunFinished
+from smsl_studio.runlog.log import RunLog
+
+Json = Any
+
+
+class Recording:
+    """What a run says, on its way: written to ``log`` (None: it is not recorded), then heard.
+
+    Nobody hears what the log does not have, as long as it lives. ``told`` counts what was heard.
+    """
+
+    def __init__(self, hear: Callable[[Event], None], log: RunLog | None = None) -> None:
+        self.told = 0
+        self.log = log
+        self._hear = hear
+
+    def tell(self, events: Iterable[Event]) -> None:
+        """Record and hand on; the log gets its head after ``run_finished``.
+
+        SaveError where the log cannot be written: it is then closed, and the event unheard.
+        """
+        for event in events:
+            if self.log is not None:
+                try:
+                    self.log.write([event])
+                    if isinstance(event, RunFinished):
+                        self.log.finish()
+                except SaveError:
+                    self.close()
+                    raise
+            self.told += 1
+            self._hear(event)
+
+    def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
+        """The end of a run that its dispatcher cannot tell; before a failure, that it holds."""
+        status = dispatcher.status if dispatcher is not None else None
+        time = status.time if status else 0.0
+        finished = RunFinished(
+            t=time,
+            reason=reason,
+            sentence=sentence,
+            operations=status.operations if status else 0,
+            configuration=dict(status.configuration) if status else {},
+        )
+        last = [Held(t=time, reason=sentence), finished] if reason == "failed" else [finished]
+        before = self.told
+        try:
+            self.tell(last)
+        except SaveError:
+            self.tell(last[self.told - before :])
+
+    def close(self) -> None:
+        """End the log where it stands; calling it twice is harmless."""
+        if self.log is not None:
+            self.log.close()
+        self.log = None
+
+
+def start_log(
+    path: Path,
+    blueprint: Blueprint,
+    world: str,
+    loaded: Loaded | None,
+    asked: Mapping[str, Json],
+) -> RunLog:
+    """A log with its header written; ``asked`` is how the run was to be (see ``log_header``).
+
+    SaveError where it cannot be written, UsageError where the file holds something already.
+    """
+    return RunLog(path, log_header(blueprint, world, loaded, asked))
+
+
+def new_recording(folder: Path, file: str, now: datetime) -> Path:
+    """A name for a recording that no file in ``folder`` has: ``<file>-<date>.jsonl``.
+
+    The folder is made. SaveError where that cannot be done.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SaveError(
+            f"the folder of recordings cannot be made: {error.strerror or error}",
+            advice=f"Make room for {folder}, or record no runs.",
+        ) from None
+    stem = f"{Path(file).stem}-{now:%Y-%m-%d-%H%M%S}"
+    names = (f"{stem}{f'-{n}' if n else ''}.jsonl" for n in count())
+    return next(path for name in names if not (path := folder / name).exists())
