@@ -51,11 +51,11 @@ def _nothing() -> Blueprint:
 
 
 def _must_exist(world: str) -> None:
-    from smsl_studio.library.loading import discover
+    from smsl_studio.host.describing import describe
     from smsl_studio.library.operation_library import TABLE
 
     if world != TABLE:
-        discover().world(world)
+        describe().world(world)
 
 
 def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, Any]:

@@ -7,7 +7,8 @@ from typing import Any
 
 from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.output import Output
-from smsl_studio.library.loading import Plugin, PluginFault, discover
+from smsl_studio.host.describing import describe
+from smsl_studio.library.loading import Plugin, PluginFault
 
 
 def add_arguments(parser: Parser) -> None:
@@ -15,7 +16,7 @@ def add_arguments(parser: Parser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    loaded = discover()
+    loaded = describe()
     if options.format == "json":
         out.json(
             {

@@ -7,7 +7,7 @@ import argparse
 from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.output import Output
 from smsl_studio.cli.plugins import fault_as_json
-from smsl_studio.library.loading import discover
+from smsl_studio.host.describing import describe
 from smsl_studio.library.operation_library import TABLE
 
 
@@ -16,7 +16,7 @@ def add_arguments(parser: Parser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    loaded = discover()
+    loaded = describe()
     worlds = [
         {"name": TABLE, "engine": "table", "hardware": False, "plugin": None, "location": None}
     ]

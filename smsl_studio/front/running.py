@@ -13,6 +13,7 @@ from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.reading import refusals
 from smsl_studio.front.recording import Recording, start_log
+from smsl_studio.host.describing import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE
@@ -98,7 +99,7 @@ def run(
     ``stop_when`` is asked before every tick. AddressError, UsageError and WorldError for what does
     not exist; whatever else goes wrong is the reason of the run.
     """
-    loaded = known_world(world, plugin_paths)
+    loaded = known_world(world, plugin_paths, host)
     goals = states_at(blueprint, goal, "goal")
     starts = states_at(blueprint, start, "start")
     shut = operations_at(blueprint, avoid)
@@ -174,11 +175,16 @@ def make_host(
     return ProcessHost(blueprint, world, seed, plugin_paths)
 
 
-def known_world(world: str, plugin_paths: Sequence[Path] = ()) -> Loaded | None:
-    """The plugins, if the world needs any; WorldError with a near name where there is none."""
+def known_world(
+    world: str, plugin_paths: Sequence[Path] = (), host: str = "local"
+) -> Loaded | None:
+    """The plugins, if the world needs any; WorldError with a near name where there is none.
+
+    For a run whose world lives in a child no plugin's code runs here: it is described.
+    """
     if world == TABLE:
         return None
-    loaded = discover(plugin_paths)
+    loaded = discover(plugin_paths) if host == "local" else describe(plugin_paths)
     loaded.world(world)
     return loaded
 

@@ -42,7 +42,7 @@ def sweep(
     one looks at them. RunRefused where the SUB_SBS go round in a circle; WorldError for a world
     that does not exist or does not suit the blueprint.
     """
-    loaded = known_world(world, plugin_paths)
+    loaded = known_world(world, plugin_paths, host)
     hierarchy = Hierarchy(blueprint)
 
     def fresh() -> Host:

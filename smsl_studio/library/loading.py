@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from importlib import metadata
@@ -21,7 +21,12 @@ from smsl_studio.errors import Place, PluginError, WorldError, did_you_mean
 from smsl_studio.library.folders import plugin_path, user_folder
 from smsl_studio.library.importing import import_plugin, place_of
 from smsl_studio.library.manifest import read_manifest
-from smsl_studio.library.operation_library import TABLE, OperationLibrary, WorldEntry
+from smsl_studio.library.operation_library import (
+    TABLE,
+    FaultEntry,
+    OperationLibrary,
+    WorldEntry,
+)
 from smsl_studio.shipped import plugins_dir
 
 GROUP = "smsl_studio.plugins"
@@ -85,6 +90,11 @@ class Loaded:
         own, _ = self.world(world)
         return (own, *(plugin for plugin in self.plugins if not plugin.library.worlds))
 
+    def faults_of(self, world: str) -> dict[str, FaultEntry]:
+        """What can be made to go wrong in a plugin's world, by name."""
+        plugin, _ = self.world(world)
+        return {e.name: e for e in plugin.library.faults.values() if e.world == world}
+
 
 @dataclass(frozen=True, slots=True)
 class _Found:
@@ -96,10 +106,16 @@ class _Found:
     load: Callable[[], Plugin]
 
 
-def discover(extra: Sequence[Path] = ()) -> Loaded:
+def discover(
+    extra: Sequence[Path] = (),
+    skip: Collection[str] = (),
+    begins: Callable[[str, str], None] | None = None,
+) -> Loaded:
     """Load every plugin there is; ``extra`` are folders of plugins (or one) to look at first.
 
-    What plugins print goes to standard error, so that data on standard output stays whole.
+    What stands in a location of ``skip`` is left out. ``begins`` is told name and location of each
+    plugin before its code runs. What plugins print goes to standard error, so that data on
+    standard output stays whole.
     """
     plugins: list[Plugin] = []
     faults: list[PluginFault] = []
@@ -108,8 +124,10 @@ def discover(extra: Sequence[Path] = ()) -> Loaded:
         for found in _find(extra):
             if isinstance(found, PluginFault):
                 faults.append(found)
-            elif found.location not in seen:
+            elif found.location not in seen and found.location not in skip:
                 seen.add(found.location)
+                if begins is not None:
+                    begins(found.name, found.location)
                 _load(found, plugins, faults)
     return Loaded(tuple(plugins), tuple(faults))
 
@@ -140,6 +158,11 @@ def _check_names(plugin: Plugin, others: Sequence[Plugin]) -> None:
             raise PluginError(f"the world {world!r} is taken by the plugin {other.name!r}")
     for world in plugin.library.arrangers.keys() - plugin.library.worlds.keys():
         raise PluginError(f"it arranges the world {world!r}, which it does not register")
+    for world, name in plugin.library.faults:
+        if world not in plugin.library.worlds:
+            raise PluginError(
+                f"it has the fault {name!r} for the world {world!r}, which it does not register"
+            )
 
 
 def _find(extra: Sequence[Path]) -> Iterator[_Found | PluginFault]:
