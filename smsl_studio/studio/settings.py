@@ -56,6 +56,13 @@ class Settings:
     def store(self, key: str, value: QByteArray) -> None:
         self._store.setValue(key, value)
 
+    def text_of(self, key: str) -> str:
+        """A stored text; empty where none is stored."""
+        return str(self._store.value(key, "") or "")
+
+    def store_text(self, key: str, text: str) -> None:
+        self._store.setValue(key, text)
+
     def sync(self) -> None:
         """Write to the disk now."""
         self._store.sync()

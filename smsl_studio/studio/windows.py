@@ -9,6 +9,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
@@ -38,6 +39,7 @@ class Windows(QObject):
     def __init__(self, application: QApplication, settings: Settings) -> None:
         super().__init__()
         self.application, self.settings = application, settings
+        self.persons = Persons(settings)
         self._open: list[Shown] = []
         self._closed: list[Shown] = []
         # A method, not a lambda: it is let go of with this object.
