@@ -99,6 +99,7 @@ class _Child:
             "tick": self.tick,
             "cancel": self.host.cancel,
             "disturb": self.disturb,
+            "inject": self.inject,
             "close": self.close,
         }
 
@@ -119,6 +120,9 @@ class _Child:
 
     def disturb(self, target: str, kind: str, parameters: dict[str, Any]) -> tuple[str, ...]:
         return self.host.disturb(target, kind, **parameters)
+
+    def inject(self, fault: str, parameters: dict[str, Any]) -> None:
+        self.host.inject(fault, **parameters)
 
     def close(self) -> None:
         self.host.close()

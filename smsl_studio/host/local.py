@@ -19,6 +19,7 @@ from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.call import Call, words_of
 from smsl_studio.host.engines import make_engine
 from smsl_studio.host.fact_rules import rules_of
+from smsl_studio.host.injecting import Injecting
 from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
 from smsl_studio.host.sensing import Sensing
 from smsl_studio.library.binding import bind
@@ -27,6 +28,7 @@ from smsl_studio.library.bound import Bindings, BoundSensor
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE, WorldEntry
 from smsl_studio.library.table import facts_of
+from smsl_studio.library.table_faults import table_faults
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import World
 
@@ -59,6 +61,7 @@ class LocalHost:
         self._settle = 0.0
         self._call: Call | None = None
         self._sensing = Sensing((), 1.0, 0)
+        self._injecting = Injecting(world, {})
         self._ticks = 0
         self._boot = 0
 
@@ -74,6 +77,7 @@ class LocalHost:
             self._drop()
             self._ticks, self._boot = 0, self._boot + 1
             self._arrange(engine, start)
+            self._injecting = self._faults()
         self._sensing = Sensing(bindings.sensors, engine.tick, self._boot, self._values, self._seed)
         return Opened(
             world=self._name,
@@ -85,6 +89,7 @@ class LocalHost:
             settle=self._settle,
             faults=tuple(map(str, bindings.faults)),
             rules={} if self._name == TABLE else rules_of(self._blueprint, bindings),
+            world_faults=self._injecting.names,
         )
 
     def sense(self) -> tuple[Sample, ...]:
@@ -112,6 +117,7 @@ class LocalHost:
                 outcome, message = self._call.resume()
                 if outcome is not Outcome.RUNNING:
                     self._call = None
+            self._injecting.resume()
             try:
                 engine.step()
             except Exception as error:
@@ -135,6 +141,12 @@ class LocalHost:
         """From now on disturb a sensor, or all of one fact, until it is opened again."""
         self._standing()
         return self._sensing.disturb(target, kind, parameters)
+
+    def inject(self, fault: str, **parameters: float | str) -> None:
+        """Let something go wrong in the world from now on, until it is opened again."""
+        self._standing()
+        with _prints_aside():
+            self._injecting.inject(self._subject, fault, parameters)
 
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; empty while no world stands."""
@@ -172,6 +184,11 @@ class LocalHost:
         if self._loaded is None:
             self._loaded = Loaded() if self._name == TABLE else discover(self._paths)
         return self._loaded
+
+    def _faults(self) -> Injecting:
+        if self._name == TABLE:
+            return Injecting(TABLE, table_faults(self._blueprint))
+        return Injecting(self._name, self._plugins().faults_of(self._name), self._location)
 
     def _bind(self) -> Bindings:
         if self._bindings is None:

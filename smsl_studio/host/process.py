@@ -111,6 +111,10 @@ class ProcessHost:
         met: tuple[str, ...] = self._ask("disturb", target, kind, parameters)
         return met
 
+    def inject(self, fault: str, **parameters: float | str) -> None:
+        """Let something go wrong in the world, as ``LocalHost.inject`` does."""
+        self._ask("inject", fault, parameters)
+
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; the last ones, where the child is gone."""
         return self._shared.read() if self._shared is not None else ()

@@ -68,6 +68,7 @@ class Opened:
     ``settle`` is the simulated time (s) for which a target's check must be let settle before it
     decides (clause 7). ``faults`` are the sentences about bindings that do not fit; their edges
     are not bound. ``rules`` say how facts are made of their sensors, where that is declared.
+    ``world_faults`` are the names of what can be injected.
     """
 
     world: str
@@ -79,6 +80,7 @@ class Opened:
     settle: float
     faults: tuple[str, ...] = ()
     rules: Mapping[FactKey, FactRule] = field(default_factory=dict)
+    world_faults: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +121,14 @@ class Host(Protocol):
 
         The sensors it meets. UsageError where nothing is called so, or there is no such kind: see
         ``monitor.disturbance``.
+        """
+        ...
+
+    def inject(self, fault: str, **parameters: float | str) -> None:
+        """Let something go wrong in the world, from this instant on.
+
+        UsageError where the world has no such fault (``Opened.world_faults``) or it cannot be done
+        with these parameters; HostError where its code breaks.
         """
         ...
 

@@ -16,6 +16,9 @@
         def move_disk(world, disk: int, peg: str):
             yield                                  # one tick
 
+        @library.fault("hanoi", "disk_pushed")
+        def push(world, disk: int): ...            # what goes wrong on purpose
+
 Every plugin fills a library of its own; ``binding`` reads them. Times are simulated seconds.
 """
 
@@ -80,6 +83,16 @@ class SensorEntry:
     words: Mapping[str, str]
 
 
+@dataclass(frozen=True, slots=True)
+class FaultEntry:
+    """Something that can go wrong on purpose in a world, as its name asks for it."""
+
+    world: str
+    name: str
+    function: Callable[..., Any]
+    signature: Signature
+
+
 class OperationLibrary:
     """What one plugin registers; ``name`` is the plugin's, functions are ``name.function``."""
 
@@ -89,6 +102,7 @@ class OperationLibrary:
         self.arrangers: dict[str, Callable[..., Any]] = {}
         self.operations: list[OperationEntry] = []
         self.sensors: list[SensorEntry] = []
+        self.faults: dict[tuple[str, str], FaultEntry] = {}
 
     def world(
         self, name: str, engine: str = "bullet", hardware: bool = False, settle: float = 0.5
@@ -172,6 +186,23 @@ class OperationLibrary:
             self.operations.append(
                 OperationEntry(function, called, pattern, signature, stop, timeout)
             )
+            return function
+
+        return keep
+
+    def fault(self, world: str, name: str) -> Callable[[FunctionT], FunctionT]:
+        """The decorated ``f(world, ...)`` makes something go wrong in that world, when asked to.
+
+        A plain function does it at once. A generator is resumed at every tick, after the running
+        operation and before the world's step, until it ends or the world is opened again. A
+        StudioError says that it cannot be done.
+        """
+        if not name.isidentifier() or (world, name) in self.faults:
+            raise PluginError(f"the name {name!r} cannot be given to a fault of {world!r}")
+
+        def keep(function: FunctionT) -> FunctionT:
+            entry = FaultEntry(world, name, function, signature_of(function))
+            self.faults[world, name] = entry
             return function
 
         return keep

@@ -7,22 +7,29 @@ sensed at every tick (clause 14).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Generator, Iterator, Mapping
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.library.bound import Bindings, BoundOperation, BoundSensor, leaf_facts
+from smsl_studio.library.table_faults import befallen
 from smsl_studio.world.table import TableWorld
 
 FUNCTION = "table.set_facts"
 TIMEOUT = 20.0
 
 
-def set_facts(world: TableWorld, facts: Mapping[FactKey, str]) -> Iterator[None]:
-    """Write the facts down; it is done within its first tick."""
+def set_facts(
+    world: TableWorld, facts: Mapping[FactKey, str]
+) -> Generator[None, None, bool | None]:
+    """Write the facts down; it is done within its first tick, unless a fault befalls it."""
+    how, other = world.befalling()
+    if how:
+        return (yield from befallen(world, how, other))
     world.set_facts(facts)
     yield from ()
+    return None
 
 
 def fact(world: TableWorld, branch: str, digit: int) -> str | None:

@@ -7,10 +7,13 @@ It is instant, exact and cheap, which is what most tests and most first looks wa
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.world.protocol import Shape
+
+NOTHING: Mapping[FactKey, str] = MappingProxyType({})
 
 
 class TableWorld:
@@ -23,6 +26,7 @@ class TableWorld:
         self.name = name
         self._facts: dict[FactKey, str] = {}
         self._ticks = 0
+        self._befalls: tuple[str, dict[FactKey, str]] = ("", {})
 
     @property
     def time(self) -> float:
@@ -36,6 +40,15 @@ class TableWorld:
     def fact(self, branch: str, digit: int) -> str | None:
         """What stands on the table for a fact, None where nothing does."""
         return self._facts.get((branch, digit))
+
+    def spoil(self, how: str, facts: Mapping[FactKey, str] = NOTHING) -> None:
+        """Let this befall the next operation, and nothing else any more; ``""``: nothing."""
+        self._befalls = (how, dict(facts))
+
+    def befalling(self) -> tuple[str, Mapping[FactKey, str]]:
+        """What befalls the operation that begins now, and the facts that belong to it; once."""
+        found, self._befalls = self._befalls, ("", {})
+        return found
 
     def step(self) -> None:
         """Let one tick pass; nothing moves by itself."""
@@ -57,14 +70,14 @@ class TableWorld:
         return {}
 
     def snapshot(self) -> bytes:
-        """The time and every fact."""
-        facts = [[branch, digit, value] for (branch, digit), value in self._facts.items()]
-        return json.dumps([self._ticks, facts]).encode()
+        """The time, every fact, and what befalls the next operation."""
+        how, facts = self._befalls
+        return json.dumps([self._ticks, _rows(self._facts), how, _rows(facts)]).encode()
 
     def apply(self, snapshot: bytes) -> None:
         """Come back to the instant of a snapshot."""
-        self._ticks, facts = json.loads(snapshot)
-        self._facts = {(branch, digit): value for branch, digit, value in facts}
+        self._ticks, facts, how, befalling = json.loads(snapshot)
+        self._facts, self._befalls = _facts(facts), (how, _facts(befalling))
 
     def fork(self) -> TableWorld:
         """An independent copy that starts at this instant."""
@@ -74,3 +87,11 @@ class TableWorld:
 
     def close(self) -> None:
         """Nothing is held."""
+
+
+def _rows(facts: Mapping[FactKey, str]) -> list[list[str | int]]:
+    return [[branch, digit, value] for (branch, digit), value in facts.items()]
+
+
+def _facts(rows: Iterable[tuple[str, int, str]]) -> dict[FactKey, str]:
+    return {(branch, digit): value for branch, digit, value in rows}

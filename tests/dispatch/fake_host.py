@@ -95,6 +95,9 @@ class FakeHost:
         self.calls.append(f"disturb {target} {kind}")
         return (target,)
 
+    def inject(self, fault: str, **parameters: float | str) -> None:
+        self.calls.append(f"inject {fault}")
+
     def poses(self) -> tuple[float, ...]:
         return ()
 

@@ -1,0 +1,91 @@
+"""What can go wrong in the table world, so that any blueprint can be tried against it.
+
+``set`` writes one fact down behind everybody's back; the others befall the next operation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Mapping
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import fact_text, split_fact
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.library.bound import leaf_facts
+from smsl_studio.library.operation_library import TABLE, FaultEntry
+from smsl_studio.library.signature import signature_of
+
+if TYPE_CHECKING:
+    from smsl_studio.world.table import TableWorld
+
+
+def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
+    """The faults of the table world for a blueprint, by name."""
+
+    def set_fact(world: TableWorld, fact: str, value: str) -> None:
+        world.set_facts({_fact(blueprint, fact): value})
+
+    def fail(world: TableWorld) -> None:
+        world.spoil("fail")
+
+    def break_down(world: TableWorld) -> None:
+        world.spoil("raise")
+
+    def hang(world: TableWorld) -> None:
+        world.spoil("hang")
+
+    def nothing(world: TableWorld) -> None:
+        world.spoil("nothing")
+
+    def elsewhere(world: TableWorld, state: str) -> None:
+        world.spoil("elsewhere", _facts_of(blueprint, state))
+
+    named: dict[str, Callable[..., None]] = {
+        "set": set_fact,
+        "fail": fail,
+        "raise": break_down,
+        "hang": hang,
+        "nothing": nothing,
+        "elsewhere": elsewhere,
+    }
+    return {name: FaultEntry(TABLE, name, f, signature_of(f)) for name, f in named.items()}
+
+
+def befallen(
+    world: TableWorld, how: str, facts: Mapping[FactKey, str]
+) -> Generator[None, None, bool | None]:
+    """An operation that something befalls: it fails, raises, hangs, does nothing or ends elsewhere.
+
+    Only ``fail`` says so itself; ``nothing`` and ``elsewhere`` say that all went well.
+    """
+    if how == "raise":
+        raise RuntimeError("it was made to raise")
+    while how == "hang":
+        yield
+    world.set_facts(facts)
+    yield from ()
+    return False if how == "fail" else None
+
+
+def _fact(blueprint: Blueprint, text: str) -> FactKey:
+    known = [(branch.name, digit) for branch, digit in leaf_facts(blueprint)]
+    key = split_fact(text)
+    if key not in known:
+        near = did_you_mean(text, [fact_text(*one) for one in known])
+        advice = near or "Write it as SB/digit, digits counted from 0."
+        raise UsageError(f"no fact called {text!r} is sensed", advice=advice)
+    return key
+
+
+def _facts_of(blueprint: Blueprint, text: str) -> dict[FactKey, str]:
+    """The facts of a state written ``SB/State``, or ``State`` where the blueprint has one root."""
+    name, _, state = text.rpartition("/")
+    if not name and len(blueprint.roots) == 1:
+        name = blueprint.roots[0]
+    if name not in blueprint.branches or state not in blueprint[name].table:
+        near = did_you_mean(text, [f"{b.name}/{one}" for b in blueprint for one in b.table])
+        raise UsageError(f"there is no state {text!r}", advice=near or "Write it as SB/State.")
+    branch = blueprint[name]
+    values = enumerate(branch.facts(state))
+    return {(name, digit): value for digit, value in values if digit not in branch.subs}
