@@ -11,6 +11,7 @@ from dataclasses import asdict, dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
+from smsl_studio.dispatch.people.names import same_name
 from smsl_studio.studio.people.pin import hashed, matches
 from smsl_studio.studio.settings import Settings
 
@@ -66,9 +67,9 @@ class Persons(QObject):
         return self.named(self._settings.text_of(ME)) or next(iter(self._all), SOMEBODY)
 
     def named(self, name: str) -> Person | None:
-        """The person of a name; case does not count."""
-        same = (one for one in self._all if one.name.casefold() == name.strip().casefold())
-        return next(same, None)
+        """The person of a name, however it is typed."""
+        wanted = same_name(name)
+        return next((one for one in self._all if wanted and same_name(one.name) == wanted), None)
 
     def choose(self, person: Person) -> None:
         """From now on this is who commands."""

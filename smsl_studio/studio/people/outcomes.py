@@ -1,0 +1,96 @@
+"""How a task ended, in a line that stays until it is dismissed: pure functions, no widget."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from smsl_studio.dispatch.people.task import Task
+from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed, TaskOpened
+
+MOST = 3
+"""So many lines are kept; the events of the run have them all."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One line: ``kind`` is answered, disagreed, timed_out, withdrawn or refused."""
+
+    task: str
+    kind: str
+    words: str
+    late: tuple[str, ...] = ()
+    """Answers that came when it was over."""
+
+
+class Outcomes:
+    """The outcomes that nobody has dismissed yet, newest last."""
+
+    def __init__(self) -> None:
+        self.lines: tuple[Outcome, ...] = ()
+        self.refusals: dict[str, str] = {}
+        """By open task: why the last answer did not count."""
+        self._asked: dict[str, tuple[str, dict[str, str]]] = {}
+        """By task: its question, and the words of its options."""
+
+    def clear(self) -> None:
+        """Another run: what was said of the old one is gone."""
+        self.lines = ()
+        self.refusals.clear()
+        self._asked.clear()
+
+    def see(self, tasks: Iterable[Task]) -> None:
+        """Remember what open tasks ask, for when they are over."""
+        for task in tasks:
+            options = {option.value: option.words for option in task.options}
+            self._asked[task.name] = task.question, options
+
+    def tell(self, events: Iterable[Event]) -> None:
+        """Take in what happened."""
+        for event in events:
+            if isinstance(event, TaskOpened):
+                self._asked.setdefault(event.task, (event.question, {}))
+            elif isinstance(event, TaskClosed):
+                self.refusals.pop(event.task, None)
+                self._add(Outcome(event.task, event.outcome, self._words(event)))
+            elif isinstance(event, TaskAnswered):
+                self._answered(event)
+
+    def dismiss(self, line: Outcome) -> None:
+        self.lines = tuple(one for one in self.lines if one != line)
+
+    def _add(self, line: Outcome) -> None:
+        self.lines = (*self.lines, line)[-MOST:]
+
+    def _answered(self, event: TaskAnswered) -> None:
+        if not event.refused:
+            self.refusals.pop(event.task, None)
+            return
+        words = f"The answer of {event.by} does not count: {event.refused}."
+        over = next((one for one in self.lines if one.task == event.task), None)
+        if over is None:
+            self.refusals[event.task] = words
+            return
+        later = replace(over, late=(*over.late, words))
+        self.lines = tuple(later if one == over else one for one in self.lines)
+
+    def _words(self, event: TaskClosed) -> str:
+        question, options = self._asked.get(event.task, ("", {}))
+        said = {by: options.get(value, value) for by, value in event.answers.items()}
+        asked = f"{question} " if question else ""
+        each = "; ".join(f"{by}: {words}" for by, words in said.items())
+        if event.outcome == "answered":
+            who = _listed(list(said))
+            agreed = f"{who} agreed: " if len(said) > 1 else f"{who}: "
+            return f"{asked}{agreed}{options.get(event.answer, event.answer)}."
+        if event.outcome == "disagreed":
+            return f"{asked}The answers differ. {each}. This is no yes."
+        if event.outcome == "timed_out":
+            who = _listed(list(said))
+            only = f"Only {who} answered in time" if said else "Nobody answered in time"
+            return f"{asked}{only}. This is no yes."
+        return f"{asked}No longer asked: the run has moved on."
+
+
+def _listed(names: list[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names)
