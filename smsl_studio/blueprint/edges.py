@@ -8,6 +8,7 @@ from enum import Enum
 
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
+from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.model import StateBranch
 
 
@@ -32,6 +33,7 @@ class Edge:
     ``function`` says that its own library function runs; ``cost`` is what the edge itself adds to
     a route (clause 12); ``price`` is its declared cost, by which bases' edges are chosen (clause
     10). ``requires`` are (SB, digit, value); a digit of -1 is a fact that does not exist.
+    ``fails`` says, where it leads from a state without failure into a failure state, into which.
     """
 
     branch: str
@@ -47,6 +49,7 @@ class Edge:
     cost: float = 1.0
     price: float = 1.0
     requires: tuple[tuple[str, int, str], ...] = ()
+    fails: str = ""
 
     @property
     def address(self) -> Address:
@@ -91,8 +94,10 @@ class Edges:
         enters = (target == branch.activating) - (source == branch.activating)
         crossing = enters if self.hierarchy.bases[branch.name] else 0
         subs = self.hierarchy.subs[branch.name]
+        failing = failing_states(branch)
+        fails = failing.get(target, "") if failing and source not in failing else ""
         if not subs and "_operations" not in branch.fields:
-            return Edge(branch.name, source, name, target, crossing=crossing)
+            return Edge(branch.name, source, name, target, crossing=crossing, fails=fails)
         falls = tuple(d for d, _ in subs if branch.is_on(source, d) and not branch.is_on(target, d))
         rises = tuple(d for d, _ in subs if branch.is_on(target, d) and not branch.is_on(source, d))
         others = self._others(branch, source, target)
@@ -118,6 +123,7 @@ class Edges:
             0.0 if single and not function else price,
             price,
             requires,
+            fails,
         )
 
     def _others(self, branch: StateBranch, source: str, target: str) -> bool:

@@ -31,12 +31,15 @@ MOST_REASONS = 8
 class Terms:
     """What may be used: edges shut out with the reason, and the edges that have a function.
 
-    ``bound`` None stands for a plan without a world: every edge counts as bound.
+    ``bound`` None stands for a plan without a world: every edge counts as bound. ``failing`` are
+    the edges that may be used though they lead into a failure state (None: all of them); nothing
+    but a person's word puts one there.
     """
 
     shut: Mapping[Address, str] = field(default_factory=dict)
     bound: Collection[Address] | None = None
     exact: Collection[Address] = ()
+    failing: Collection[Address] | None = ()
 
 
 class Stepper:
@@ -121,6 +124,10 @@ class Stepper:
             reasons.append(f"no function is bound to {edge} in this world")
         if edge.requires:
             reasons.extend(self.edges.missing(edge, configuration))
+        if edge.fails:
+            failing = self.terms.failing
+            if failing is not None and edge.address not in failing:
+                reasons.append(f"{edge} leads into a failure: {edge.fails}")
         if reasons:
             raise Unavailable(*reasons)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
@@ -36,6 +36,7 @@ class Course:
         self._bound = bound
         self._exact = frozenset(address for address, one in bound.items() if one.exact)
         self._planner: Planner | None = None
+        self._asked: dict[Address, Planner] = {}
         self._legs: tuple[Leg, ...] = ()
         self._at = (0, 0)
         self._ahead: tuple[Address, ...] | None = None
@@ -66,11 +67,17 @@ class Course:
         return self._planner
 
     def asked(self, configuration: Mapping[str, str], edge: Edge) -> JointStep | Unavailable:
-        """The joint step of an edge that a person asks for, though it be risky itself."""
-        if edge.address not in self.risky or edge.address in self.shut:
+        """The joint step of an edge that a person asks for, though it be risky itself, or lead
+        into a failure state."""
+        address = edge.address
+        if address in self.shut or not (edge.fails or address in self.risky):
             return self.planner.stepper.step(configuration, edge)
-        others = {a: f"risky: {r}" for a, r in self.risky.items() if a != edge.address}
-        return self._planner_of({**others, **self.shut}).stepper.step(configuration, edge)
+        planner = self._asked.get(address)
+        if planner is None:
+            others = {a: f"risky: {r}" for a, r in self.risky.items() if a != address}
+            planner = self._planner_of({**others, **self.shut}, failing=(address,))
+            self._asked[address] = planner
+        return planner.stepper.step(configuration, edge)
 
     def edge(self, address: Address) -> Edge | None:
         return self.planner.stepper.edges.get(address)
@@ -123,7 +130,11 @@ class Course:
     def _changed(self) -> None:
         self.version += 1
         self._planner = None
+        self._asked = {}
         self.drop_plan()
 
-    def _planner_of(self, shut: Mapping[Address, str]) -> Planner:
-        return Planner(self._hierarchy, Terms(dict(shut), self._bound.keys(), self._exact))
+    def _planner_of(
+        self, shut: Mapping[Address, str], failing: Collection[Address] = ()
+    ) -> Planner:
+        terms = Terms(dict(shut), self._bound.keys(), self._exact, failing)
+        return Planner(self._hierarchy, terms)

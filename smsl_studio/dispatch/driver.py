@@ -178,7 +178,7 @@ class Driver:
             return
         if leg is not None:
             operations = tuple(map(str, leg.operations))
-            goal = str(leg.goal)
+            goal = leg.aim
             run.emit(RoutePlanned(t=run.time, goal=goal, operations=operations, cost=leg.cost))
         reasons = refusals(run, step, self._supervisor)
         if reasons:

@@ -9,6 +9,7 @@ from functools import partial
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge, Kind
+from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import Move, cheapest, patience
 from smsl_studio.blueprint.stepper import Stepper, Terms
@@ -16,14 +17,25 @@ from smsl_studio.blueprint.stepper import Stepper, Terms
 Key = tuple[str, ...]
 
 
+WITHOUT_FAILURE = "a state without failure"
+
+
 @dataclass(frozen=True)
 class Leg:
-    """The way to one goal: joint steps, the configuration before each, and the whole cost."""
+    """The way to one goal: joint steps, the configuration before each, and the whole cost.
 
-    goal: Address
+    ``goal`` None is the nearest configuration in which no SB stands in a failure state.
+    """
+
+    goal: Address | None
     steps: tuple[JointStep, ...]
     before: tuple[Mapping[str, str], ...]
     cost: float
+
+    @property
+    def aim(self) -> str:
+        """Where it leads, in words."""
+        return WITHOUT_FAILURE if self.goal is None else str(self.goal)
 
     @property
     def operations(self) -> tuple[Address, ...]:
@@ -50,8 +62,29 @@ class Planner:
         """The way to all goals, one leg for each that does not hold yet; None where there is none.
 
         The goals are pursued in their order, each leg keeping what the former reached; where that
-        leads nowhere, all of them are sought at once.
+        leads nowhere, all of them are sought at once. Out of a failure state the first leg leads to
+        the nearest configuration without failure, where a way leads on from it; no route leads
+        into a failure state.
         """
+        if holds(start, goals):
+            return ()
+        if not self.failing(start, goals):
+            return self._to_goals(start, goals)
+        first = self._leg(start, None, (), [goal.branch for goal in goals])
+        if first is None:
+            return None
+        onward = self._to_goals(_after(start, first), goals)
+        if onward is not None:
+            return (first, *onward)
+        last = self._leg(start, goals[-1], goals, [goal.branch for goal in goals], clean=True)
+        return None if last is None else (last,)
+
+    def failing(self, configuration: Configuration, goals: Sequence[Address]) -> tuple[str, ...]:
+        """The SBs that stand in a failure state, among those which move for the goals."""
+        movers = self._movers([goal.branch for goal in goals])
+        return tuple(name for name in movers if configuration[name] in self._failing(name))
+
+    def _to_goals(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
         legs: list[Leg] = []
         here = dict(start)
         for index, goal in enumerate(goals):
@@ -65,28 +98,44 @@ class Planner:
                 last = self._leg(start, goals[-1], goals, [g.branch for g in goals])
                 return None if last is None else (last,)
             legs.append(leg)
-            here.update(pair for step in leg.steps for pair in step.after.items())
+            here = _after(here, leg)
         return tuple(legs)
+
+    def _movers(self, branches: Collection[str]) -> list[str]:
+        """Every SB of the trees that these SBs belong to, bases first."""
+        roots = {root for branch in branches for root in self.hierarchy.roots_of(branch)}
+        moving = {name for root in roots for name in self.hierarchy.tree(root)}
+        return [name for name in self.hierarchy.order if name in moving]
+
+    def _failing(self, name: str) -> Mapping[str, str]:
+        return failing_states(self.hierarchy.blueprint[name])
 
     def _leg(
         self,
         start: Configuration,
-        goal: Address,
+        goal: Address | None,
         wanted: Sequence[Address],
         branches: Collection[str],
+        clean: bool = False,
     ) -> Leg | None:
-        roots = {root for branch in branches for root in self.hierarchy.roots_of(branch)}
-        movers = [
-            name
-            for name in self.hierarchy.order
-            if any(name in self.hierarchy.tree(root) for root in roots)
-        ]
-        quiet = self._quiet(movers, wanted)
+        """The cheapest way to where all that is wanted holds; ``clean`` (and any way to no goal)
+        ends without failure."""
+        movers = self._movers(branches)
+        ill = [name for name in movers if clean or goal is None if self._failing(name)]
+        quiet = self._quiet(movers, {*ill, *(one.branch for one in wanted)})
         places = [(self._at[one.branch], one.state) for one in wanted]
+        shunned = [(self._at[name], self._failing(name)) for name in ill]
+
+        def is_goal(node: Key) -> bool:
+            return all(node[at] == state for at, state in places) and not any(
+                node[at] in states for at, states in shunned
+            )
+
+        routed = goal.branch if goal is not None else movers[0]
         found = cheapest(
             self.stepper.key(start),
-            lambda node: all(node[at] == state for at, state in places),
-            lambda node: self._moves(node, movers, quiet, goal.branch),
+            is_goal,
+            lambda node: self._moves(node, movers, quiet, routed),
             patience(self.hierarchy.blueprint.state_count),
         )
         if found is None:
@@ -102,13 +151,13 @@ class Planner:
             here.update(step.after)
         return Leg(goal, tuple(steps), tuple(before), round(sum(s.cost for s in steps), 9))
 
-    def _quiet(self, movers: Sequence[str], wanted: Sequence[Address]) -> frozenset[str]:
-        """The flat subs that no goal and no ``requires`` looks into.
+    def _quiet(self, movers: Sequence[str], seen: Collection[str]) -> frozenset[str]:
+        """The flat subs that no goal (``seen``) and no ``requires`` looks into.
 
         Only operations that leave ACTIVATING need to be asked of them: whatever else could be
         asked, a base's rise does on its own sub-route, and never at a higher cost.
         """
-        asked = self._required | {one.branch for one in wanted}
+        asked = self._required.union(seen)
         return frozenset(
             name
             for name in movers
@@ -146,6 +195,13 @@ class Planner:
 
 def _one(edge: Edge, routed: str) -> tuple[str, ...]:
     return (edge.name,) if edge.branch == routed else ()
+
+
+def _after(configuration: Configuration, leg: Leg) -> dict[str, str]:
+    after = dict(configuration)
+    for step in leg.steps:
+        after.update(step.after)
+    return after
 
 
 def holds(configuration: Configuration, goals: Sequence[Address]) -> bool:

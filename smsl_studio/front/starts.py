@@ -8,7 +8,7 @@ from itertools import islice, product
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.blueprint.stepper import Stepper, Terms
 from smsl_studio.errors import RunRefused
 
 TRIES = 2000
@@ -44,7 +44,7 @@ def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | N
     An operation of a sub that enters or leaves ACTIVATING can only be asked where each base has a
     rise or fall to go along (clause 10); one that requires facts only where they hold.
     """
-    stepper = Stepper(hierarchy)
+    stepper = Stepper(hierarchy, Terms(failing=None))
     known = stepper.edges.get(edge)
     required = {name for name, _, _ in known.requires} if known else set()
     first = None

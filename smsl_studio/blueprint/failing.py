@@ -1,0 +1,45 @@
+"""Failure states: those that hold a value which ``_facts`` declares a failure."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from smsl_studio.blueprint.model import StateBranch
+
+_KEY = "_failing"
+_NONE: Mapping[str, str] = MappingProxyType({})
+
+
+def failing_states(branch: StateBranch) -> Mapping[str, str]:
+    """Every failure state with the facts that make it one, in words: ``Disk 1 would be x``.
+
+    Worked out at the first call and kept with the branch, as its numbers are.
+    """
+    kept = branch.__dict__.get(_KEY)
+    if isinstance(kept, Mapping):
+        return kept
+    found = _failing(branch) if "_facts" in branch.fields else _NONE
+    branch.__dict__[_KEY] = found
+    return found
+
+
+def _failing(branch: StateBranch) -> Mapping[str, str]:
+    declared = [
+        (digit, frozenset(note.failure))
+        for digit, note in sorted(branch.notes.facts.items())
+        if note.failure and digit < branch.num_facts
+    ]
+    if not declared:
+        return _NONE
+    found: dict[str, str] = {}
+    for state in branch.table:
+        facts = branch.facts(state)
+        words = [
+            f"{branch.fact_name(digit)} would be {facts[digit]}"
+            for digit, values in declared
+            if digit < len(facts) and facts[digit] in values
+        ]
+        if words:
+            found[state] = " and ".join(words)
+    return MappingProxyType(found)
