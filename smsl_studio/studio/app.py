@@ -12,7 +12,6 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.library.loading import discover
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.canvas import accessible_tree
 from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
@@ -44,6 +43,7 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
         return application.exec()
     finally:
         stop.stop()
+        windows.plugins.stop()
         sys.excepthook = sys.__excepthook__
         for end, handler in zip(ends, before, strict=True):
             signal.signal(end, handler or signal.SIG_DFL)
@@ -67,7 +67,8 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     window.show()
     if path:
         window.files.open(Path(path))
-    QTimer.singleShot(0, window, lambda: window.set_plugins(discover()))
+    if not windows.plugins.known:
+        windows.plugins.look()
     if mode != "draw":
         window.set_mode(mode)
     return window

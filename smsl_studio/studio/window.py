@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QMainWindow
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
@@ -66,7 +65,6 @@ class Window(QMainWindow):
         super().__init__()
         self._windows, self._settings = windows, windows.settings
         self._mode = "draw"
-        self._loaded = Loaded()
         self.tokens = windows.tokens
         self.setMinimumSize(*SMALLEST)
         self.setAcceptDrops(True)
@@ -78,7 +76,7 @@ class Window(QMainWindow):
         self._build_frame()
         self._connect()
         self._restore()
-        self._show_offers()
+        self.show_plugins()
         windows.add(self)
 
     # Building.
@@ -179,6 +177,7 @@ class Window(QMainWindow):
         self.comparing.changed.connect(actions.refresh)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
+        self._windows.plugins.changed.connect(self.show_plugins)
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self.status_line.show_run)
         self.run_pane.moved.connect(self.outline.set_run)
@@ -195,7 +194,6 @@ class Window(QMainWindow):
 
     def _beside(self) -> Window:
         window = Window(self._windows)
-        window.set_plugins(self._loaded)
         window.move(self.pos() + QPoint(32, 32))
         window.show()
         return window
@@ -265,17 +263,21 @@ class Window(QMainWindow):
 
     # What is shown.
 
-    def set_plugins(self, loaded: Loaded) -> None:
+    def show_plugins(self) -> None:
         """What the installed plugins offer; those that did not load are named."""
-        self._loaded = loaded
+        plugins = self._windows.plugins
         self._show_offers()
-        self.source.set_library(operation_names(loaded))
-        self.properties.set_plugins(loaded)
-        if loaded.faults:
-            self.toast.warn(str(loaded.faults[0]))
+        self.source.set_library(operation_names(plugins.loaded))
+        self.properties.set_plugins(plugins.loaded)
+        if plugins.known:
+            self.run_pane.set_plugins(plugins.loaded)
+        if plugins.loaded.faults:
+            self.toast.warn(str(plugins.loaded.faults[0]))
+        elif plugins.news:
+            self.toast.say(plugins.news)
 
     def _show_offers(self) -> None:
-        self.library.set_offers(offers(self._loaded, self.session.blueprint))
+        self.library.set_offers(offers(self._windows.plugins.loaded, self.session.blueprint))
 
     def _show_broken(self) -> None:
         """A text that does not read is repaired in the source, where its faults are marked."""

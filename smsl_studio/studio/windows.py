@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.people.persons import Persons
+from smsl_studio.studio.plugins import Plugins
 from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
@@ -36,9 +37,12 @@ class Shown(Protocol):
 class Windows(QObject):
     """The windows that are open, oldest first; each tells when it comes and goes."""
 
-    def __init__(self, application: QApplication, settings: Settings) -> None:
+    def __init__(
+        self, application: QApplication, settings: Settings, plugins: Plugins | None = None
+    ) -> None:
         super().__init__()
         self.application, self.settings = application, settings
+        self.plugins = plugins or Plugins()
         self.persons = Persons(settings)
         self._open: list[Shown] = []
         self._closed: list[Shown] = []

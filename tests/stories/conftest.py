@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -10,7 +12,10 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from smsl_studio.host.describing import describe
+from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.app import make_window
+from smsl_studio.studio.plugins import Plugins
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress
 from smsl_studio.studio.theme import LIGHT
@@ -21,15 +26,32 @@ from tests.stories.person import Person
 Sit = Callable[..., Person]
 
 
+class Look:
+    """Looks for plugins: the first time as any story has found them, afterwards anew."""
+
+    def __init__(self) -> None:
+        self._before = False
+
+    def __call__(self) -> Loaded:
+        again, self._before = self._before, True
+        return describe() if again else _looked(os.environ.get("SMSL_PLUGIN_PATH", ""))
+
+
+@cache
+def _looked(path: str) -> Loaded:
+    return describe()
+
+
 @pytest.fixture
 def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
     """Open a window on a copy of a file (or an empty one) and sit down at it."""
-    windows = Windows(qapp, Settings(home))
+    windows = Windows(qapp, Settings(home), Plugins(Look()))
 
     def open_on(path: Path | None = None, size: tuple[int, int] = (1440, 900)) -> Person:
         windows.settings.theme = "light"
         dress(qapp, LIGHT)
         window = make_window(windows, str(path) if path else "")
+        qtbot.waitUntil(lambda: windows.plugins.known)
         window.resize(*size)
         window.activateWindow()
         qtbot.waitUntil(window.isActiveWindow)

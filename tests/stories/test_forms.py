@@ -9,7 +9,6 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
-from smsl_studio.library.loading import discover
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person
@@ -255,7 +254,6 @@ def test_a_fact_is_completed_by_any_part_of_its_name(sit: Sit) -> None:
 
 def test_an_operation_is_bound_to_a_library_function(sit: Sit) -> None:
     person = sit(HANOI)
-    person.window.set_plugins(discover())
     person.window.session.jump(person.blueprint.resolve("SB1/State_aaa/Op_1b"))
     form = person.window.properties.operation
     line = form.binding

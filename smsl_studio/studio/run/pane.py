@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
+from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.frame.tabs import Tabs
@@ -75,6 +76,8 @@ class RunPane(QWidget):
         self.timeline = Timeline(tokens)
         self.events = EventList()
         self._offered = self._foreign = False
+        self._loaded: Loaded | None = None
+        self._begin_later: bool | None = None
         self._build()
         self._connect()
         self._frames = QTimer(self)
@@ -121,6 +124,15 @@ class RunPane(QWidget):
         self.run.close()
         self.world.close_graphics()
 
+    def set_plugins(self, loaded: Loaded) -> None:
+        """The plugins were found: worlds can be offered, and what waited for that begins."""
+        self._loaded, self._offered = loaded, False
+        if self.isVisible() or self._begin_later is not None:
+            self._offer()
+        stepping, self._begin_later = self._begin_later, None
+        if stepping is not None and not self.run.exists:
+            self._begin(stepping)
+
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         for part in (self.transport, self.canvas, self.world, self.facts, self.check):
@@ -140,6 +152,11 @@ class RunPane(QWidget):
             self._say_refused(self._session.broken.refusal)
             return
         self._offer()
+        if self._loaded is None:
+            # Where the plugins are still being looked at nobody knows which worlds there are.
+            self._begin_later = stepping
+            self.canvas.say("Looking at the plugins, the run begins when they are known")
+            return
         transport = self.transport
         choice = RunChoice(
             world=transport.world.currentData(),
@@ -257,7 +274,9 @@ class RunPane(QWidget):
             self._offered = True
             blueprint = self._session.blueprint
             starts, goals = view.choices(blueprint)
-            self.transport.offer(front.worlds_for(blueprint), starts, goals)
+            known = self._loaded is not None
+            worlds = front.worlds_for(blueprint, loaded=self._loaded) if known else ()
+            self.transport.offer(worlds, starts, goals)
 
     def _refresh(self) -> None:
         run, status, blueprint = self.run, self.run.status, self.run.blueprint

@@ -1,0 +1,52 @@
+"""What the installed plugins offer, as all windows know it. Their code never runs here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Signal
+
+from smsl_studio.errors import HostError
+from smsl_studio.host.describing import describe
+from smsl_studio.library.loading import Loaded, PluginFault
+from smsl_studio.studio.beside import Beside
+
+
+class Plugins(QObject):
+    """The plugins that were found last; ``look`` finds them, beside the window's own work.
+
+    ``known`` says whether they were looked for at all. A run always loads its plugins anew, in its
+    own process: looking again is for what the window offers.
+    """
+
+    changed = Signal()
+
+    def __init__(self, look: Callable[[], Loaded] = describe) -> None:
+        super().__init__()
+        self.loaded, self.known, self.looking = Loaded(), False, False
+        self.news = ""
+        """What looking again has found, in a sentence; empty the first time."""
+        self._look = look
+        self._beside = Beside(self)
+
+    def look(self) -> None:
+        """Look for them (again); ``changed`` tells when that is done."""
+        if not self.looking:
+            self.looking = True
+            self._beside.do(self._found, self._take)
+
+    def stop(self) -> None:
+        """Nobody is told any more."""
+        self._beside.stop()
+
+    def _found(self) -> Loaded:
+        try:
+            return self._look()
+        except HostError as error:
+            return Loaded(faults=(PluginFault("plugins", str(error), None, "plugins"),))
+
+    def _take(self, loaded: Loaded) -> None:
+        names = ", ".join(plugin.name for plugin in loaded.plugins) or "none"
+        self.news = f"Plugins looked at again: {names}" if self.known else ""
+        self.loaded, self.known, self.looking = loaded, True, False
+        self.changed.emit()

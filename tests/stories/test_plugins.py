@@ -1,0 +1,68 @@
+"""Plugins are edited, added and broken while the window is open; the work goes on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from smsl_studio.studio.plugins import Plugins
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+
+CODE = """
+def register(library):
+    @library.world("lamp", engine="table")
+    def build(world, blueprint, seed):
+        return None
+
+    @library.operation("{name}")
+    def work(world):
+        yield
+"""
+
+
+def _code(name: str) -> str:
+    return CODE.replace("{name}", name)
+
+
+@pytest.fixture
+def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The code of a plugin in a folder that is looked into."""
+    folder = tmp_path / "plugins" / "lamp"
+    folder.mkdir(parents=True)
+    (folder / "plugin.toml").write_text('name = "lamp"\nversion = "1"\n')
+    (folder / "plugin.py").write_text(_code("Op_1b"))
+    monkeypatch.setenv("SMSL_PLUGIN_PATH", str(folder.parent))
+    return folder / "plugin.py"
+
+
+def _offered(plugins: Plugins) -> list[str]:
+    return [
+        entry.pattern.text
+        for one in plugins.loaded.plugins
+        for entry in one.library.operations
+        if one.name == "lamp" and entry.pattern
+    ]
+
+
+def test_an_edited_plugin_is_read_again_without_a_restart(sit: Sit, plugin: Path) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    plugins = person.windows.plugins
+    assert _offered(plugins) == ["Op_1b"]
+    plugin.write_text(_code("Op_3c"))
+    person.window.actions_table["reload_plugins"].trigger()
+    person.until(lambda: _offered(plugins) == ["Op_3c"])
+    assert "lamp" in person.window.toast.words
+
+
+def test_a_plugin_that_crashes_its_process_is_named_and_the_work_goes_on(
+    sit: Sit, plugin: Path
+) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    plugin.write_text("import ctypes; ctypes.string_at(0)")
+    plugins = person.windows.plugins
+    person.window.actions_table["reload_plugins"].trigger()
+    person.until(lambda: bool(plugins.loaded.faults))
+    assert "SIGSEGV" in person.window.toast.words
+    assert "hanoi" in plugins.loaded.worlds
