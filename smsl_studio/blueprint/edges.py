@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Iterator, Mapping
+from dataclasses import dataclass, replace
 from enum import Enum
+from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
@@ -59,17 +60,29 @@ class Edge:
         return str(self.address)
 
 
+NO_COSTS: Mapping[Address, float] = MappingProxyType({})
+
+
 class Edges:
     """The edges of one blueprint, classed when they are first asked for.
 
     ``exact`` are the addresses whose function was bound to exactly this ``State/Operation``: the
-    only functions that run on an edge which needs none.
+    only functions that run on an edge which needs none. ``costs`` stand in the place of declared
+    ones; ``extra`` says what an edge costs on top of that, whatever it is.
     """
 
-    def __init__(self, hierarchy: Hierarchy, exact: Collection[Address] = ()) -> None:
+    def __init__(
+        self,
+        hierarchy: Hierarchy,
+        exact: Collection[Address] = (),
+        costs: Mapping[Address, float] = NO_COSTS,
+        extra: Callable[[Edge], float] | None = None,
+    ) -> None:
         self.hierarchy = hierarchy
         self.blueprint = hierarchy.blueprint
         self.exact = frozenset(exact)
+        self.costs = costs
+        self._extra = extra
         self._out: dict[tuple[str, str], tuple[Edge, ...]] = {}
 
     def out(self, branch: str, state: str) -> tuple[Edge, ...]:
@@ -82,6 +95,8 @@ class Edges:
                 for name, target in own.table[state].items()
                 if target in own.table
             )
+            if self._extra is not None:
+                found = tuple(_dearer(edge, self._extra(edge)) for edge in found)
             self._out[branch, state] = found
         return found
 
@@ -96,7 +111,7 @@ class Edges:
         subs = self.hierarchy.subs[branch.name]
         failing = failing_states(branch)
         fails = failing.get(target, "") if failing and source not in failing else ""
-        if not subs and "_operations" not in branch.fields:
+        if not subs and not self.costs and "_operations" not in branch.fields:
             return Edge(branch.name, source, name, target, crossing=crossing, fails=fails)
         falls = tuple(d for d, _ in subs if branch.is_on(source, d) and not branch.is_on(target, d))
         rises = tuple(d for d, _ in subs if branch.is_on(target, d) and not branch.is_on(source, d))
@@ -104,9 +119,12 @@ class Edges:
         kind = _kind(falls, rises, others)
         note = branch.operation_note(source, name)
         load = note.subs == "load" and bool(falls or rises)
-        exact = Address(branch.name, source, name) in self.exact
+        address = Address(branch.name, source, name)
+        exact = address in self.exact
         function = load or kind is Kind.PURE or others or exact
-        price = branch.cost(source, name)
+        price = self.costs.get(address)
+        if price is None:
+            price = branch.cost(source, name)
         single = kind in (Kind.RISE, Kind.FALL)
         requires = tuple(self._required(key, value) for key, value in note.requires.items())
         return Edge(
@@ -147,6 +165,12 @@ class Edges:
             held = self.blueprint[name].facts(configuration[name])[digit]
             if held != value:
                 yield f"{edge} requires {name}/{digit} to be {value}, and it is {held}"
+
+
+def _dearer(edge: Edge, extra: float) -> Edge:
+    if not extra:
+        return edge
+    return replace(edge, cost=edge.cost + extra, price=edge.price + extra)
 
 
 def _kind(falls: tuple[int, ...], rises: tuple[int, ...], others: bool) -> Kind:

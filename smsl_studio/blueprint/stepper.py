@@ -5,7 +5,7 @@ Pure: a configuration in, a value out. Dispatch, inspection and ``explore`` shar
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -19,7 +19,7 @@ from smsl_studio.blueprint.configuration import (
     standing,
 )
 from smsl_studio.blueprint.downhill import Downhill
-from smsl_studio.blueprint.edges import Edge, Edges, Kind
+from smsl_studio.blueprint.edges import NO_COSTS, Edge, Edges, Kind
 from smsl_studio.blueprint.joint import Carried, JointStep, Script
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.search import Move, cheapest, patience
@@ -33,13 +33,16 @@ class Terms:
 
     ``bound`` None stands for a plan without a world: every edge counts as bound. ``failing`` are
     the edges that may be used though they lead into a failure state (None: all of them); nothing
-    but a person's word puts one there.
+    but a person's word puts one there. ``costs`` stand in the place of declared ones, ``extra``
+    says what an edge costs on top.
     """
 
     shut: Mapping[Address, str] = field(default_factory=dict)
     bound: Collection[Address] | None = None
     exact: Collection[Address] = ()
     failing: Collection[Address] | None = ()
+    costs: Mapping[Address, float] = field(default_factory=lambda: NO_COSTS)
+    extra: Callable[[Edge], float] | None = None
 
 
 class Stepper:
@@ -48,7 +51,7 @@ class Stepper:
     def __init__(self, hierarchy: Hierarchy, terms: Terms | None = None) -> None:
         self.hierarchy = hierarchy
         self.terms = terms or Terms()
-        self.edges = Edges(hierarchy, self.terms.exact)
+        self.edges = Edges(hierarchy, self.terms.exact, self.terms.costs, self.terms.extra)
         self._along = Along(self.edges, self._allow)
         self._steps: dict[tuple[tuple[str, ...], Edge], JointStep | Unavailable] = {}
         self._routes: dict[object, tuple[Edge, ...] | Unavailable] = {}

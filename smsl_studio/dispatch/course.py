@@ -10,15 +10,20 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.stepper import Terms
+from smsl_studio.dispatch.blocks import Blocks
 from smsl_studio.dispatch.planner import Leg, Planner
+from smsl_studio.dispatch.prices import Prices
 from smsl_studio.host.protocol import Bound
+
+VETOED = "vetoed"
 
 
 class Course:
     """Where a run wants to go and what it may use.
 
-    ``shut`` are edges avoided or pruned, with the reason; ``risky`` those that failed. Routing
-    uses neither; a person may still ask for a risky edge.
+    ``shut`` are edges avoided or pruned, with the reason; ``risky`` those that failed; ``vetoed``
+    those that are skipped as long as the run stands where they were vetoed. Routing uses none of
+    them; a person may still ask for a risky or a vetoed edge.
     """
 
     def __init__(
@@ -31,15 +36,21 @@ class Course:
         self.goals = tuple(goals)
         self.shut = dict(shut)
         self.risky: dict[Address, str] = {}
+        self.vetoed: dict[Address, str] = {}
+        self.prices = Prices(hierarchy.blueprint)
         self.version = 0
         self._hierarchy = hierarchy
         self._bound = bound
         self._exact = frozenset(address for address, one in bound.items() if one.exact)
         self._planner: Planner | None = None
         self._asked: dict[Address, Planner] = {}
+        self._detours: dict[object, tuple[Address, ...] | None] = {}
+        self._vetoed_at: dict[str, str] = {}
         self._legs: tuple[Leg, ...] = ()
         self._at = (0, 0)
         self._ahead: tuple[Address, ...] | None = None
+
+    # what may be used ---------------------------------------------------------------------------
 
     def prune(self, address: Address, reason: str) -> None:
         """Shut an edge out until it is restored."""
@@ -47,35 +58,58 @@ class Course:
         self._changed()
 
     def restore(self, address: Address) -> bool:
-        """Let an edge be used again; whether it was shut out or risky."""
-        known = self.shut.pop(address, None) is not None
-        known = self.risky.pop(address, None) is not None or known
+        """Let an edge be used again; whether it was shut out, risky or vetoed."""
+        known = [kept.pop(address, None) for kept in (self.shut, self.risky, self.vetoed)]
         self._changed()
-        return known
+        return any(reason is not None for reason in known)
 
     def tag_risky(self, address: Address, reason: str) -> None:
         """Route around an edge that failed until it is restored."""
         self.risky[address] = reason
         self._changed()
 
+    def veto(self, address: Address, configuration: Mapping[str, str]) -> None:
+        """Skip an edge once: routes go round it until the run stands elsewhere than here."""
+        if self._vetoed_at != dict(configuration):
+            self.vetoed.clear()
+        self._vetoed_at = dict(configuration)
+        self.vetoed[address] = VETOED
+        self._changed()
+
+    def set_cost(self, address: Address, cost: float) -> Mapping[Address, float]:
+        """A person says what an edge costs from now on; what changed. UsageError for no cost."""
+        return self._repriced(self.prices.say(address, cost))
+
+    def adapt(self, costs: Mapping[Address, float | None]) -> Mapping[Address, float]:
+        """What cost functions say of edges (None: what is declared stands); what changed."""
+        return self._repriced(self.prices.adapt(costs))
+
+    # the way ------------------------------------------------------------------------------------
+
     @property
     def planner(self) -> Planner:
         """The planner under the terms of now."""
         if self._planner is None:
-            risky = {address: f"risky: {reason}" for address, reason in self.risky.items()}
-            self._planner = self._planner_of({**risky, **self.shut})
+            self._planner = self._planner_of(self.closed)
         return self._planner
 
+    @property
+    def closed(self) -> Mapping[Address, str]:
+        """Every edge that routes go round, with the reason."""
+        risky = {address: f"risky: {reason}" for address, reason in self.risky.items()}
+        return {**risky, **self.vetoed, **self.shut}
+
     def asked(self, configuration: Mapping[str, str], edge: Edge) -> JointStep | Unavailable:
-        """The joint step of an edge that a person asks for, though it be risky itself, or lead
-        into a failure state."""
+        """The joint step of an edge that a person asks for, though it be risky or vetoed itself,
+        or lead into a failure state."""
         address = edge.address
-        if address in self.shut or not (edge.fails or address in self.risky):
+        passed = edge.fails or address in self.risky or address in self.vetoed
+        if address in self.shut or not passed:
             return self.planner.stepper.step(configuration, edge)
         planner = self._asked.get(address)
         if planner is None:
-            others = {a: f"risky: {r}" for a, r in self.risky.items() if a != address}
-            planner = self._planner_of({**others, **self.shut}, failing=(address,))
+            others = {one: reason for one, reason in self.closed.items() if one != address}
+            planner = self._planner_of(others, failing=(address,))
             self._asked[address] = planner
         return planner.stepper.step(configuration, edge)
 
@@ -88,6 +122,7 @@ class Course:
         The plan is kept while the run stands where the plan has it; (None, None) where nothing
         permitted leads on.
         """
+        self._lift_vetoes(configuration)
         leg, step = self._at
         fresh = False
         if leg < len(self._legs) and step == len(self._legs[leg].steps):
@@ -119,22 +154,64 @@ class Course:
     def drop_plan(self) -> None:
         self._legs, self._at, self._ahead = (), (0, 0), None
 
+    # what if ------------------------------------------------------------------------------------
+
+    def detour(
+        self, configuration: Mapping[str, str], address: Address
+    ) -> tuple[Address, ...] | None:
+        """The way to the goals if an edge were vetoed here; None where there would be none.
+
+        PlanningError where it is not found in sensible time.
+        """
+        key = (tuple(configuration.values()), address)
+        if key not in self._detours:
+            planner = self._planner_of({**self.closed, address: VETOED})
+            legs = planner.legs(configuration, self.goals)
+            self._detours[key] = None if legs is None else _operations(legs)
+        return self._detours[key]
+
+    def blocking(self, configuration: Mapping[str, str]) -> Mapping[Address, str]:
+        """Where there is no way: the fewest edges whose opening would make one, with the reason.
+
+        They are avoided, pruned, risky, vetoed, without a function, or lead into a failure. Empty
+        where no way is drawn at all, or where there is one.
+        """
+        blocks = Blocks(self.closed, self._bound)
+        terms = Terms({}, None, self._exact, None, self.prices.now, blocks.extra)
+        legs = Planner(self._hierarchy, terms).legs(configuration, self.goals)
+        edges = (edge for leg in legs or () for step in leg.steps for edge in step.edges)
+        return blocks.among(edges)
+
     def risky_way(self, configuration: Mapping[str, str]) -> tuple[Address, ...]:
         """The risky edges on the way that would exist if none were risky; empty: no way at all."""
         if not self.risky:
             return ()
-        legs = self._planner_of(self.shut).legs(configuration, self.goals)
+        legs = self._planner_of({**self.vetoed, **self.shut}).legs(configuration, self.goals)
         found = (edge for leg in legs or () for edge in leg.operations)
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))
 
+    def _lift_vetoes(self, configuration: Mapping[str, str]) -> None:
+        if self.vetoed and self._vetoed_at != dict(configuration):
+            self.vetoed.clear()
+            self.version += 1
+            self._planner, self._asked, self._detours = None, {}, {}
+
+    def _repriced(self, changed: Mapping[Address, float]) -> Mapping[Address, float]:
+        if changed:
+            self._changed()
+        return changed
+
     def _changed(self) -> None:
         self.version += 1
-        self._planner = None
-        self._asked = {}
+        self._planner, self._asked, self._detours = None, {}, {}
         self.drop_plan()
 
     def _planner_of(
         self, shut: Mapping[Address, str], failing: Collection[Address] = ()
     ) -> Planner:
-        terms = Terms(dict(shut), self._bound.keys(), self._exact, failing)
+        terms = Terms(shut, self._bound.keys(), self._exact, failing, self.prices.now)
         return Planner(self._hierarchy, terms)
+
+
+def _operations(legs: Sequence[Leg]) -> tuple[Address, ...]:
+    return tuple(edge for leg in legs for edge in leg.operations)
