@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from math import isfinite
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
@@ -63,6 +62,5 @@ class Prices:
 
 
 def is_cost(value: object) -> bool:
-    """Whether a value is a cost: a finite number from 0 to 1e12."""
-    known = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return known and isfinite(value) and 0 <= value <= MOST  # type: ignore[arg-type]
+    """Whether a value is a cost: a number from 0 to 1e12, and no truth value."""
+    return type(value) in (int, float) and 0 <= value <= MOST  # type: ignore[operator]
