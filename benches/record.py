@@ -59,6 +59,7 @@ def _costs(folder: Path) -> Iterator[Row]:
     path = folder / "long"
 
     def write() -> None:
+        path.unlink(missing_ok=True)
         with RunLog(path, {}) as log:
             log.write(events)
             log.finish()

@@ -22,11 +22,13 @@ Json = Any
 class Recording:
     """What a run says, on its way: written to ``log`` (None: it is not recorded), then heard.
 
-    Nobody hears what the log does not have, as long as it lives. ``told`` counts what was heard.
+    Nobody hears what the log does not have, as long as it lives. ``told`` counts what was heard,
+    ``last`` is the newest of it.
     """
 
     def __init__(self, hear: Callable[[Event], None], log: RunLog | None = None) -> None:
         self.told = 0
+        self.last: Event | None = None
         self.log = log
         self._hear = hear
 
@@ -45,6 +47,7 @@ class Recording:
                     self.close()
                     raise
             self.told += 1
+            self.last = event
             self._hear(event)
 
     def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from datetime import UTC, datetime
 from os import getpid
 from pathlib import Path
@@ -46,6 +46,26 @@ def log_header(
             "python": sys.version.split()[0],
             **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
         },
+    }
+
+
+def asked_for(
+    *,
+    seed: int,
+    host: str,
+    start: Iterable[object] = (),
+    goals: Iterable[object] = (),
+    avoid: Iterable[object] = (),
+    on_mismatch: str = "hold",
+) -> Mapping[str, Json]:
+    """How a run was to be, as its header says it: what was chosen, addresses as text."""
+    return {
+        "seed": seed,
+        "host": host,
+        "start": list(map(str, start)),
+        "goals": list(map(str, goals)),
+        "avoid": list(map(str, avoid)),
+        "on_mismatch": on_mismatch,
     }
 
 

@@ -39,6 +39,20 @@ class Settings:
         paths = value if isinstance(value, list) else [value]
         return tuple(Path(str(path)) for path in paths if path)
 
+    @property
+    def record_runs(self) -> bool:
+        """Whether every run of the window is written to a log in ``recordings``."""
+        return self._store.value("record_runs", "true") in ("true", True)
+
+    @record_runs.setter
+    def record_runs(self, on: bool) -> None:
+        self._store.setValue("record_runs", "true" if on else "false")
+
+    @property
+    def recordings(self) -> Path:
+        """The folder of recorded runs; it need not exist."""
+        return self.folder / "recordings"
+
     def remember(self, path: Path) -> None:
         """Put a file in front of the recent ones."""
         others = [known for known in self.recent if known != path]

@@ -82,12 +82,13 @@ class Window(QMainWindow):
     # Building.
 
     def _build_panels(self) -> None:
-        session, tokens = self.session, self.tokens
+        session, tokens, settings = self.session, self.tokens, self._settings
         self.canvas = Canvas(tokens)
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = Drawing(session, self.editor)
         self.clipping = Clipping(session, self.canvas, lambda words: self.toast.say(words))
         self.run_pane = RunPane(session, tokens)
+        self.run_pane.recordings = lambda: settings.recordings if settings.record_runs else None
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
         self.findings = Findings(session, tokens, self.inspector.rules)

@@ -16,6 +16,11 @@ def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action,
         shell.set_mode("run")
         run.step()
 
+    settings = windows.settings
+
+    def record() -> None:
+        settings.record_runs = not settings.record_runs
+
     return (
         Action("run_play", "Run", play, "Run", "play", ("F5",),
                tip="Start the run, or go on with it"),
@@ -25,4 +30,6 @@ def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action,
                tip="A controlled stop, from anywhere"),
         Action("reload_plugins", "Look for plugins again", windows.plugins.look, "Run", "", (),
                section=2, tip="Read edited and added plugins; a run always has them as they are"),
+        Action("record_runs", "Record runs", record, "Run", checked=lambda: settings.record_runs,
+               section=3, tip="Write every run to a log, so that it can be shown and verified"),
     )  # fmt: skip

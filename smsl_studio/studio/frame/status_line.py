@@ -35,7 +35,7 @@ class StatusLine(QStatusBar):
         for part in (*self.counts, *self.run):
             self.addWidget(part)
         self.form, self.place = _Part(), _Part()
-        self.run_right = [_Part() for _ in range(2)]
+        self.run_right = [_Part() for _ in range(3)]
         self.ending = QLabel(ENDING)
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)

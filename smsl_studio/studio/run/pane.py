@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
@@ -78,6 +80,8 @@ class RunPane(QWidget):
         self._offered = self._foreign = False
         self._loaded: Loaded | None = None
         self._begin_later: bool | None = None
+        self.recordings: Callable[[], Path | None] = lambda: None
+        """The folder into which runs are recorded; None: they are not."""
         self._build()
         self._connect()
         self._frames = QTimer(self)
@@ -169,7 +173,9 @@ class RunPane(QWidget):
         self.events.clear()
         self.world.clear()
         self.canvas.show_refusal("")
-        self.run.begin(self._session.blueprint, choice, transport.speed.currentData(), stepping)
+        self.run.recordings = self.recordings()
+        speed = transport.speed.currentData()
+        self.run.begin(self._session.blueprint, choice, speed, stepping, self._loaded)
         self._frames.start()
 
     # Building.

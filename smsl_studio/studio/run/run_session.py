@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -17,9 +19,13 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import StudioError
+from smsl_studio.front.recording import new_recording, start_log
+from smsl_studio.front.run_header import asked_for
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
+from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.log import RunLog
 from smsl_studio.studio.run.runner import Command, Runner
 from smsl_studio.studio.run.story import Story
 from smsl_studio.world.protocol import Shape
@@ -64,6 +70,10 @@ class RunSession(QObject):
         self._runner: Runner | None = None
         self._dispatcher: Dispatcher | None = None
         self._exists = False
+        self.recordings: Path | None = None
+        """The folder into which the next run is recorded; None: it is not."""
+        self.record: Path | None = None
+        """The log of the run that is there, or was the last one."""
         self._clock = QTimer(self)
         self._clock.setInterval(FRAME)
         self._clock.timeout.connect(self._listen)
@@ -101,16 +111,29 @@ class RunSession(QObject):
         return host.pid if isinstance(host, ProcessHost) else None
 
     def begin(
-        self, blueprint: Blueprint, choice: RunChoice, speed: float, stepping: bool = False
+        self,
+        blueprint: Blueprint,
+        choice: RunChoice,
+        speed: float,
+        stepping: bool = False,
+        loaded: Loaded | None = None,
     ) -> None:
         """Start a run of ``blueprint`` as it is now; a run that is there is closed first.
 
-        ``stepping`` carries out one operation and pauses.
+        ``stepping`` carries out one operation and pauses. ``loaded`` are the plugins whose
+        versions stand in its record.
         """
         self.close()
         self.blueprint, self.choice = blueprint, choice
         self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
-        runner = Runner(lambda: _opened(blueprint, choice), speed, self)
+        self.record, folder = None, self.recordings
+
+        def record() -> RunLog | None:
+            log = _log(blueprint, choice, loaded, folder) if folder is not None else None
+            self.record = log.path if log is not None else None
+            return log
+
+        runner = Runner(lambda: _opened(blueprint, choice), speed, self, record)
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
@@ -175,6 +198,7 @@ class RunSession(QObject):
         if not self._exists and self.blueprint is not None:
             self.close()
             self.blueprint, self.status, self.choice = None, None, None
+            self.record = None
             self.story, self.shapes, self.sensors = Story(), (), ()
             self.changed.emit()
 
@@ -234,6 +258,18 @@ def _opened(blueprint: Blueprint, choice: RunChoice) -> Dispatcher:
         automatic=not choice.by_hand,
         attended=True,
     )
+
+
+def _log(blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder: Path) -> RunLog:
+    """The log of a run that begins now. SaveError where there can be none."""
+    asked = asked_for(
+        seed=choice.seed,
+        host="process",
+        start=[choice.start] if choice.start else [],
+        goals=[choice.goal] if choice.goal else [],
+    )
+    path = new_recording(folder, blueprint.file, datetime.now())
+    return start_log(path, blueprint, choice.world, loaded, asked)
 
 
 def _step_first(dispatcher: Dispatcher) -> None:

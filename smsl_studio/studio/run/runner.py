@@ -10,14 +10,17 @@ import math
 import queue
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from time import monotonic
 
 from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
-from smsl_studio.errors import StudioError
-from smsl_studio.runlog.events import Event
+from smsl_studio.errors import SaveError, StudioError
+from smsl_studio.front.recording import Recording
+from smsl_studio.runlog.events import Event, RunFinished
+from smsl_studio.runlog.log import RunLog
 
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
@@ -28,10 +31,19 @@ FASTEST = 1e6
 
 Command = Callable[[Dispatcher], None]
 News = tuple[tuple[Event, ...], DispatchStatus]
+CLOSED = "The window let go of the run while it went on."
+
+
+def _no_log() -> None:
+    """Runs that nobody records."""
 
 
 class Runner(QThread):
-    """Runs one dispatcher until it is closed. Commands may be given from the window's thread."""
+    """Runs one dispatcher until it is closed. Commands may be given from the window's thread.
+
+    ``make`` and ``record`` are called in the runner's thread: the dispatcher, and the log into
+    which the run is recorded. SaveError of ``record`` refuses the start.
+    """
 
     opened = Signal(object)
     """The dispatcher, once its world stands (read ``host.poses`` and ``opened`` from it only)."""
@@ -41,10 +53,14 @@ class Runner(QThread):
     """An error nobody expected; the run is over."""
 
     def __init__(
-        self, make: Callable[[], Dispatcher], speed: float, parent: QObject | None = None
+        self,
+        make: Callable[[], Dispatcher],
+        speed: float,
+        parent: QObject | None = None,
+        record: Callable[[], RunLog | None] = _no_log,
     ) -> None:
         super().__init__(parent)
-        self._make = make
+        self._make, self._record = make, record
         self._speed = speed
         self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
         self._closing = False
@@ -105,29 +121,50 @@ class Runner(QThread):
         dispatcher = self._dispatcher = self._make()
         if self._closing:
             return
+        heard: list[Event] = []
+        recording: Recording | None = None
         try:
-            events = dispatcher.open()
+            recording = Recording(heard.append, self._record())
+            recording.tell(dispatcher.open())
             self.opened.emit(dispatcher)
-            self._loop(dispatcher, list(events))
+            self._loop(dispatcher, recording, heard)
+        except SaveError as error:
+            if recording is None or not recording.told:
+                raise
+            recording.end("failed", str(error), dispatcher)
+            phase = replace(dispatcher.status, phase="fault_hold", running=None, carrying=None)
+            self._report(heard, phase)
         finally:
             dispatcher.close()
+            if recording is not None:
+                recording.close()
 
-    def _loop(self, dispatcher: Dispatcher, events: list[Event]) -> None:
+    def _loop(self, dispatcher: Dispatcher, recording: Recording, heard: list[Event]) -> None:
+        """Tick until closed. ``heard`` are the events that the window was not told of yet."""
         pace = _Pace(dispatcher.time, self._speed)
         reported, slowest = -math.inf, 0.0
         while not self._closing:
-            still = dispatcher.phase in ("finished", "paused")
+            still = dispatcher.finished or dispatcher.phase == "paused"
             if still or monotonic() - reported >= FRAME:
                 self.latency, slowest = slowest, 0.0
-                self._report(events, dispatcher.status)
-                events, reported = [], monotonic()
+                self._report(heard, dispatcher.status)
+                heard.clear()
+                reported = monotonic()
             wait = None if still else pace.ahead(dispatcher.time)
             if self._obey(dispatcher, wait) or still or pace.speed != self._speed:
                 pace = _Pace(dispatcher.time, self._speed)
             if not self._closing and pace.ahead(dispatcher.time) <= 0:
                 began = monotonic()
-                events += dispatcher.tick()
+                recording.tell(self._heeded(dispatcher.tick()))
                 slowest = max(slowest, monotonic() - began)
+        if not isinstance(recording.last, RunFinished):
+            recording.end("stopped", CLOSED, dispatcher)
+
+    def _heeded(self, events: tuple[Event, ...]) -> tuple[Event, ...]:
+        """What a tick told. Whoever closes a run ends its world, which is no failure of it."""
+        last = events[-1] if events else None
+        failed = isinstance(last, RunFinished) and last.reason == "failed"
+        return events[:-2] if failed and self._closing else events
 
     def _obey(self, dispatcher: Dispatcher, wait: float | None) -> bool:
         """Carry out what was commanded; ``wait`` seconds for the first (None: until one comes)."""

@@ -22,10 +22,14 @@ def status_words(run: RunSession, speed: float, moved_on: bool) -> Words:
         left.append(f"Frozen copy, drawing {'has moved on' if moved_on else 'unchanged'}")
     if run.sentence:
         left.append(capital(run.sentence))
-    right = ("Simulation only",)
+    right = ("Recording", "Simulation only") if _is_recording(run) else ("Simulation only",)
     if run.latency is not None and status is not None:
         return tuple(left), (f"Process alive, {max(run.latency * 1000, 0.1):.1f} ms", *right)
     return tuple(left), right
+
+
+def _is_recording(run: RunSession) -> bool:
+    return run.exists and run.record is not None
 
 
 def _pace(speed: float) -> str:
