@@ -1,0 +1,97 @@
+"""Every run of the window is recorded, unless it shall not be; without its log none goes on."""
+
+from __future__ import annotations
+
+import resource
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+
+from smsl_studio.runlog.reading import read_log
+from smsl_studio.studio.run.runner import CLOSED
+from tests.stories.at_run import AtRun
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+
+Key = Qt.Key
+HFSM, HANOI = SAMPLES / "hfsm.json", SAMPLES / "hanoi-corrected.json"
+
+
+def _recorded(home: Path) -> list[Path]:
+    return sorted((home / "recordings").glob("*.jsonl"))
+
+
+@contextmanager
+def _small_files(size: int) -> Iterator[None]:
+    """No file of this process grows beyond ``size`` bytes, as on a disk that is full."""
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, before[1]))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+def test_a_run_is_recorded_as_it_is_told(sit: Sit, home: Path) -> None:
+    run = AtRun(sit(HFSM))
+    run.person.press(Key.Key_F10)
+    run.until_done(1)
+    assert "Recording" in [part.text() for part in run.person.window.status_line.run_right]
+    run.person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    (path,) = _recorded(home)
+    assert path.name.startswith("hfsm-")
+    log = read_log(path)
+    assert log.doubt is None
+    assert [one.text for one in log.records] == [event.line() for event in run.events]
+    assert (log.header["host"], log.header["world"]) == ("process", "table")
+
+
+def test_a_run_that_is_closed_over_has_a_whole_log(sit: Sit, home: Path) -> None:
+    run = AtRun(sit(HANOI))
+    run.person.press(Key.Key_F5)
+    run.until_runs()
+    run.pane.shut()
+    (path,) = _recorded(home)
+    log = read_log(path)
+    assert log.doubt is None
+    assert log.header["versions"]["plugin hanoi"]
+    assert (log.events[-1].event, log.events[-1].as_json()["sentence"]) == ("run_finished", CLOSED)
+
+
+def test_runs_are_not_recorded_where_nobody_wants_it(sit: Sit, home: Path) -> None:
+    run = AtRun(sit(HFSM))
+    run.person.windows.settings.record_runs = False
+    run.person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    assert _recorded(home) == []
+
+
+def test_a_log_that_cannot_be_written_refuses_the_start(sit: Sit, home: Path) -> None:
+    run = AtRun(sit(HFSM))
+    home.mkdir(exist_ok=True)
+    (home / "recordings").write_text("a file where the folder should be")
+    run.person.press(Key.Key_F5)
+    run.person.until(lambda: "cannot be made" in run.pane.canvas.banner)
+    assert not run.pane.run.exists
+    assert run.events == []
+
+
+@pytest.mark.parametrize("room", [1500, 3000])
+def test_a_disk_that_fills_holds_the_run_and_ends_it(sit: Sit, home: Path, room: int) -> None:
+    run = AtRun(sit(SAMPLES / "registration.json"))
+    run.person.windows.settings.sync()
+    with _small_files(room):
+        run.person.press(Key.Key_F5)
+        run.until_phase("Fault hold")
+    assert [event.event for event in run.events][-2:] == ["held", "run_finished"]
+    assert "the run log cannot be written" in run.pane.canvas.banner
+    (path,) = _recorded(home)
+    log = read_log(path)
+    assert log.doubt is not None
+    kept = [one.text for one in log.records]
+    assert kept == [event.line() for event in run.events][: len(kept)]
+    assert len(log.events) == len(run.events) - 2
