@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.running import Run, open_run, run, worlds
     from smsl_studio.front.suiting import worlds_for
     from smsl_studio.front.sweeping import sweep
+    from smsl_studio.front.trying import try_edge
 
 __all__ = [
     "Run",
@@ -24,6 +25,7 @@ __all__ = [
     "refusals",
     "run",
     "sweep",
+    "try_edge",
     "worlds",
     "worlds_for",
 ]
@@ -39,6 +41,7 @@ _HOMES = {
     "worlds": "running",
     "worlds_for": "suiting",
     "sweep": "sweeping",
+    "try_edge": "trying",
 }
 
 

@@ -66,3 +66,39 @@ def test_a_plugin_that_crashes_its_process_is_named_and_the_work_goes_on(
     person.until(lambda: bool(plugins.loaded.faults))
     assert "SIGSEGV" in person.window.toast.words
     assert "hanoi" in plugins.loaded.worlds
+
+
+def test_one_operation_is_tried_alone_from_its_page(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    window = person.window
+    alone = window.properties.operation.alone
+    window.session.jump(person.blueprint.resolve("SB1/State_cbb/Op_1c"))
+    window.properties.ensureWidgetVisible(alone)
+    assert alone.world.currentText() == "hanoi", "the world that answers to the name stands first"
+    person.choose(alone.world, "table")
+    person.click(alone.button)
+    person.until(lambda: alone.words.text().startswith("Passed in table"))
+    window.session.jump(person.blueprint.resolve("SB1/State_aaa/Op_1b"))
+    assert not alone.words.isVisible(), "what was said of another operation is gone"
+
+
+def test_a_misprinted_operation_does_not_pass_in_physics(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    window = person.window
+    alone = window.properties.operation.alone
+    window.session.jump(person.blueprint.resolve("SB1/State_cbb/Op_1c"))
+    window.properties.ensureWidgetVisible(alone)
+    person.click(alone.button)
+    person.until(lambda: alone.words.text().startswith("Did not pass in hanoi"))
+
+
+def test_trying_an_operation_can_be_cancelled(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi.json")
+    window = person.window
+    alone = window.properties.operation.alone
+    window.session.jump(person.blueprint.resolve("SB1/State_aaa/Op_1b"))
+    window.properties.ensureWidgetVisible(alone)
+    person.click(alone.button)
+    person.click(alone.button)
+    person.until(lambda: alone.button.text() == "Try alone")
+    assert "Stopped" in alone.words.text()

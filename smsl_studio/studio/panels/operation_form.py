@@ -20,6 +20,7 @@ from smsl_studio.studio.panels.lines.requires import RequiresLine
 from smsl_studio.studio.panels.lines.text import Bounds, ListLine, NumberLine, TextLine
 from smsl_studio.studio.panels.note_form import NoteForm
 from smsl_studio.studio.panels.operation_entries import entries_of, noted_edges
+from smsl_studio.studio.panels.try_alone import TryAlone
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
@@ -108,6 +109,8 @@ class OperationForm(NoteForm):
             "Function", "The library function that carries it out"))  # fmt: skip
 
         self.column.addWidget(self.odd)
+        self.alone = TryAlone(self._session)
+        self.column.addWidget(self.alone)
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.requires.facts.set_tokens(tokens)
@@ -115,6 +118,7 @@ class OperationForm(NoteForm):
     def set_plugins(self, loaded: Loaded) -> None:
         """The functions that an operation can be bound to."""
         self.binding.set_plugins(loaded)
+        self.alone.set_plugins(loaded)
 
     def show_operations(self, blueprint: Blueprint, edges: Sequence[Address]) -> None:
         """Show one edge, or what several share."""
@@ -132,6 +136,7 @@ class OperationForm(NoteForm):
         if one is not None:
             self._show_edge(blueprint[one.branch], one)
         self._every.setVisible(one is not None and self._count_of(one) > 1)
+        self.alone.show_edges(edges)
         self._show_details()
 
     def who(self) -> str:
