@@ -182,6 +182,17 @@ ICONS: dict[str, Drawing] = {
     "rise": (("f", "M 8 3 L 13.6 12.6 L 2.4 12.6 Z"),),
     "fall": (("f", "M 8 13 L 13.6 3.4 L 2.4 3.4 Z"),),
     "mixed": (("s", _DIAMOND), ("f", "M 1.5 8 L 8 1.5 L 14.5 8 Z")),
+    "scissors": (
+        ("s", "O 4 4.4 2"),
+        ("s", "O 4 11.6 2"),
+        ("s", "M 5.7 5.6 L 13.8 11.8"),
+        ("s", "M 5.7 10.4 L 13.8 4.2"),
+    ),
+    "map": (
+        ("s", "M 1.8 4 L 6 2.4 L 10 4 L 14.2 2.4 L 14.2 12 L 10 13.6 L 6 12 L 1.8 13.6 Z"),
+        ("s", "M 6 2.6 L 6 11.8"),
+        ("s", "M 10 4.2 L 10 13.4"),
+    ),
     "dot": (("f", "O 8 8 4"),),
 }
 """Every drawing by name; unknown names are a fault of the caller (KeyError)."""
