@@ -67,18 +67,8 @@ class Disk:
 
     def _wedges(self) -> str:
         """OBJ text of the wedges that the engine takes for the ring, smaller by its margin."""
-        inner = (HOLE + MARGIN) / math.cos(math.pi / WEDGES)
-        outer, half = self.radius - MARGIN, self.thickness / 2 - MARGIN
-        hulls = []
-        for wedge in range(WEDGES):
-            angles = (wedge + np.array([0, 1 / 3, 2 / 3, 1])) * (2 * math.pi / WEDGES)
-            ring = [(inner, angles[0]), (inner, angles[3]), *((outer, a) for a in angles[::-1])]
-            flat = [(r * math.cos(a), r * math.sin(a)) for r, a in ring]
-            hulls.append([(x, y, z) for z in (-half, half) for x, y in flat])
-        count = len(hulls[0]) // 2
-        sides = [(i, (i + 1) % count, (i + 1) % count + count, i + count) for i in range(count)]
-        faces = [tuple(range(count))[::-1], tuple(range(count, 2 * count)), *sides]
-        return hulls_obj(hulls, faces)
+        half = self.thickness / 2 - MARGIN
+        return _hulls(_tube(HOLE + MARGIN, self.radius - MARGIN, -half, half))
 
 
 def disks_for(count: int) -> tuple[Disk, ...]:
@@ -108,3 +98,49 @@ def peg_body(name: str) -> Body:
         colour=(0.32, 0.34, 0.38),
         label=name,
     )
+
+
+CAP = "cap"
+"""What blocks a peg: no ring goes over it. It stands aside until a fault puts it on a peg."""
+
+CAP_ASIDE = (0.12, -0.34)
+CAP_RADIUS, CAP_HOLE, CAP_HEIGHT, CAP_LID = 0.0175, 0.0115, 0.018, 0.004
+
+
+def cap_body() -> Body:
+    """A cap that fits over a peg, standing on its rim beside the robot."""
+    r, hole, half, lid = CAP_RADIUS, CAP_HOLE, CAP_HEIGHT / 2, CAP_HEIGHT / 2 - CAP_LID
+    outline = [(r, -half), (r, half - 0.002), (r - 0.002, half), (0.0, half)]
+    inside = [(0.0, lid), (hole, lid), (hole, -half), (r, -half)]
+    pieces = _tube(hole + MARGIN, r - MARGIN, MARGIN - half, lid)
+    pieces += _tube(MARGIN, r - MARGIN, lid + MARGIN, half - MARGIN)
+    return Body(
+        CAP,
+        Hulls(_hulls(pieces)),
+        (*CAP_ASIDE, half),
+        friction=0.7,
+        mass=0.05,
+        mesh=soup(turned(outline + inside, 24)),
+        colour=(0.55, 0.57, 0.60),
+    )
+
+
+Corners = list[tuple[float, float, float]]
+
+
+def _tube(inner: float, outer: float, low: float, high: float) -> list[Corners]:
+    """The corners of the wedges of a tube whose hole is ``inner`` metres from wall to middle."""
+    tight = inner / math.cos(math.pi / WEDGES)
+    wedges: list[Corners] = []
+    for wedge in range(WEDGES):
+        angles = (wedge + np.array([0, 1 / 3, 2 / 3, 1])) * (2 * math.pi / WEDGES)
+        ring = [(tight, angles[0]), (tight, angles[3]), *((outer, a) for a in angles[::-1])]
+        flat = [(r * math.cos(a), r * math.sin(a)) for r, a in ring]
+        wedges.append([(x, y, z) for z in (low, high) for x, y in flat])
+    return wedges
+
+
+def _hulls(wedges: list[Corners]) -> str:
+    count = len(wedges[0]) // 2
+    sides = [(i, (i + 1) % count, (i + 1) % count + count, i + count) for i in range(count)]
+    return hulls_obj(wedges, [tuple(range(count))[::-1], tuple(range(count, 2 * count)), *sides])

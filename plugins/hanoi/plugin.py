@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.errors import WorldError
 
+from .faults import register_faults
 from .moves import carry
 from .table import HELD, NOWHERE, Table
 
@@ -47,3 +48,5 @@ def register(library: OperationLibrary) -> None:
     @library.operation("Op_{disk}{peg}", stop="hold", timeout=20.0)
     def move_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:
         return (yield from carry(table, table.disk(disk), peg))
+
+    register_faults(library)

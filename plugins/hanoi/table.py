@@ -11,7 +11,7 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import Body, Floor, Robot
 from smsl_studio.world.protocol import Vector
 
-from .disks import PEGS, Disk, disks_for, peg_body
+from .disks import PEGS, Disk, cap_body, disks_for, peg_body
 
 if TYPE_CHECKING:
     from smsl_studio.world.bullet import BulletWorld
@@ -60,6 +60,7 @@ class Table:
             self.world.add(peg_body(name))
         for disk, place in self._places(dict.fromkeys(self.disks, "a")):
             self.world.add(disk.body(place))
+        self.world.add(cap_body())
         self.world.add(PANDA)
         self.world.settle()
 

@@ -205,6 +205,23 @@ class BulletWorld:
         self.step()  # the engine takes a body for asleep only from the next tick on
         self._ticks = before
 
+    def rub(self, name: str, friction: float) -> None:
+        """Give a body another friction, until the world is built again."""
+        self._engine.changeDynamics(self._ids[name], -1, lateralFriction=friction)
+
+    def stick(self, one: str, other: str) -> int:
+        """Glue two bodies together as they lie; the number by which they come apart again."""
+        origin = (0.0, 0.0, 0.0)
+        back = self._engine.invertTransform(*self.pose(one))
+        offset, turned = self._engine.multiplyTransforms(*back, *self.pose(other))
+        bodies = self._ids[one], -1, self._ids[other], -1
+        joint = pybullet.JOINT_FIXED, origin, offset, origin, turned
+        return int(self._engine.createConstraint(*bodies, *joint))
+
+    def unstick(self, glue: int) -> None:
+        """Take glue away."""
+        self._engine.removeConstraint(glue)
+
     # -- asking --------------------------------------------------------------------------------
 
     def pose(self, name: str) -> Pose:

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +40,8 @@ class Manipulator:
         self._arm = [joints[name] for name in arm.names]
         self._forces = [infos[index][10] for index in self._arm]
         self._fingers = [joints[name] for name in robot.fingers]
+        self._seized: dict[int, float] = {}
+        self._strongest = math.inf
         for index in self._fingers:
             engine.changeDynamics(self.body, index, lateralFriction=robot.friction)
         if self._fingers:
@@ -73,8 +76,10 @@ class Manipulator:
             self.body,
             self._arm,
             self._engine.POSITION_CONTROL,
-            targetPositions=self.goal.tolist(),
-            targetVelocities=self._speeds.tolist(),
+            targetPositions=[self._seized.get(i, goal) for i, goal in enumerate(self.goal)],
+            targetVelocities=[
+                0.0 if i in self._seized else speed for i, speed in enumerate(self._speeds)
+            ],
             forces=self._forces,
             positionGains=[GAIN] * len(self.goal),
             velocityGains=[1.0] * len(self.goal),
@@ -89,7 +94,7 @@ class Manipulator:
                 joint,
                 self._engine.POSITION_CONTROL,
                 targetPosition=opening,
-                force=force,
+                force=min(force, self._strongest),
             )
 
     def open(self) -> None:
@@ -102,6 +107,16 @@ class Manipulator:
         self.drive(arm[:, 0])
         if len(fingers) and np.abs(fingers[:, 1]).max() > 0.005:
             self.grip(float(fingers[:, 0].mean()), self._grip[1])
+
+    def seize(self, joint: int) -> None:
+        """Let one joint of the arm (counted from 0) stay where it is, whatever it is sent to."""
+        self._seized[joint] = float(self.joints()[joint])
+        self.drive(self.goal, self._speeds)
+
+    def weaken(self, strongest: float) -> None:
+        """Let the fingers press with no more than this (N) from now on."""
+        self._strongest = strongest
+        self.grip(*self._grip)
 
     # -- senses --------------------------------------------------------------------------------
 
