@@ -1,0 +1,79 @@
+"""The lower part of a card: who answers, why not yet, and the one button that decides."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.studio.controls import label
+from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.people.card_view import CardView, OptionView
+from smsl_studio.studio.people.persons import Persons
+from smsl_studio.studio.people.who import Who
+from smsl_studio.studio.theme import CONTROL_DECISION
+
+CHOOSE, WHO, PIN = "Choose an answer", "Say who you are", "Type your PIN"
+
+
+class Decide(QPushButton):
+    """Enter decides once; a key that is held down does not decide twice."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            if not event.isAutoRepeat():
+                self.click()
+            return
+        super().keyPressEvent(event)
+
+
+class AnswerPart(QWidget):
+    """Says what is missing for an answer, and gives it when nothing is."""
+
+    decided = Signal()
+
+    def __init__(self, persons: Persons) -> None:
+        super().__init__()
+        self.who = Who(persons)
+        self.objection = Said("hint")
+        self.refusal = Said("refusal")
+        self.button = Decide(CHOOSE)
+        self.button.setProperty("role", "primary")
+        self.button.setFixedHeight(CONTROL_DECISION)
+        self.button.setEnabled(False)
+        self.sentence = label("", "hint")
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(8)
+        for part in (self.who, self.objection, self.refusal, self.button, self.sentence):
+            column.addWidget(part)
+        self.button.clicked.connect(self.decided)
+        self.who.pin.returnPressed.connect(self._pin_typed)
+
+    def show_card(self, card: CardView, chosen: OptionView | None, refusal: str) -> None:
+        """What stands below the answers of this card while ``chosen`` is marked."""
+        self.sentence.setText(card.sentence)
+        self.objection.say(card.objection)
+        self.refusal.say(refusal)
+        ready, words = self._state(card, chosen)
+        self.button.setEnabled(ready)
+        self.button.setText(words)
+        self.button.setAccessibleName(words)
+
+    def _state(self, card: CardView, chosen: OptionView | None) -> tuple[bool, str]:
+        if self.who.person is None:
+            return False, WHO
+        if chosen is None or card.objection:
+            return False, CHOOSE
+        if not self.who.opens():
+            return False, PIN
+        return True, f"{_short(chosen.words)}: press Enter"
+
+    def _pin_typed(self) -> None:
+        """Enter in the PIN leads to the button: one Enter more decides."""
+        if self.button.isEnabled():
+            self.button.setFocus()
+
+
+def _short(words: str) -> str:
+    return words if len(words) <= 28 else f"{words[:27].rstrip()}…"
