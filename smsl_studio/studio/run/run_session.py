@@ -14,7 +14,6 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio import front
-from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
@@ -28,6 +27,7 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.studio.run.runner import Command, Runner
 from smsl_studio.studio.run.story import Story
+from smsl_studio.studio.run.verbs import Verbs
 from smsl_studio.world.protocol import Shape
 
 FRAME = 33
@@ -45,7 +45,7 @@ class RunChoice:
     by_hand: bool = False
 
 
-class RunSession(QObject):
+class RunSession(QObject, Verbs):
     """The run of this window. There is at most one; a new one ends the old."""
 
     changed = Signal()
@@ -144,31 +144,6 @@ class RunSession(QObject):
         runner.start()
         self._clock.start()
         self.changed.emit()
-
-    def play(self) -> None:
-        self._command(lambda d: d.resume())
-
-    def pause(self) -> None:
-        self._command(lambda d: d.pause())
-
-    def step(self) -> None:
-        self._command(lambda d: d.step())
-
-    def stop(self) -> None:
-        self._command(lambda d: d.stop())
-
-    def ask(self, address: Address) -> None:
-        """Carry out an operation that a person chose."""
-        self._command(lambda d: d.ask(address))
-
-    def prune(self, address: Address, reason: str) -> None:
-        self._command(lambda d: d.prune(address, reason))
-
-    def restore(self, address: Address) -> None:
-        self._command(lambda d: d.restore(address))
-
-    def set_automatic(self, automatic: bool) -> None:
-        self._command(lambda d: d.set_automatic(automatic))
 
     def set_speed(self, speed: float) -> None:
         if self._runner is not None:

@@ -1,0 +1,31 @@
+"""How a run stands, in words: the ten run states, and how a run ended."""
+
+from __future__ import annotations
+
+PHASES: dict[str, tuple[str, str]] = {
+    "": ("No run", "quiet"),
+    "opening": ("Opening", "quiet"),
+    "idle": ("Idle", "quiet"),
+    "ready": ("Ready", "quiet"),
+    "running": ("Running", "busy"),
+    "paused": ("Paused", "quiet"),
+    "waiting": ("Waiting for a human", "busy"),
+    "no_route": ("No route", "held"),
+    "taken_over": ("Taken over", "person"),
+    "fault_hold": ("Fault hold", "held"),
+    "stopped": ("Stopped", "held"),
+    "done": ("Done", "good"),
+    "goal_reached": ("Goal reached", "good"),
+    "held": ("Held", "held"),
+    "failed": ("Fault hold", "held"),
+    "refused": ("Refused", "held"),
+}
+"""The words of each, and how the badge is dressed."""
+
+LATCHED = ("stopped", "fault_hold", "no_route", "taken_over")
+"""The run states in which nothing moves until a person has decided."""
+
+
+def phase_words(phase: str) -> tuple[str, str]:
+    """The words of a run state, and how its badge is dressed; both say the same."""
+    return PHASES.get(phase, (phase.replace("_", " ").capitalize(), "quiet"))
