@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 from annotated_types import Ge, Gt, Le
 
 from smsl_studio.blueprint.address import note_key
+from smsl_studio.blueprint.levels import LEVELS
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter
@@ -49,6 +50,11 @@ class FactNote(_Note):
     max_age: Annotated[float, Gt(0)] | None = None
     conflict_after: Annotated[float, Ge(0), Le(60)] = 0.0
     """How long (s) its sensors may disagree before it is unknown."""
+    question: str = ""
+    """What a person is asked, where one says what it is; ``roles`` has one role for each person."""
+    roles: tuple[str, ...] = ()
+    answer_within: Annotated[float, Gt(0)] | None = None
+    escalates_to: str = ""
 
 
 @dataclass(frozen=True)
@@ -87,6 +93,12 @@ class OperationNote(_Note):
     """Facts of any SB that must hold first: ``{"SB/digit": value}``."""
     subs: Literal["drive", "load"] = "drive"
     binding: Binding | None = None
+    question: str = ""
+    """What a person who carries it out is told; ``roles`` says whose task that is."""
+    roles: tuple[str, ...] = ()
+    answer_within: Annotated[float, Gt(0)] | None = None
+    """Seconds for every task about it; after half of them ``escalates_to`` is asked as well."""
+    escalates_to: str = ""
 
 
 @dataclass(frozen=True)
@@ -173,6 +185,18 @@ def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, 
         return (), ((("_hazards",), "_hazards must be a list"),) if raw is not None else ()
     notes = [_validated(Hazard, item, ("_hazards",), faults) for item in raw]
     return tuple(note for note in notes if note is not None), tuple(faults)
+
+
+def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...], str], ...]]:
+    """``_levels`` of a file: what is human, shared or automatic; and what is none of these."""
+    if raw is None:
+        return {}, ()
+    if not isinstance(raw, dict):
+        return {}, ((("_levels",), "_levels must be a map"),)
+    found = {key: value for key, value in raw.items() if value in LEVELS}
+    odd = (key for key in raw if key not in found)
+    words = ", ".join(LEVELS)
+    return found, tuple((("_levels", key), f"a level is one of {words}") for key in odd)
 
 
 def point_of(at: Json) -> tuple[float, float] | None:

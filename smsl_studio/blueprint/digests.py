@@ -11,7 +11,12 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from smsl_studio.blueprint.meaning import hazards_meaning, word_for_word
+from smsl_studio.blueprint.meaning import (
+    hazards_meaning,
+    levels_meaning,
+    levels_written,
+    word_for_word,
+)
 from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.seal.digest import digest_of
 
@@ -39,12 +44,16 @@ def digests(blueprint: Blueprint) -> Digests:
     """All three; without a world the closure holds no library code."""
     own = [one for one in blueprint if one.name not in blueprint.imported]
     behaviour = behaviour_of(own)
-    meaning = digest_of([_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))])
+    said = [_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))]
+    levels = levels_meaning(levels_written(blueprint.document))
+    meaning = digest_of(said if levels is None else [*said, levels])
     brought = [one for one in blueprint if one.name in blueprint.imported]
+    imported = [behaviour_of(brought), _notes(brought), blueprint.meaning["hazards"]]
+    theirs = levels_meaning(levels_written(*blueprint.documents[1:]))
     closure = {
         "behaviour": behaviour,
         "meaning": meaning,
-        "imported": [behaviour_of(brought), _notes(brought), blueprint.meaning["hazards"]],
+        "imported": imported if theirs is None else [*imported, theirs],
         "missing": sorted(map(_as_written, blueprint.import_faults)),
     }
     return Digests(behaviour, meaning, digest_of(closure))

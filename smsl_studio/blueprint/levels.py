@@ -6,4 +6,198 @@ from its aggregation, all of them may be declared in ``_levels`` of the file or 
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
+from smsl_studio.errors import UsageError, did_you_mean
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint, StateBranch
+
 HUMAN, SHARED, AUTOMATIC = LEVELS = ("human", "shared", "automatic")
+INSPECTION, SUPERVISION = "inspection", "supervision"
+
+DEFAULTS: Mapping[str, str] = MappingProxyType({INSPECTION: AUTOMATIC, SUPERVISION: SHARED})
+"""Where nothing is said: rules alone inspect, and a person may step in at any tick."""
+
+OF_ACTOR = {"human": HUMAN, "shared": SHARED}
+NOTHING: Mapping[str, str] = MappingProxyType({})
+
+
+class Levels:
+    """The level of everything in one blueprint, worked out when it is asked for.
+
+    Keys are ``inspection``, ``supervision``, ``SB/digit`` (a fact), ``SB/State/Operation`` or
+    ``SB/Operation`` (every edge of that name; the single edge wins). ``before`` is what is set
+    before a run; it wins over ``_levels`` of the files, and these over the annotations.
+    UsageError where ``before`` names what is not there, or says no level.
+    """
+
+    def __init__(self, blueprint: Blueprint, before: Mapping[str, str] = NOTHING) -> None:
+        for key, level in before.items():
+            fault = fault_of(blueprint, key, level)
+            if fault is not None:
+                raise UsageError(fault[0], advice=fault[1])
+        self._blueprint = blueprint
+        self._said = tuple(one for one in (dict(before), dict(blueprint.levels)) if one)
+
+    @property
+    def inspection(self) -> str:
+        return self._of(INSPECTION) or DEFAULTS[INSPECTION]
+
+    @property
+    def supervision(self) -> str:
+        return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
+
+    def operation(self, edge: Address) -> str:
+        """Who carries an edge out: a person, a person's word and then the library, the library."""
+        branch = self._blueprint[edge.branch]
+        if self._said:
+            named = f"{Address(edge.branch)}/{note_key(edge.operation)}"
+            also = () if digit_of(branch, edge.operation) is not None else (named,)
+            said = self._of(str(edge), *also)
+            if said:
+                return said
+        if "_operations" not in branch.fields:
+            return AUTOMATIC
+        actor = branch.operation_note(edge.state, edge.operation).actor
+        return OF_ACTOR.get(actor or "", AUTOMATIC)
+
+    def fact(self, branch: str, digit: int) -> str:
+        """Who says what a fact is: a person, sensors and then a person, sensors."""
+        said = self._of(fact_text(branch, digit)) if self._said else ""
+        if said:
+            return said
+        note = self._blueprint[branch].fact_note(digit)
+        return HUMAN if note is not None and note.aggregation == "human" else AUTOMATIC
+
+    def people_do(self, branch: str) -> bool:
+        """Whether any operation of an SB may be carried out or confirmed by people."""
+        notes = self._blueprint[branch].notes.operations.values()
+        return bool(self._said) or any(note.actor in OF_ACTOR or note.confirm for note in notes)
+
+    def _of(self, *keys: str) -> str:
+        """What was said of the first key that anything was said of, the run's word first."""
+        return next((said[key] for said in self._said for key in keys if key in said), "")
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """How many things of one kind have each level."""
+
+    kind: str
+    human: int = 0
+    shared: int = 0
+    automatic: int = 0
+
+    @property
+    def count(self) -> int:
+        return self.human + self.shared + self.automatic
+
+    @property
+    def position(self) -> float:
+        """From 0, all human, to 1, all automatic; 0.5 where there is nothing of its kind."""
+        return (self.automatic + self.shared / 2) / self.count if self.count else 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Spectrum:
+    """Where a whole procedure stands between human and automatic (0 to 1)."""
+
+    operations: Share
+    facts: Share
+    inspection: Share
+    supervision: Share
+
+    @property
+    def shares(self) -> tuple[Share, ...]:
+        return (self.inspection, self.operations, self.facts, self.supervision)
+
+    @property
+    def position(self) -> float:
+        """The middle of the kinds that the procedure has, each counting alike."""
+        some = [share for share in self.shares if share.count]
+        return sum(share.position for share in some) / len(some)
+
+
+def spectrum(blueprint: Blueprint, levels: Levels | None = None) -> Spectrum:
+    """The levels of all operations and sensed facts, counted, and those of the two layers."""
+    chosen = levels or Levels(blueprint)
+    operations = dict.fromkeys(LEVELS, 0)
+    for branch in blueprint:
+        if not chosen.people_do(branch.name):
+            operations[AUTOMATIC] += branch.edge_count
+            continue
+        for edge in branch.edges():
+            operations[chosen.operation(edge.address)] += 1
+    facts = dict.fromkeys(LEVELS, 0)
+    for name, digit in sensed_facts(blueprint):
+        facts[chosen.fact(name, digit)] += 1
+    return Spectrum(
+        Share("operations", **operations),
+        Share("facts", **facts),
+        Share(INSPECTION, **{chosen.inspection: 1}),
+        Share(SUPERVISION, **{chosen.supervision: 1}),
+    )
+
+
+def sensed_facts(blueprint: Blueprint) -> Iterator[tuple[str, int]]:
+    """Every fact that has a level: all but those which a sub-SB expands."""
+    for branch in blueprint:
+        for digit in range(branch.num_facts if branch.table else 0):
+            if digit not in branch.subs:
+                yield branch.name, digit
+
+
+def fault_of(blueprint: Blueprint, key: str, level: object) -> tuple[str, str] | None:
+    """Why a key cannot have this level, as a sentence and an advice; None where it can."""
+    if level not in LEVELS:
+        near = did_you_mean(str(level), LEVELS)
+        return f"{level!r} is no level of {key}", near or f"Choose one of {', '.join(LEVELS)}."
+    if key in DEFAULTS:
+        return None
+    parts = Address.split(key)
+    branch = blueprint.branches.get(parts[0])
+    if len(parts) == 1 or branch is None:
+        near = did_you_mean(parts[0], (*DEFAULTS, *blueprint.branches))
+        return f"{key!r} has no level: it is no operation and no fact", near
+    digit = digit_of(branch, parts[1]) if len(parts) == 2 else None
+    if digit is not None:
+        sub = branch.subs.get(digit)
+        if sub is None:
+            return None
+        return (
+            f"{key} has no level of its own: {sub} expands it",
+            f"Set the levels of what {sub} does and senses.",
+        )
+    if len(parts) == 2 and _names_operation(branch, parts[1]):
+        return None
+    if len(parts) == 3 and parts[2] in branch.table.get(parts[1], {}):
+        return None
+    near = did_you_mean(key, _keys(blueprint, branch))
+    return f"{key!r} has no level: it is no operation and no fact", near
+
+
+def digit_of(branch: StateBranch, name: str) -> int | None:
+    """The digit that ``SB/name`` names in an SB, None where it names none.
+
+    Where an operation is called like a digit, such a key names the fact.
+    """
+    fact = split_fact(f"{Address(branch.name)}/{name}")
+    if fact is None or fact[1] >= branch.num_facts or str(fact[1]) != name:
+        return None
+    return fact[1]
+
+
+def _names_operation(branch: StateBranch, name: str) -> bool:
+    return any(name in operations for operations in branch.table.values())
+
+
+def _keys(blueprint: Blueprint, branch: StateBranch) -> Iterator[str]:
+    yield from (fact_text(*fact) for fact in sensed_facts(blueprint) if fact[0] == branch.name)
+    names = dict.fromkeys(name for operations in branch.table.values() for name in operations)
+    yield from (f"{Address(branch.name)}/{note_key(name)}" for name in names)
+    yield from (str(edge.address) for edge in branch.edges())

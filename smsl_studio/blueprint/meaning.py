@@ -7,13 +7,16 @@ that does not fit its table means what is written, word for word; so do argument
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, asdict, fields, replace
 from typing import TYPE_CHECKING, Any
+
+from smsl_studio.blueprint.levels import DEFAULTS
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Notes, OperationNote
     from smsl_studio.blueprint.model import Blueprint, StateBranch
+    from smsl_studio.smsl.document import Document
 
 Json = Any
 MEANING_FIELDS = ("_facts", "_states", "_operations")
@@ -31,6 +34,7 @@ def blueprint_meaning(blueprint: Blueprint) -> dict[str, Json]:
     return {
         "branches": [[branch.name, branch.meaning] for branch in blueprint],
         "hazards": hazards_meaning(_hazards_written(blueprint)),
+        "levels": levels_meaning(levels_written(*blueprint.documents)),
         "imports": blueprint.fields.get("_imports") or None,
     }
 
@@ -90,6 +94,24 @@ def hazards_meaning(raw: Json) -> list[Json]:
         notes, faults = read_hazards([item])
         said.append(asdict(notes[0]) if notes and not faults else word_for_word(item))
     return sorted(said, key=word_for_word)
+
+
+def levels_written(*documents: Document) -> dict[str, Json]:
+    """What stands in ``_levels`` of some files, the first that says a key; what is no map stands
+    under ``_levels`` itself."""
+    found: dict[str, Json] = {}
+    for document in documents:
+        raw = document.values.get("_levels")
+        for key, level in (raw if isinstance(raw, dict) else {"_levels": raw}).items():
+            if level is not None:
+                found.setdefault(key, level)
+    return found
+
+
+def levels_meaning(written: Mapping[str, Json]) -> Json:
+    """What levels say beyond the defaults; None where that is nothing."""
+    said = {key: level for key, level in written.items() if DEFAULTS.get(key) != level}
+    return {k: v if isinstance(v, str) else word_for_word(v) for k, v in said.items()} or None
 
 
 def subs_meaning(pairs: Sequence[tuple[str, int]]) -> list[Json]:

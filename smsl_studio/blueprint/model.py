@@ -267,6 +267,23 @@ class Blueprint:
 
         return read_hazards(document.values["_hazards"])[0]
 
+    @cached_property
+    def levels(self) -> Mapping[str, str]:
+        """What ``_levels`` of its documents says, its own before those it imports."""
+        found: dict[str, str] = {}
+        for document in self.documents:
+            for key, level in self.levels_of(document).items():
+                found.setdefault(key, level)
+        return MappingProxyType(found)
+
+    def levels_of(self, document: Document) -> Mapping[str, str]:
+        """The levels that one of its documents declares."""
+        if "_levels" not in document.values:
+            return EMPTY
+        from smsl_studio.blueprint.annotations import read_levels
+
+        return read_levels(document.values["_levels"])[0]
+
     @property
     def state_count(self) -> int:
         return sum(len(branch.table) for branch in self)

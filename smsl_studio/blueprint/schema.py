@@ -10,6 +10,7 @@ import json
 from typing import Any
 
 from smsl_studio.blueprint.annotations import Binding, FactNote, Hazard, OperationNote, StateNote
+from smsl_studio.blueprint.levels import LEVELS
 from smsl_studio.blueprint.reading import LONGEST_NAME
 
 Json = Any
@@ -32,6 +33,10 @@ WORDS: dict[str, dict[str, str]] = {
         "k": "How many sensors must agree, where the aggregation is k_of_n.",
         "max_age": "Seconds after which a reading counts as unknown.",
         "conflict_after": "Seconds for which its sensors may disagree before it is unknown.",
+        "question": "What a person is asked, where a person says what it is.",
+        "roles": "Whose answers that takes: one role for each person.",
+        "answer_within": "Seconds after which an answer is too late.",
+        "escalates_to": "The role that may answer as well from half that time on.",
     },
     "StateNote": {
         "": "What a state is called, and whether it is safe.",
@@ -54,6 +59,10 @@ WORDS: dict[str, dict[str, str]] = {
         "requires": 'Facts of any SB that must hold first: "SB/digit": value.',
         "subs": "drive moves the sub-SBs first; load brings their facts about itself.",
         "binding": "The library function it is bound to.",
+        "question": "What a person who carries it out is told.",
+        "roles": "Who carries it out, where people do: one role for each person.",
+        "answer_within": "Seconds after which an answer about it is too late.",
+        "escalates_to": "The role that may answer as well from half that time on.",
     },
     "Binding": {
         "": "A function of the operation library, with its arguments.",
@@ -136,6 +145,12 @@ def schema() -> Json:
                 "type": "array",
                 "items": {"$ref": "#/$defs/Hazard"},
                 "description": "Combinations of facts that must never hold.",
+            },
+            "_levels": {
+                "type": "object",
+                "additionalProperties": {"enum": list(LEVELS)},
+                "description": "Who does, senses, inspects and supervises: by inspection, "
+                "supervision, SB/digit, SB/Operation or SB/State/Operation.",
             },
         },
         "patternProperties": {"^_": True},

@@ -87,7 +87,7 @@ def any_edit(chance: random.Random, blueprint: Blueprint) -> Blueprint:
     if chance.random() < 0.75 or not blueprint.branches:
         return random_edit(chance, blueprint)
     at, other = some(chance, blueprint), some(chance, blueprint)
-    kind = chance.randrange(5)
+    kind = chance.randrange(6)
     if kind == 0:
         return edit.duplicate(blueprint, [at, other])[0]
     if kind == 1:
@@ -97,6 +97,9 @@ def any_edit(chance: random.Random, blueprint: Blueprint) -> Blueprint:
     file = chance.choice(blueprint.documents).file
     if kind == 3:
         return edit.add_branch(blueprint, f"New{chance.randrange(99)}", file)
+    if kind == 4:
+        level = chance.choice(["human", "shared", "automatic", None])
+        return edit.set_levels(blueprint, {str(at): level, "supervision": level}, file)
     hazards = [{"name": "h", "facts": {}}] * chance.randrange(3)
     return edit.set_hazards(blueprint, hazards, file)
 

@@ -67,6 +67,11 @@ BOTH, NOTES = {"behaviour", "closure"}, {"meaning", "closure"}
         (lambda v: v["A"]["_facts"]["0"].update(on="0"), NOTES),
         (lambda v: v.update(_hazards=[]), NOTES),
         (lambda v: v["B"].update(_operations={"x": {"nonsense": 1}}), NOTES),
+        (lambda v: v.update(_levels={"supervision": "human"}), NOTES),
+        (lambda v: v.update(_levels={"A/State0/go": "human"}), NOTES),
+        (lambda v: v.update(_levels={"A/0": ["odd"]}), NOTES),
+        (lambda v: v.update(_levels=["odd"]), NOTES),
+        (lambda v: v["A"]["_operations"]["go"].update(escalates_to="head"), NOTES),
     ],
 )
 def test_a_change_of_meaning_changes_its_digest(
@@ -90,6 +95,8 @@ def test_a_change_of_meaning_changes_its_digest(
         lambda v: v["A"]["_facts"]["0"].update(on="1", aggregation="single", critical=False),
         lambda v: v["A"].update(_states={"State0": {}, "State1": {"note": ""}}),
         lambda v: v.update(_imports=[]),
+        lambda v: v.update(_levels={"supervision": "shared", "inspection": "automatic"}),
+        lambda v: v.update(_levels={}),
     ],
 )
 def test_what_means_nothing_changes_no_digest(edit: Callable[[Json], object]) -> None:
@@ -135,6 +142,10 @@ def test_the_closure_covers_what_is_imported(tmp_path: Path) -> None:
     put("sub.json", {"B": {**FILE["B"], "_operations": {"x": {"title": "X"}}}})
     named = digests(read_file(tmp_path / "other.json"))
     assert named.closure not in (before.closure, after.closure)
+    put("sub.json", {"B": FILE["B"], "_levels": {"B/State0/x": "human"}})
+    leveled = digests(read_file(tmp_path / "other.json"))
+    assert (leveled.behaviour, leveled.meaning) == (before.behaviour, before.meaning)
+    assert leveled.closure not in (before.closure, after.closure)
     (tmp_path / "sub.json").unlink()
     missing = digests(read_file(tmp_path / "other.json"))
     assert missing.closure not in (before.closure, after.closure, of({"A": FILE["A"]}).closure)

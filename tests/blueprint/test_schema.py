@@ -24,6 +24,7 @@ VALIDATOR = Draft202012Validator(SCHEMA)
 GOOD: dict[str, Any] = {
     "_imports": ["other.json"],
     "_hazards": [{"name": "burn", "facts": {"SB/0": "1", "SB2/0": "0"}}],
+    "_levels": {"supervision": "human", "SB/0": "shared", "SB/S0/o": "human"},
     "SB": {
         "HEADER": {"INITIAL": "S0", "NUM_FACTS": 1, "SUB_SBS": [{"SB2": 0}], "OTHER": [1]},
         "_facts": {"0": {"name": "tool", "sensors": ["s"], "aggregation": "k_of_n", "k": 2}},

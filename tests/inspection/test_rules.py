@@ -173,6 +173,12 @@ PLANTED = [
     ("R29", "W", "_hazards", "Overlap names SB/x, which is no fact", """{
   ^"_hazards": [{"name": "Overlap", "facts": {"SB/x": "1"}}],
   "SB": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "_levels", "SB/a is not understood: a level is one of human, shared, aut", """{
+  "_levels": {^"SB/a": "robot"},
+  "SB": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
+    ("R29", "W", "_levels", "'SB/c' has no level: it is no operation and no fact", """{
+  "_levels": {"SB/a": "human", "SB/0": "shared", "SB/State_1/b": "automatic", ^"SB/c": "human"},
+  "SB": {"State_0": {"a": "State_1"}, "State_1": {"b": "State_0"}}}"""),
 ]  # fmt: skip
 
 

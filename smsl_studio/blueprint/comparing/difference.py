@@ -33,10 +33,11 @@ class Change:
     """One change.
 
     ``what`` is the kind of element: ``branch``, ``state``, ``operation``, ``header``, ``fact``,
-    ``note``, ``hazard``, ``import``, ``field`` or ``order``. ``before`` and ``after`` are the
-    addresses of the element it belongs to on either side, None where there is none. ``field`` is
-    the key that changed, ``old`` and ``new`` its values, or the names of what was renamed, or the
-    targets of what was retargeted. The paths lead to the place in each side's text.
+    ``note``, ``hazard``, ``level``, ``import``, ``field`` or ``order``. ``before`` and ``after``
+    are the addresses of the element it belongs to on either side, None where there is none.
+    ``field`` is the key that changed, ``old`` and ``new`` its values, or the names of what
+    was renamed, or the targets of what was retargeted. The paths lead to the place in each side's
+    text.
     """
 
     kind: Kind

@@ -1,4 +1,4 @@
-"""What stands at file level: hazards, imports, other ``_`` fields, and the order of the SBs."""
+"""What stands at file level: hazards, levels, imports, other ``_`` fields, the order of SBs."""
 
 from __future__ import annotations
 
@@ -6,21 +6,24 @@ import os
 from collections.abc import Iterator
 from typing import Any
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing.difference import Change, Kind, Path
 from smsl_studio.blueprint.comparing.sides import Sides
 from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged, said
 from smsl_studio.blueprint.importing import real_path
-from smsl_studio.blueprint.meaning import word_for_word
+from smsl_studio.blueprint.levels import DEFAULTS
+from smsl_studio.blueprint.meaning import levels_written, word_for_word
 from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
-_OWN = ("_hazards", "_imports")
+_OWN = ("_hazards", "_imports", "_levels")
 _TOLD = 8
 
 
 def compare_fields(sides: Sides) -> None:
-    """Hazards and imports one by one, every other field as a whole."""
+    """Hazards, levels and imports one by one, every other field as a whole."""
     _compare_hazards(sides)
+    _compare_levels(sides)
     _compare_imports(sides)
     one = {k: v for k, v in sides.before.fields.items() if k not in _OWN}
     other = {k: v for k, v in sides.after.fields.items() if k not in _OWN}
@@ -132,6 +135,46 @@ def _hazard(name: str, here: Placed | None, there: Placed | None) -> Change:
 
 def _facts(hazard: Json) -> Json:
     return hazard.get("facts", hazard) if isinstance(hazard, dict) else hazard
+
+
+def _compare_levels(sides: Sides) -> None:
+    """The levels of all files, by what they are of; a default that is written changes nothing."""
+    written = levels_written(*sides.before.documents)
+    old = {_level_key(sides, key): (key, level) for key, level in written.items()}
+    new = levels_written(*sides.after.documents)
+    for key in merged(list(old), list(new)):
+        mine, here = old.get(key, (key, None))
+        there = new.get(key)
+        if alike(here or DEFAULTS.get(key), there or DEFAULTS.get(key)):
+            continue
+        words = value_words(here is not None, there is not None, here, there)
+        sides.changes.append(
+            Change(
+                kind_of(here is not None, there is not None),
+                "level",
+                None,
+                None,
+                f"The level of {key} {words}.",
+                key,
+                here,
+                there,
+                _level_path(sides.before, mine),
+                _level_path(sides.after, key),
+            )
+        )
+
+
+def _level_key(sides: Sides, key: str) -> str:
+    """A key of the earlier side as the later one calls its SB."""
+    name, slash, rest = key.partition("/")
+    branch = Address.split(name)[0]
+    return f"{Address(sides.branch(branch))}/{rest}" if slash else key
+
+
+def _level_path(blueprint: Blueprint, key: str) -> Path:
+    """Where a level stands in the blueprint's own file; nothing where it does not."""
+    raw = blueprint.fields.get("_levels")
+    return ("_levels", key) if isinstance(raw, dict) and key in raw else ()
 
 
 def _first_places(listed: Json) -> dict[str, int]:

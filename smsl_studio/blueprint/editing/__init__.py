@@ -25,6 +25,7 @@ from smsl_studio.blueprint.editing.renaming import rename
 if TYPE_CHECKING:
     from smsl_studio.blueprint.editing.copying import cut, excerpt
     from smsl_studio.blueprint.editing.imports import set_imports
+    from smsl_studio.blueprint.editing.levels import set_levels
     from smsl_studio.blueprint.editing.pasting import duplicate, paste
 
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "set_header",
     "set_imports",
     "set_layout",
+    "set_levels",
     "set_note",
 ]
 
@@ -57,6 +59,7 @@ _ASKED_FOR = {
     "excerpt": "copying",
     "paste": "pasting",
     "set_imports": "imports",
+    "set_levels": "levels",
 }
 
 

@@ -8,6 +8,7 @@ from smsl_studio.blueprint.address import Address, note_key, split_fact
 from smsl_studio.blueprint.editing.adding import recount
 from smsl_studio.blueprint.editing.draft import Draft, existing
 from smsl_studio.blueprint.editing.headers import drop_sub
+from smsl_studio.blueprint.editing.levels import levels_follow
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused
 
@@ -37,6 +38,7 @@ def delete(blueprint: Blueprint, addresses: Iterable[Address]) -> Blueprint:
     for branch, gone in states.items():
         _delete_states(draft, branch, gone)
     _delete_branches(draft, branches)
+    _delete_levels(draft)
     return draft.done()
 
 
@@ -82,6 +84,24 @@ def _delete_branches(draft: Draft, gone: Collection[str]) -> None:
             _refuse_named(gone, note.requires, f"{key} of {branch.name} requires")
     for hazard in blueprint.hazards:
         _refuse_named(gone, hazard.facts, f"the hazard {hazard.name!r} names")
+
+
+def _delete_levels(draft: Draft) -> None:
+    """The levels of operations that are gone; what the name of one says stays, as its note does."""
+    blueprint = draft.before
+
+    def follow(key: tuple[str, ...]) -> tuple[str, ...] | None:
+        branch = blueprint.branches.get(key[0])
+        if branch is None:
+            return key
+        left = draft.file(blueprint.home(key[0])).get(key[0])
+        if left is None:
+            return None
+        stood = len(key) == 3 and key[2] in branch.table.get(key[1], {})
+        return None if stood and key[2] not in left.get(key[1], {}) else key
+
+    if blueprint.levels:
+        levels_follow(draft, follow)
 
 
 def _refuse_named(gone: Collection[str], facts: Iterable[str], who: str) -> None:

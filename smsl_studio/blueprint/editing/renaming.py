@@ -7,6 +7,8 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
 from smsl_studio.blueprint.editing.draft import Draft, existing, free_name, rename_keys
+from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.levels import digit_of
 from smsl_studio.blueprint.model import Blueprint
 
 Json = Any
@@ -19,7 +21,8 @@ def rename(
 
     SB: SUB_SBS, ``requires`` and hazards follow. State: targets, INITIAL, ACTIVATING and the
     annotations follow. Operation: just that edge and its own annotations; with
-    ``rename_everywhere`` every edge of that name in the SB, and the name's annotations.
+    ``rename_everywhere`` every edge of that name in the SB, and the name's annotations. The keys
+    of ``_levels`` follow in any case.
     """
     existing(blueprint, address)
     if new_name == address.path[-1]:
@@ -52,6 +55,7 @@ def _rename_branch(draft: Draft, old: str, new: str) -> None:
             renamed = [_renamed_hazard(item, names) for item in hazards]
             if renamed != hazards:
                 draft.file(document)["_hazards"] = renamed
+    levels_follow(draft, lambda key: (new, *key[1:]) if key[0] == old else key)
     rename_keys(draft.file(before.home(old)), names)
 
 
@@ -107,6 +111,10 @@ def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
     for table in draft.tables(branch, "_operations"):
         operations = found.table[old]
         rename_keys(table, {note_key(op, old): note_key(op, new) for op in operations})
+    gone = (branch, old)
+    levels_follow(
+        draft, lambda key: (branch, new, key[2]) if len(key) == 3 and key[:2] == gone else key
+    )
 
 
 def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool) -> None:
@@ -123,3 +131,8 @@ def _rename_operation(draft: Draft, address: Address, new: str, everywhere: bool
         rename_keys(notes, {note_key(old, state): note_key(new, state) for state in chosen})
         if unused and chosen == bearers and note_key(new) not in notes:
             rename_keys(notes, {note_key(old): note_key(new)})
+    edges: dict[tuple[str, ...], tuple[str, ...]]
+    edges = {(branch, state, old): (branch, state, new) for state in chosen}
+    if unused and chosen == bearers and digit_of(draft.before[branch], old) is None:
+        edges[branch, old] = (branch, new)
+    levels_follow(draft, lambda key: edges.get(key, key))

@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator
 from functools import partial
 
 from smsl_studio.blueprint.address import Address, note_key, split_fact
-from smsl_studio.blueprint.annotations import read_hazards
+from smsl_studio.blueprint.annotations import read_hazards, read_levels
 from smsl_studio.blueprint.editing import keep_last, retarget
+from smsl_studio.blueprint.levels import fault_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
@@ -125,6 +126,7 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Finding]:
     """Annotations that do not fit their kind, or speak of what is not there."""
     for document in blueprint.documents:
         yield from _odd_hazards(blueprint, document)
+        yield from _odd_levels(blueprint, document)
     for branch in blueprint:
         for path, reason in branch.notes.faults:
             words = f"{path[-1]} in {path[0]} is not understood: {reason}"
@@ -140,6 +142,15 @@ def _odd_hazards(blueprint: Blueprint, document: Document) -> Iterator[Finding]:
             if not _is_fact(blueprint, text):
                 words = f"{hazard.name} names {text}, which is no fact"
                 yield _note(document, ("_hazards",), words)
+
+
+def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Finding]:
+    for path, reason in read_levels(document.values.get("_levels"))[1]:
+        yield _note(document, path, f"{path[-1]} is not understood: {reason}")
+    for key, level in blueprint.levels_of(document).items():
+        fault = fault_of(blueprint, key, level)
+        if fault is not None:
+            yield _note(document, ("_levels", key), f"_levels: {fault[0]}")
 
 
 def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:

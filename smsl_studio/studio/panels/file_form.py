@@ -20,7 +20,7 @@ from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 
-KNOWN = ("_imports", "_hazards")
+KNOWN = ("_imports", "_hazards", "_levels")
 MOST = 64
 
 

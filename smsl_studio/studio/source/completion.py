@@ -14,7 +14,7 @@ from smsl_studio.studio.source.around import HEADER, Around
 MOST = 200
 """Offers that are shown at most."""
 HEADERS = ("INITIAL", "ACTIVATING", "NUM_FACTS", "SUB_SBS", "NUM_STATES")
-IN_FILE = ("_imports", "_hazards")
+IN_FILE = ("_imports", "_hazards", "_levels")
 IN_BRANCH = (HEADER, "_facts", "_states", "_operations", "_layout")
 _NOTES = {"_facts": FactNote, "_states": StateNote, "_operations": OperationNote}
 _BARE = re.compile(r"(?:[^\s{}\[\]:,#/\"()>-]|-(?!>))+")

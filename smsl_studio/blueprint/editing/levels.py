@@ -1,0 +1,67 @@
+"""Edits of ``_levels``: who does, senses, inspects and supervises."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from smsl_studio.blueprint.address import Address, escape
+from smsl_studio.blueprint.editing.draft import Draft, document_named
+from smsl_studio.blueprint.levels import fault_of
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import EditRefused
+
+Json = Any
+Names = tuple[str, ...]
+
+
+def set_levels(
+    blueprint: Blueprint, levels: Mapping[str, str | None], file: str | None = None
+) -> Blueprint:
+    """Write levels into ``_levels`` of its own file, or of ``file``; None takes one out.
+
+    Keys are those of ``Levels``. What stands there besides stays, also what fits nothing (R29).
+    EditRefused where a key names nothing or a level is none.
+    """
+    for key, level in levels.items():
+        fault = None if level is None else fault_of(blueprint, key, level)
+        if fault is not None:
+            raise EditRefused(fault[0], advice=fault[1])
+    document = document_named(blueprint, file)
+    written = document.values.get("_levels", {})
+    if not isinstance(written, dict):
+        raise EditRefused(
+            "_levels is no map, so nothing can be added to it",
+            document.place(("_levels",)),
+            "Write _levels as { ... } in the text.",
+        )
+    after = {**written, **levels}
+    kept = {key: level for key, level in after.items() if level is not None or key not in levels}
+    draft = Draft(blueprint)
+    if kept:
+        draft.file(document)["_levels"] = kept
+    else:
+        draft.file(document).pop("_levels", None)
+    return draft.done()
+
+
+def levels_follow(draft: Draft, follow: Callable[[Names], Names | None]) -> None:
+    """Let the keys of every ``_levels`` follow an edit of what they name.
+
+    ``follow`` is given the names in a key, (SB, digit), (SB, operation) or (SB, state, operation),
+    and says what they are now; None where that is gone, and its level with it.
+    """
+    for document in draft.before.documents:
+        written = document.values.get("_levels")
+        if not isinstance(written, dict):
+            continue
+        names = {key: follow(Address.split(key)) if "/" in key else (key,) for key in written}
+        after = {
+            "/".join(map(escape, now)): written[key]
+            for key, now in names.items()
+            if now is not None
+        }
+        if after:
+            draft.file(document)["_levels"] = after
+        else:
+            del draft.file(document)["_levels"]
