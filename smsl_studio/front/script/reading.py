@@ -1,0 +1,232 @@
+"""Reading a script: JSON Lines, every line checked before anything runs.
+
+A script is a foreign file. Whatever it holds, the answer is a script that fits the blueprint, or
+ReadErrors that name file, line and column. Blank lines are left out, and so are keys that begin
+with an underscore.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.levels import fault_of
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place, ReadError, UsageError, did_you_mean
+from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Act, Script, Trigger
+from smsl_studio.front.script.words import COMMANDS, checked, operation, seconds, state, text
+from smsl_studio.monitor.disturbance import checked as checked_disturbance
+from smsl_studio.seal.digest import sha256_hex
+
+Json = Any
+LONGEST, MOST, LARGEST = 1 << 16, 10_000, 1 << 24
+"""Characters of a line, lines, and bytes of a file, at most."""
+FAULTS = 20
+"""So many wrong lines are told at once."""
+_MOMENT = (AT, WHEN, DURING, "after", "times", "do", "by")
+BY = "script"
+
+
+def read_script(path: Path, blueprint: Blueprint) -> Script:
+    """A script from a file; ReadError where it cannot be had or does not fit the blueprint."""
+    try:
+        with path.open("rb") as stream:
+            raw = stream.read(LARGEST + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise ReadError(
+            f"the script cannot be read: {reason}",
+            Place(str(path), 1, 1),
+            "Check the path and the right to read it.",
+        ) from None
+    return script_of(raw, str(path), blueprint)
+
+
+def script_of(raw: bytes, file: str, blueprint: Blueprint) -> Script:
+    """A script from bytes; ``file`` is its name in messages. ReadError with all wrong lines."""
+    acts: list[Act] = []
+    levels: dict[str, str] = {}
+    faults: list[ReadError] = []
+    if len(raw) > LARGEST:
+        faults.append(_wrong(file, 1, 1, "the script is longer than 16 MB"))
+    lines = [] if faults else raw.removeprefix(b"\xef\xbb\xbf").split(b"\n")
+    if len(lines) > MOST:
+        faults.append(_wrong(file, MOST + 1, 1, f"a script has at most {MOST:,} lines"))
+        lines = []
+    for number, line in enumerate(lines, 1):
+        try:
+            _take(_Line(file, number, line), blueprint, acts, levels)
+        except ReadError as fault:
+            faults.append(fault)
+            if len(faults) == FAULTS:
+                break
+    if faults:
+        raise ReadError.of(faults)
+    return Script(file, tuple(acts), levels, sha256_hex(raw))
+
+
+class _Line:
+    """One line, and where in it something stands."""
+
+    def __init__(self, file: str, number: int, raw: bytes) -> None:
+        self.file, self.number = file, number
+        try:
+            self.text = raw.decode("utf-8").rstrip("\r")
+        except UnicodeDecodeError as error:
+            column = len(raw[: error.start].decode("utf-8")) + 1
+            raise _wrong(file, number, column, "the line is not UTF-8") from None
+        if len(self.text) > LONGEST:
+            raise self.wrong(1, f"the line is longer than {LONGEST:,} characters")
+
+    def values(self) -> dict[str, Json]:
+        """What the line says."""
+        try:
+            found = json.loads(
+                self.text, object_pairs_hook=self._once, parse_constant=self._no_constant
+            )
+        except json.JSONDecodeError as error:
+            words = "the line is no JSON object"
+            raise self.wrong(error.colno, f"{words}: {error.msg}") from None
+        except (RecursionError, ValueError):
+            raise self.wrong(1, "the line nests too deep, or has too long a number") from None
+        if not isinstance(found, dict):
+            raise self.wrong(1, "the line is no JSON object")
+        return {key: value for key, value in found.items() if not key.startswith("_")}
+
+    def of(self, key: str, check: Callable[[], Json]) -> Json:
+        """The value of a key as ``check`` takes it; what is wrong with it has its place."""
+        try:
+            return check()
+        except UsageError as error:
+            raise self.wrong(self.value_at(key), error.sentence, error.advice) from None
+
+    def key_at(self, key: str) -> int:
+        """The column of a key."""
+        found = self._find(key)
+        return found.start() + 1 if found else 1
+
+    def value_at(self, key: str) -> int:
+        """The column of the value of a key."""
+        found = self._find(key)
+        return found.end() + 1 if found else 1
+
+    def wrong(self, column: int, sentence: str, advice: str = "") -> ReadError:
+        return _wrong(self.file, self.number, column, sentence, advice)
+
+    def _find(self, key: str) -> re.Match[str] | None:
+        written = re.escape(json.dumps(key, ensure_ascii=False))
+        return re.search(rf"{written}\s*:\s*", self.text)
+
+    def _once(self, pairs: list[tuple[str, Json]]) -> dict[str, Json]:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            names = [name for name, _ in pairs]
+            twice = next(name for name in names if names.count(name) > 1)
+            raise self.wrong(self.key_at(twice), f"{twice[:60]!r} is written twice")
+        return found
+
+    def _no_constant(self, word: str) -> Json:
+        raise self.wrong(self.text.find(word) + 1, f"{word} is no number")
+
+
+def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, str]) -> None:
+    """Check one line and put it where it belongs."""
+    if not line.text.strip():
+        return
+    values = line.values()
+    word = values.get("do")
+    if not isinstance(word, str) or word not in COMMANDS:
+        known = f"The words are {', '.join(COMMANDS)}."
+        if "do" not in values:
+            raise line.wrong(1, "the line has no 'do'", known)
+        near = did_you_mean(str(word)[:80], COMMANDS) if isinstance(word, str) else ""
+        shown = f"{str(word)[:60]!r} is no command"
+        raise line.wrong(line.value_at("do"), shown, near or known)
+    given = _given(line, word, values, blueprint)
+    if word == "level":
+        _set_level(line, values, given, blueprint, levels)
+        return
+    by = values.get("by", BY)
+    place = Place(line.file, line.number, 1)
+    trigger = _trigger(line, word, values, blueprint)
+    acts.append(Act(place, trigger, word, given, line.of("by", lambda: text(blueprint, by))))
+
+
+def _given(
+    line: _Line, do: str, values: Mapping[str, Json], blueprint: Blueprint
+) -> Mapping[str, Json]:
+    """What stands with a command, checked."""
+    word, given = COMMANDS[do], {}
+    for key, value in values.items():
+        if key in _MOMENT:
+            continue
+        check = word.check_of(key)
+        if check is None:
+            known = (*word.needs, *word.may)
+            near = did_you_mean(key[:80], (*known, *_MOMENT))
+            takes = f"It takes {', '.join(known)}." if known else "It takes nothing."
+            raise line.wrong(line.key_at(key), f"{do} takes no {key[:60]!r}", near or takes)
+        given[key] = line.of(key, partial(checked, check, blueprint, value))
+    missing = next((key for key in word.needs if key not in given), None)
+    if missing is not None:
+        raise line.wrong(line.value_at("do"), f"{do} needs {missing!r}")
+    if do == "disturb":
+        parameters = {k: v for k, v in given.items() if k not in word.needs}
+        line.of("kind", lambda: checked_disturbance(given["kind"], parameters))
+    return given
+
+
+def _trigger(line: _Line, do: str, values: Mapping[str, Json], blueprint: Blueprint) -> Trigger:
+    """The moment of an act: at once where none is said, and an answer when it is asked for."""
+    said = [key for key in (AT, WHEN, DURING) if key in values]
+    if len(said) > 1:
+        raise line.wrong(line.key_at(said[1]), f"{said[0]!r} and {said[1]!r} exclude each other")
+    kind = said[0] if said else ASKED if do == "answer" else AT
+    for key in ("after", "times"):
+        if kind == AT and key in values:
+            raise line.wrong(
+                line.key_at(key), f"{key!r} needs a state or an operation", "Say when, or during."
+            )
+    if kind == AT:
+        return Trigger(AT, line.of(AT, lambda: seconds(blueprint, values.get(AT, 0))))
+    after = line.of("after", lambda: seconds(blueprint, values.get("after", 0)))
+    address = ""
+    if kind in (WHEN, DURING):
+        check = state if kind == WHEN else operation
+        address = line.of(kind, lambda: checked(check, blueprint, values[kind]))
+    return Trigger(kind, after, address, line.of("times", lambda: _times(values.get("times", 1))))
+
+
+def _times(value: Json) -> int:
+    if value == "every":
+        return EVERY
+    if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= 10**6:
+        raise UsageError(
+            f"{str(value)[:60]} is no count", advice='Write a number from 1 on, or "every".'
+        )
+    return value
+
+
+def _set_level(
+    line: _Line,
+    values: Mapping[str, Json],
+    given: Mapping[str, Json],
+    blueprint: Blueprint,
+    levels: dict[str, str],
+) -> None:
+    late = next((key for key in _MOMENT[:5] if key in values), None)
+    if late is not None:
+        raise line.wrong(line.key_at(late), "a level is set before the start, at no other moment")
+    fault = fault_of(blueprint, given["of"], given["level"])
+    if fault is not None:
+        key = "level" if "no level of" in fault[0] else "of"
+        raise line.wrong(line.value_at(key), *fault)
+    levels[given["of"]] = given["level"]
+
+
+def _wrong(file: str, line: int, column: int, sentence: str, advice: str = "") -> ReadError:
+    return ReadError(sentence, Place(file, line, column), advice or "Write one JSON object a line.")

@@ -1,0 +1,157 @@
+"""The commands of a script: what each takes, and how a value is checked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any
+
+from smsl_studio.blueprint.address import split_fact
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.people.task import KINDS as TASKS
+from smsl_studio.errors import StudioError, UsageError, did_you_mean
+from smsl_studio.front.addresses import operations_at, state_at
+from smsl_studio.monitor.disturbance import KINDS as DISTURBANCES
+
+Json = Any
+Check = Callable[[Blueprint, Json], Json]
+LONGEST = 1000
+LARGEST = 1e9
+"""Characters of a text at most; simulated seconds and costs stay below it: 30 years, and exact."""
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A command: the keys that must and that may stand with it; ``free``: and any other scalar."""
+
+    needs: Mapping[str, Check] = field(default_factory=dict)
+    may: Mapping[str, Check] = field(default_factory=dict)
+    free: bool = False
+
+    def check_of(self, key: str) -> Check | None:
+        """How the value of a key is checked; None where the command does not take it."""
+        known = self.needs.get(key) or self.may.get(key)
+        return known or (scalar if self.free else None)
+
+
+def operation(blueprint: Blueprint, value: Json) -> str:
+    """The address of exactly one operation, written out."""
+    found = operations_at(blueprint, [text(blueprint, value)])
+    if len(found) != 1:
+        raise UsageError(
+            f"{value!r} stands for {len(found)} operations", advice="Write SB/State/Operation."
+        )
+    return str(found[0])
+
+
+def state(blueprint: Blueprint, value: Json) -> str:
+    """The address of a state, written out."""
+    return str(state_at(blueprint, text(blueprint, value)))
+
+
+def text(_: Blueprint, value: Json) -> str:
+    if not isinstance(value, str) or not value.strip():
+        raise UsageError(f"{_shown(value)} is no text", advice='Write it in quotes: "...".')
+    if not value.isprintable() or len(value) > LONGEST:
+        raise UsageError(f"{_shown(value)} cannot be printed in a line")
+    return value
+
+
+def seconds(_: Blueprint, value: Json) -> float:
+    """A time or a cost: not below 0, and finite."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < LARGEST:
+        raise UsageError(
+            f"{_shown(value)} is no number from 0 to {LARGEST:g}", advice="Write it like 2.5."
+        )
+    return float(value)
+
+
+def yes_or_no(_: Blueprint, value: Json) -> bool:
+    if not isinstance(value, bool):
+        raise UsageError(f"{_shown(value)} is neither yes nor no", advice="Write true or false.")
+    return value
+
+
+def scalar(_: Blueprint, value: Json) -> Json:
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise UsageError(f"{_shown(value)} is neither a text nor a number")
+    if isinstance(value, str):
+        return text(_, value) if value else value
+    if not abs(value) < LARGEST:
+        raise UsageError(f"{_shown(value)} is too large")
+    return value
+
+
+def sensed(blueprint: Blueprint, value: Json) -> str:
+    """A sensor by its name, or a fact that exists, written ``SB/digit``."""
+    fact = split_fact(text(blueprint, value))
+    if fact is not None:
+        branch = blueprint.branches.get(fact[0])
+        if branch is None or not branch.table or fact[1] >= branch.num_facts:
+            near = did_you_mean(fact[0], blueprint.branches) if branch is None else ""
+            raise UsageError(f"there is no fact {value!r}", advice=near or "Write SB/digit.")
+    return str(value)
+
+
+def one_of(known: Iterable[str]) -> Check:
+    words = tuple(known)
+
+    def check(_: Blueprint, value: Json) -> str:
+        if value not in words:
+            near = did_you_mean(str(value)[:80], words)
+            raise UsageError(
+                f"{_shown(value)} is none of {', '.join(words)}",
+                advice=near or f"Choose one of {', '.join(words)}.",
+            )
+        return str(value)
+
+    return check
+
+
+def _shown(value: Json) -> str:
+    """A value in a sentence, however long it is."""
+    try:
+        words = repr(value)
+    except ValueError:
+        return "a number of more digits than can be written"
+    return words if len(words) <= 60 else f"{words[:57]}..."
+
+
+COMMANDS: Mapping[str, Word] = MappingProxyType(
+    {
+        "ask": Word({"address": operation}),
+        "pause": Word(),
+        "resume": Word(),
+        "step": Word(),
+        "by_hand": Word(),
+        "automatic": Word(),
+        "veto": Word(may={"address": operation}),
+        "prune": Word({"address": operation, "reason": text}),
+        "restore": Word({"address": operation}),
+        "set_cost": Word({"address": operation, "cost": seconds}),
+        "take_over": Word(),
+        "give_back": Word(),
+        "accept": Word(),
+        "adopt": Word(),
+        "stop": Word(),
+        "reset": Word(),
+        "end": Word(),
+        "answer": Word({"option": text}, {"kind": one_of(TASKS), "address": text, "role": text}),
+        "full_map": Word({"on": yes_or_no}),
+        "disturb": Word({"target": sensed, "kind": one_of(DISTURBANCES)}, free=True),
+        "inject": Word({"fault": text}, free=True),
+        "level": Word({"of": text, "level": text}),
+    }
+)
+"""Every word of ``do``. ``level`` is set before the start; all others come during the run."""
+
+
+def checked(check: Check, blueprint: Blueprint, value: Json) -> Json:
+    """A value as its command takes it; UsageError with a sentence and an advice otherwise."""
+    try:
+        return check(blueprint, value)
+    except UsageError:
+        raise
+    except StudioError as error:
+        raise UsageError(error.sentence, advice=error.advice) from None
