@@ -35,6 +35,10 @@ def add_arguments(parser: Parser) -> None:
         default="hold",
         help="where facts and beliefs differ: hold (default), or adopt the only state that agrees",
     )
+    parser.add_argument(
+        "--broker", default="", metavar="HOST[:PORT]", help="the MQTT broker of sensors elsewhere"
+    )
+    parser.add_argument("--site", default="", help="the site whose sensors are heard")
     add_format(parser)
 
 
@@ -65,6 +69,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             log=options.log,
             on_event=tell,
             stop_when=stop,
+            broker=options.broker,
+            site=options.site,
         )
     if options.format == "json" and done.reason != "goal_reached":
         note(f"{done.reason}: {done.sentence}")

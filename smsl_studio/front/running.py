@@ -11,8 +11,10 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.addresses import Written, operations_at, states_at
+from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.reading import refusals
 from smsl_studio.front.recording import Recording, start_log
+from smsl_studio.front.run_header import asked_for
 from smsl_studio.host.describing import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
@@ -51,6 +53,8 @@ def open_run(
     attended: bool | None = None,
     plugin_paths: Sequence[Path] = (),
     loaded: Loaded | None = None,
+    broker: str = "",
+    site: str = "",
 ) -> Dispatcher:
     """A dispatcher that is ready to ``open``; the caller ticks it and closes it.
 
@@ -63,9 +67,10 @@ def open_run(
     goals = states_at(blueprint, goal, "goal")
     shut = operations_at(blueprint, avoid)
     _refuse_nonsense(blueprint)
+    made = make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded)
     return Dispatcher(
         blueprint,
-        make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded),
+        with_remote(blueprint, made, world, seed, broker=broker, site=site),
         start=starts,
         goals=goals,
         seed=seed,
@@ -91,13 +96,17 @@ def run(
     on_event: Callable[[Event], None] | None = None,
     stop_when: Callable[[], bool] | None = None,
     plugin_paths: Sequence[Path] = (),
+    broker: str = "",
+    site: str = "",
 ) -> Run:
     """Run a blueprint headless to its end, and tell what happened.
 
     ``speed`` paces it against wall time (1.0: as fast as real), None runs as fast as it goes.
     ``log`` is written line by line as the run goes; ``on_event`` hears each event after that.
-    ``stop_when`` is asked before every tick. AddressError, UsageError and WorldError for what does
-    not exist; whatever else goes wrong is the reason of the run.
+    ``stop_when`` is asked before every tick. ``broker`` (HOST:PORT) and ``site`` say where sensors
+    are heard that are elsewhere; with such sensors ``speed`` is at most 1. AddressError,
+    UsageError, PluginError and WorldError for what does not exist; whatever else goes wrong is the
+    reason of the run.
     """
     loaded = known_world(world, plugin_paths, host)
     goals = states_at(blueprint, goal, "goal")
@@ -125,19 +134,16 @@ def run(
             on_mismatch=on_mismatch,
             plugin_paths=plugin_paths,
             loaded=loaded,
+            broker=broker,
+            site=site,
         )
     except RunRefused as refused:
         refusal = refused
     try:
         if log is not None:
-            asked = {
-                "seed": seed,
-                "host": host,
-                "start": list(map(str, starts)),
-                "goals": list(map(str, goals)),
-                "avoid": list(map(str, shut)),
-                "on_mismatch": on_mismatch,
-            }
+            asked = asked_for(
+                seed=seed, host=host, start=starts, goals=goals, avoid=shut, on_mismatch=on_mismatch
+            )
             recording.log = start_log(Path(log), blueprint, world, loaded, asked)
         if refusal is not None:
             recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
@@ -200,6 +206,9 @@ def _loop(
     speed: float | None,
     stop_when: Callable[[], bool] | None,
 ) -> None:
+    if dispatcher.opened is not None and dispatcher.opened.remote is not None:
+        # Sensors elsewhere speak in wall time, and have to be waited for.
+        speed = min(speed or 1.0, 1.0)
     began = time.monotonic()
     stopping = False
 

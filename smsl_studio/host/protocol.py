@@ -48,7 +48,8 @@ class Bound:
 class SensorInfo:
     """One sensor of one fact: its name, its period and the age (s) after which it is stale.
 
-    ``words`` say for people what values mean that no state has, such as ``h``: held.
+    ``words`` say for people what values mean that no state has, such as ``h``: held. ``remote``
+    says that it is elsewhere, and speaks over a network when it likes.
     """
 
     name: str
@@ -58,6 +59,19 @@ class SensorInfo:
     max_age: float
     aggregation: str = "single"
     words: Mapping[str, str] = field(default_factory=dict)
+    remote: bool = False
+
+
+class Elsewhere(Protocol):
+    """Sensors that speak over a network when they like (see ``host.remote``)."""
+
+    def clock(self) -> float:
+        """This computer's monotonic seconds, on which their samples age."""
+        ...
+
+    def heard(self) -> tuple[Sample, ...]:
+        """The newest sample of each of them since the last time."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +82,7 @@ class Opened:
     ``settle`` is the simulated time (s) for which a target's check must be let settle before it
     decides (clause 7). ``faults`` are the sentences about bindings that do not fit; their edges
     are not bound. ``rules`` say how facts are made of their sensors, where that is declared.
-    ``world_faults`` are the names of what can be injected.
+    ``world_faults`` are the names of what can be injected. ``remote`` are the sensors elsewhere.
     """
 
     world: str
@@ -81,6 +95,7 @@ class Opened:
     faults: tuple[str, ...] = ()
     rules: Mapping[FactKey, FactRule] = field(default_factory=dict)
     world_faults: tuple[str, ...] = ()
+    remote: Elsewhere | None = None
 
 
 @dataclass(frozen=True, slots=True)

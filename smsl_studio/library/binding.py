@@ -165,7 +165,10 @@ class _Binder:
                 yield from self._offered(branch, digit)
                 continue
             self.named[branch.name, digit] = tuple(names)
+            elsewhere = self.file.mqtt.sources(key)
             for name in names:
+                if name in elsewhere:
+                    continue
                 bound = self._named_sensor(branch, digit, name, place)
                 if bound is not None:
                     yield bound

@@ -9,9 +9,17 @@
     [world.hanoi.facts]
     "SB1/0" = "disk_1_peg"
 
+    [mqtt]
+    broker = "localhost:1883"
+    site = "lab"
+    run = "main"
+
+    [mqtt.facts]
+    "SB1/1" = ["camera", "scale"]
+
 Operations are named as ``Operation``, ``State/Operation`` or ``SB/State/Operation``; facts as
 ``SB/digit``, counted from 0; a ``/`` in a name is written ``~1`` there and a ``~`` as ``~0``. What
-is not ``function`` is an argument.
+is not ``function`` is an argument. ``mqtt`` names facts that are sensed elsewhere, in any world.
 """
 
 from __future__ import annotations
@@ -48,10 +56,27 @@ class WorldTable(BaseModel):
     facts: dict[str, str | tuple[str, ...]] = {}
 
 
+class MqttTable(BaseModel):
+    """Facts that are told over a network, by which sources; where the broker is, if it says so."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    broker: str = ""
+    site: str = "local"
+    run: str = "main"
+    facts: dict[str, str | tuple[str, ...]] = {}
+
+    def sources(self, key: str) -> tuple[str, ...]:
+        """The sources of a fact, which is written as ``SB/digit``."""
+        given = self.facts.get(key, ())
+        return (given,) if isinstance(given, str) else given
+
+
 class _File(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     world: dict[str, WorldTable] = {}
+    mqtt: MqttTable = MqttTable()
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +85,7 @@ class BindingsFile:
 
     worlds: Mapping[str, WorldTable] = field(default_factory=dict)
     text: TomlText = field(default_factory=lambda: TomlText("", ()))
+    mqtt: MqttTable = field(default_factory=MqttTable)
 
     def of(self, world: str) -> WorldTable:
         """What is bound in a world."""
@@ -83,7 +109,8 @@ def read_bindings(path: Path) -> BindingsFile:
     """A bindings file; PluginError with its place where it is broken."""
     text, values = read_toml(path)
     try:
-        return BindingsFile(_File.model_validate(values).world, text)
+        file = _File.model_validate(values)
+        return BindingsFile(file.world, text, file.mqtt)
     except ValidationError as error:
         fault = error.errors(include_url=False)[0]
         parts = [str(part) for part in fault["loc"]]

@@ -1,8 +1,9 @@
 """The fact monitor: samples become facts with age, quality and reason.
 
-Ages are measured on the receiver's clock (simulated time in simulation), from the moment a sample
-was accepted. Only a growing (boot, sequence) of a source refreshes its fact: late, repeated and
-retained samples do not. How several sources become one value is ``aggregate``'s.
+Ages are measured on the receiver's clock, from the moment a sample was accepted: that of the run
+(simulated time in simulation), and the monotonic one for samples that came from elsewhere. Only a
+growing (boot, sequence) of a source refreshes its fact: late, repeated and retained samples do not.
+How several sources become one value is ``aggregate``'s.
 """
 
 from __future__ import annotations
@@ -120,12 +121,15 @@ class FactMonitor:
         said = Said(who, value, "" if value is not None else NOBODY, human=True)
         fact.answer = (said, now)
 
-    def scene(self, now: float) -> Scene:
-        """Every sensed fact as it stands at ``now`` (s): its value, or unknown with the reason."""
-        readings = {key: _reading(fact, now) for key, fact in self._facts.items()}
+    def scene(self, now: float, live: float = 0.0) -> Scene:
+        """Every sensed fact as it stands at ``now`` (s): its value, or unknown with the reason.
+
+        ``live`` is the same instant on the monotonic clock, for sources that are elsewhere.
+        """
+        readings = {key: _reading(fact, now, live) for key, fact in self._facts.items()}
         return Scene(MappingProxyType(readings), now)
 
-    def sources(self, now: float) -> tuple[SourceState, ...]:
+    def sources(self, now: float, live: float = 0.0) -> tuple[SourceState, ...]:
         """Every source of every fact at ``now`` (s), also those that do not count."""
         found = []
         for key, fact in self._facts.items():
@@ -133,7 +137,7 @@ class FactMonitor:
                 found.append(
                     SourceState(
                         key,
-                        ledger.said(now),
+                        ledger.said(now, live),
                         ledger.sample,
                         ledger.latency,
                         ledger.counted,
@@ -164,14 +168,15 @@ def _answered(fact: _Fact, now: float) -> Said:
     return Said(said.source, said.value, said.reason, age, human=True)
 
 
-def _reading(fact: _Fact, now: float) -> Reading:
+def _reading(fact: _Fact, now: float, live: float) -> Reading:
     if fact.alone is not None:
-        only = fact.alone.said(now)
+        only = fact.alone.said(now, live)
         return Reading(only.value, only.reason, only.age)
-    said = [ledger.said(now) for ledger in fact.sources.values()]
+    said = [ledger.said(now, live) for ledger in fact.sources.values()]
     verdict = aggregate(fact.rule, [*said, *_others(fact, now)])
     if fact.rule.conflict_after > 0:
-        verdict = _patient(fact, verdict, said, now)
+        elsewhere = any(ledger.live for ledger in fact.sources.values())
+        verdict = _patient(fact, verdict, said, live if elsewhere else now)
     return Reading(verdict.value, verdict.reason, verdict.age)
 
 

@@ -24,8 +24,9 @@ CREEP = 1e-3
 class Ledger:
     """What one source said last of one fact, and how it came.
 
-    ``received`` is on the receiver's clock, ``latency`` beyond the quickest way seen. ``counted``,
-    ``repeated`` (late in sequence, too) and ``late`` are how many samples came.
+    ``received`` is on the receiver's clock: that of the run, and where the source is elsewhere
+    (``live``) the monotonic one, on which it came. ``latency`` is beyond the quickest way seen.
+    ``counted``, ``repeated`` (late in sequence, too) and ``late`` are how many samples came.
     """
 
     def __init__(self, name: str, max_age: float) -> None:
@@ -33,13 +34,19 @@ class Ledger:
         self.max_age = max_age
         self.sample: Sample | None = None
         self.received = 0.0
+        self.live = False
         self.latency = 0.0
         self.counted = self.repeated = self.late = 0
         self._order = (0, 0)
         self._quickest = inf
 
     def take(self, sample: Sample, now: float) -> None:
-        """Take a sample in at ``now`` (s), if it is newer than all before and came in time."""
+        """Take a sample in, if it is newer than all before and came in time.
+
+        It came at ``now`` (s), or when it says itself that it was received.
+        """
+        if sample.received is not None:
+            now = sample.received
         before, order = self.sample, (sample.boot, sample.sequence)
         if before is not None and order <= self._order:
             self.repeated += 1
@@ -55,16 +62,18 @@ class Ledger:
         if latency > self.max_age + HAIR:
             self.late += 1
             return
-        self.sample, self.received = sample, now
+        self.sample, self.received, self.live = sample, now, sample.received is not None
         self.latency, self._quickest = latency, quickest
         self.counted += 1
 
-    def said(self, now: float) -> Said:
-        """What it says as things stand at ``now``: its value, or nothing with the reason."""
+    def said(self, now: float, live: float = 0.0) -> Said:
+        """What it says as things stand at ``now``, or ``live`` on the monotonic clock: its value,
+        or nothing with the reason."""
         sample = self.sample
         if sample is None:
             return Said(self.name, None, "no reading yet", now)
-        age = now - self.received
+        # A sample may come in after the clock was read.
+        age = max(0.0, live - self.received) if self.live else now - self.received
         if age > self.max_age + HAIR:
             return Said(self.name, None, f"no reading for {age:.1f} s", age)
         if sample.value is None:

@@ -16,7 +16,8 @@ class Sample:
 
     ``value`` None means the source has no valid reading (its ``reason`` says why). ``time`` is the
     source's clock in seconds, which never goes back; ``sequence`` grows with every sample of a
-    (source, boot), ``boot`` with every start of the source.
+    (source, boot), ``boot`` with every start of the source. ``received`` is when a sample of a
+    sensor that is elsewhere came in, on this computer's monotonic clock; None: it is the run's own.
     """
 
     branch: str
@@ -28,6 +29,7 @@ class Sample:
     boot: int = 0
     reason: str = ""
     quality: str = GOOD
+    received: float | None = None
 
     @property
     def fact(self) -> FactKey:

@@ -1,0 +1,88 @@
+"""Sensors elsewhere: what ``[mqtt]`` beside a blueprint declares becomes a host that hears them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from smsl_studio.blueprint.address import fact_text
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import PluginError, UsageError, did_you_mean
+from smsl_studio.host.protocol import Host, SensorInfo
+from smsl_studio.host.remote import Remote, WithRemote
+from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
+from smsl_studio.library.bound import leaf_facts
+from smsl_studio.library.operation_library import TABLE
+from smsl_studio.monitor.aggregate import FactRule
+from smsl_studio.monitor.reception import Reception
+
+PERIOD, MAX_AGE = 0.1, 0.3
+"""Seconds between two samples of a source, and how old one may be where ``_facts`` is silent."""
+
+
+def with_remote(
+    blueprint: Blueprint, host: Host, world: str, seed: int, *, broker: str = "", site: str = ""
+) -> Host:
+    """``host``, with the sensors that are elsewhere around it; itself where there are none.
+
+    ``broker`` and ``site`` take the place of what the bindings file says. UsageError where they
+    make no sense, PluginError where the file does not.
+    """
+    file = bindings_beside(blueprint.file)
+    table = file.mqtt
+    broker, site = broker or table.broker, site or table.site
+    if not table.facts:
+        if broker:
+            advice = "Write [mqtt.facts] into the bindings file beside the blueprint."
+            raise UsageError("a broker is named and no fact is sensed elsewhere", advice=advice)
+        return host
+    if not broker:
+        advice = 'Write broker = "HOST:PORT" into [mqtt] there, or say --broker HOST:PORT.'
+        words = f"{len(table.facts)} facts are sensed elsewhere and no broker is named"
+        raise UsageError(words, file.place("mqtt"), advice)
+    sensors = tuple(_sensors(blueprint, file))
+    reception = Reception(site, table.run, sensors)
+    rules = {key: _rule(blueprint, file, key) for key in dict.fromkeys(map(_fact, sensors))}
+    values = {key: blueprint[key[0]].alphabet[key[1]] for key in rules}
+    # Loaded where a broker is named, and only there.
+    from smsl_studio.monitor.mqtt import Link
+
+    remote = Remote(Link(broker, reception), reception, sensors, values, seed)
+    return WithRemote(host, remote, rules, frozenset(rules) if world == TABLE else frozenset())
+
+
+def _sensors(blueprint: Blueprint, file: BindingsFile) -> Iterator[SensorInfo]:
+    known = {
+        fact_text(branch.name, digit): (branch, digit) for branch, digit in leaf_facts(blueprint)
+    }
+    for key in file.mqtt.facts:
+        if key not in known:
+            advice = did_you_mean(key, known) or "Facts are written SB/digit, counted from 0."
+            words = f"[mqtt.facts] {key!r} is no fact that a sensor could read"
+            raise PluginError(words, file.place(key), advice)
+        branch, digit = known[key]
+        note = branch.fact_note(digit)
+        age = (note.max_age if note else None) or MAX_AGE
+        aggregation = note.aggregation if note else "single"
+        for source in file.mqtt.sources(key):
+            if not source:
+                raise PluginError(f"[mqtt.facts] {key!r} names a source without a name",
+                                  file.place(key), 'Write "SB/digit" = "name".')  # fmt: skip
+            yield SensorInfo(source, branch.name, digit, PERIOD, age, aggregation, remote=True)
+
+
+def _rule(blueprint: Blueprint, file: BindingsFile, key: FactKey) -> FactRule:
+    """As ``_facts`` declares it; sources that it does not name come after those that it does."""
+    branch, digit = key
+    note = blueprint[branch].fact_note(digit)
+    sources = file.mqtt.sources(fact_text(branch, digit))
+    if note is None:
+        return FactRule(sensors=sources)
+    names = tuple(dict.fromkeys((*note.sensors, *sources)))
+    return FactRule(
+        note.aggregation, note.k, note.critical, note.conflict_after, names, note.max_age
+    )
+
+
+def _fact(sensor: SensorInfo) -> FactKey:
+    return sensor.branch, sensor.digit

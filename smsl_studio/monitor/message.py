@@ -1,0 +1,151 @@
+"""What stands in a message of a node: JSON with a version, read as if an enemy had written it.
+
+A fact::
+
+    {"version": 1, "node": "bench", "boot": 1763654321000, "sequence": 17, "time": 12.3,
+     "value": "1", "quality": "good", "reason": ""}
+
+A status: ``{"version": 1, "boot": 1763654321000, "state": "alive"}``, or ``gone``.
+``docs/monitoring.md`` has what each word means.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+from smsl_studio.monitor.sample import BAD, GOOD, UNCERTAIN, Sample
+from smsl_studio.monitor.topics import FactTopic
+
+VERSION = 1
+LARGEST = 8192
+"""Bytes of a message: far more than any fact needs."""
+MOST = 2**53 - 1
+"""The largest boot or sequence: every JSON reader has integers up to this."""
+ALIVE, GONE = "alive", "gone"
+
+
+class UnreadableError(Exception):
+    """A message that says nothing we may believe; its text is the reason, for people."""
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """What a node says of itself: ``alive`` at its birth, ``gone`` by its will or in parting."""
+
+    boot: int
+    state: str
+
+
+def read_status(payload: bytes) -> Status:
+    """A status; UnreadableError says why it is none."""
+    said = _object(payload)
+    state = said.get("state")
+    if state not in (ALIVE, GONE):
+        raise UnreadableError(f"state is {_shown(state)}, not {ALIVE} or {GONE}")
+    return Status(_count(said, "boot"), state)
+
+
+def read_fact(topic: FactTopic, payload: bytes) -> tuple[str, Sample]:
+    """The node that speaks, and its sample; UnreadableError says why it is none."""
+    said = _object(payload)
+    if "value" not in said:
+        raise UnreadableError("value is missing")
+    value = said["value"]
+    if value is not None and not isinstance(value, str):
+        raise UnreadableError(f"value is {_shown(value)}, not a text or null")
+    quality = said.get("quality", GOOD)
+    if quality not in (GOOD, UNCERTAIN, BAD):
+        raise UnreadableError(f"quality is {_shown(quality)}, not {GOOD}, {UNCERTAIN} or {BAD}")
+    sample = Sample(
+        topic.branch,
+        topic.digit,
+        topic.source,
+        value,
+        _seconds(said),
+        _count(said, "sequence"),
+        _count(said, "boot"),
+        _text(said, "reason"),
+        quality if value is not None else BAD,
+    )
+    return _text(said, "node"), sample
+
+
+def status_payload(status: Status) -> bytes:
+    """A status as it is sent."""
+    return _bytes({"version": VERSION, "boot": status.boot, "state": status.state})
+
+
+def fact_payload(node: str, sample: Sample) -> bytes:
+    """A sample as it is sent."""
+    return _bytes(
+        {
+            "version": VERSION,
+            "node": node,
+            "boot": sample.boot,
+            "sequence": sample.sequence,
+            "time": sample.time,
+            "value": sample.value,
+            "quality": sample.quality,
+            "reason": sample.reason,
+        }
+    )
+
+
+def _bytes(values: dict[str, Any]) -> bytes:
+    return json.dumps(values, separators=(",", ":")).encode()
+
+
+def _object(payload: bytes) -> dict[str, Any]:
+    if len(payload) > LARGEST:
+        raise UnreadableError(f"{len(payload):,} bytes, more than {LARGEST:,}")
+    try:
+        said = json.loads(payload.decode(), parse_constant=_no_number, object_pairs_hook=_once)
+    except (ValueError, RecursionError) as error:
+        raise UnreadableError(f"no JSON: {str(error)[:80]}") from None
+    if not isinstance(said, dict):
+        raise UnreadableError("no JSON object")
+    version = said.get("version")
+    if type(version) is not int or version != VERSION:
+        raise UnreadableError(f"version is {_shown(version)}, not {VERSION}")
+    return said
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        raise ValueError("a word is said twice")
+    return found
+
+
+def _no_number(text: str) -> NoReturn:
+    raise ValueError(f"{text} is no number")
+
+
+def _count(said: dict[str, Any], name: str) -> int:
+    value = said.get(name)
+    if type(value) is not int or not 0 <= value <= MOST:
+        raise UnreadableError(f"{name} is {_shown(value)}, not a count")
+    return value
+
+
+def _seconds(said: dict[str, Any]) -> float:
+    value = said.get("time")
+    if isinstance(value, int | float) and type(value) is not bool and abs(value) < 1e12:
+        return float(value)
+    raise UnreadableError(f"time is {_shown(value)}, not a number of seconds")
+
+
+def _text(said: dict[str, Any], name: str) -> str:
+    value = said.get(name, "")
+    if not isinstance(value, str):
+        raise UnreadableError(f"{name} is {_shown(value)}, not a text")
+    return value
+
+
+def _shown(value: object) -> str:
+    if value is None:
+        return "missing"
+    words = repr(value)
+    return words if len(words) <= 40 else f"{words[:37]}..."

@@ -1,0 +1,148 @@
+"""The reception: every message that comes over a network, before anybody believes a word of it.
+
+It needs no network itself. What is of a declared source and can be read waits as a sample, the
+newest of each source; everything else is counted under a name, with its newest example, and
+refreshes nothing. Any thread may call it.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+
+from smsl_studio.monitor.bus import FactBus, SourceKey
+from smsl_studio.monitor.facts import Source
+from smsl_studio.monitor.message import UnreadableError, read_fact, read_status
+from smsl_studio.monitor.nodes import Nodes, NodeState
+from smsl_studio.monitor.sample import Sample
+from smsl_studio.monitor.topics import FactTopic, StatusTopic, read_topic
+
+TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG = (
+    "unknown topic",
+    "another site",
+    "another run",
+    "retained fact",
+    "undeclared source",
+    "unreadable fact",
+    "unreadable status",
+    "too long",
+)
+"""Why a message counted for nothing."""
+
+SHOWN = 120
+"""Characters of an example that are kept."""
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Messages that counted for nothing, for one reason: how many, and the newest in words."""
+
+    kind: str
+    count: int
+    example: str
+
+
+@dataclass(frozen=True, slots=True)
+class Received:
+    """What came so far: all messages, the samples among them, and every kind of refusal.
+
+    ``replaced`` are samples that a newer one of their source overtook before they were fetched.
+    """
+
+    messages: int
+    samples: int
+    replaced: int
+    refusals: tuple[Refusal, ...]
+
+
+class Reception:
+    """Hears for one run of one site the sources that are declared."""
+
+    def __init__(self, site: str, run: str, sources: Iterable[Source]) -> None:
+        self.site, self.run = site, run
+        self._declared: Mapping[SourceKey, float] = {
+            (source.branch, source.digit, source.name): source.max_age for source in sources
+        }
+        self._bus = FactBus()
+        self._inbox = self._bus.subscribe()
+        self._lock = threading.Lock()
+        self._nodes = Nodes()
+        self._messages = self._samples = 0
+        self._refused: dict[str, tuple[int, str]] = {}
+        self._silent = set(self._declared)
+
+    def receive(self, topic: str, payload: bytes, retained: bool, now: float) -> None:
+        """One message that arrived at ``now`` (s, the receiver's monotonic clock)."""
+        with self._lock:
+            self._messages += 1
+            match read_topic(topic):
+                case StatusTopic(site, node) if site == self.site:
+                    self._status(node, payload, now)
+                case FactTopic(site, run) as about if (site, run) == (self.site, self.run):
+                    self._fact(about, payload, retained, now)
+                case None:
+                    self._refuse(TOPIC, topic)
+                case StatusTopic(site) | FactTopic(site) if site != self.site:
+                    self._refuse(SITE, site)
+                case FactTopic(_, run):
+                    self._refuse(RUN, run)
+
+    def take(self) -> tuple[Sample, ...]:
+        """The newest sample of every source since the last time."""
+        return self._inbox.take()
+
+    @property
+    def silent(self) -> tuple[SourceKey, ...]:
+        """The declared sources that have not said anything yet."""
+        with self._lock:
+            return tuple(sorted(self._silent))
+
+    def nodes(self, now: float) -> tuple[NodeState, ...]:
+        """Every node that was heard of, as it stands at ``now``."""
+        with self._lock:
+            return self._nodes.states(now)
+
+    @property
+    def received(self) -> Received:
+        """What came so far."""
+        with self._lock:
+            refusals = (Refusal(kind, *said) for kind, said in sorted(self._refused.items()))
+            replaced = self._bus.counts.replaced
+            return Received(self._messages, self._samples, replaced, tuple(refusals))
+
+    def _status(self, node: str, payload: bytes, now: float) -> None:
+        try:
+            words = self._nodes.said(node, read_status(payload), now)
+        except UnreadableError as error:
+            words = str(error)
+        if words:
+            self._refuse(STATUS, f"{node}: {words}")
+
+    def _fact(self, topic: FactTopic, payload: bytes, retained: bool, now: float) -> None:
+        key = (topic.branch, topic.digit, topic.source)
+        max_age = self._declared.get(key)
+        who = f"{topic.branch}/{topic.digit} {topic.source}"
+        if max_age is None:
+            self._refuse(STRANGER, who)
+        elif retained:
+            self._refuse(RETAINED, who)
+        else:
+            try:
+                node, sample = read_fact(topic, payload)
+            except UnreadableError as error:
+                self._refuse(PAYLOAD, f"{who}: {error}")
+                return
+            before = self._bus.counts.refused
+            self._bus.publish([replace(sample, received=now)])
+            if self._bus.counts.refused > before:
+                self._refuse(LONG, who)
+                return
+            self._samples += 1
+            self._silent.discard(key)
+            if node:
+                self._nodes.spoke(node, sample, max_age, now)
+
+    def _refuse(self, kind: str, example: str) -> None:
+        count, _ = self._refused.get(kind, (0, ""))
+        self._refused[kind] = (count + 1, example[:SHOWN])
