@@ -45,7 +45,7 @@ class FactRule:
     ``k`` None asks for all of them. ``conflict_after`` is how long (s) they may disagree before
     the fact is unknown. ``sensors`` are those that are named, in order; one of them that nobody
     has is a source that says nothing. ``max_age`` (s) is that of a person's answer, None: it holds
-    until it is given anew.
+    until it is given anew. ``shared``: where its sensors leave it unknown, an answer counts, too.
     """
 
     aggregation: str = "single"
@@ -54,6 +54,12 @@ class FactRule:
     conflict_after: float = 0.0
     sensors: tuple[str, ...] = ()
     max_age: float | None = None
+    shared: bool = False
+
+    @property
+    def people(self) -> bool:
+        """Whether a person may say what it is."""
+        return self.shared or self.aggregation == "human"
 
     @property
     def awaits_all(self) -> bool:
@@ -66,8 +72,12 @@ def aggregate(rule: FactRule, said: Sequence[Said]) -> Verdict:
     if rule.aggregation == "human":
         said = [one for one in said if one.human]
         return _first(rule, said) if said else Verdict(None, NOBODY)
+    people = _valid([one for one in said if one.human])
     said = [one for one in said if not one.human]
-    return MODES[rule.aggregation](rule, said) if said else Verdict(None, "no sensor reads it")
+    verdict = MODES[rule.aggregation](rule, said) if said else Verdict(None, "no sensor reads it")
+    if rule.shared and verdict.value is None and people:
+        return Verdict(people[0].value, "", people[0].age)
+    return verdict
 
 
 def _agreeing(rule: FactRule, said: Sequence[Said]) -> Verdict:

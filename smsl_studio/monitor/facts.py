@@ -76,7 +76,7 @@ class FactMonitor:
     """C_fact: from the samples of the sensors to the scene.
 
     The order of the sensors of one fact is their priority. Samples of anyone else are dropped and
-    counted as ``strangers``. A fact only a person may answer is told by ``answer`` alone.
+    counted as ``strangers``. What a person says of a fact is told by ``answer`` alone.
     """
 
     def __init__(
@@ -91,10 +91,11 @@ class FactMonitor:
                 self._facts[key] = _Fact(rule, {})
             self._facts[key].sources[sensor.name] = Ledger(sensor.name, sensor.max_age)
         for key, rule in rules.items():
-            if rule.aggregation == "human" or (rule.awaits_all and rule.sensors):
+            if rule.people or (rule.awaits_all and rule.sensors):
                 self._facts.setdefault(key, _Fact(rule, {}))
         for fact in self._facts.values():
-            if len(fact.sources) == 1 and fact.rule.aggregation in ("single", "any", "priority"):
+            alone = len(fact.sources) == 1 and not fact.rule.people
+            if alone and fact.rule.aggregation in ("single", "any", "priority"):
                 fact.alone = next(iter(fact.sources.values()))
 
     def accept(self, samples: Iterable[Sample], now: float) -> None:
@@ -110,16 +111,20 @@ class FactMonitor:
     def answer(self, branch: str, digit: int, value: str | None, who: str, now: float) -> None:
         """A person says what a fact is, at ``now`` (s); None takes back what was said.
 
-        UsageError where the fact is not one that only a person may answer.
+        UsageError where the fact is not one that a person may answer.
         """
         fact = self._facts.get((branch, digit))
-        if fact is None or fact.rule.aggregation != "human":
+        if fact is None or not fact.rule.people:
             raise UsageError(
                 f"{fact_text(branch, digit)} is not a fact that a person answers",
-                advice="Its aggregation must be human.",
+                advice="Its level must be human or shared.",
             )
         said = Said(who, value, "" if value is not None else NOBODY, human=True)
         fact.answer = (said, now)
+
+    def answered(self) -> tuple[FactKey, ...]:
+        """The facts of which a person has said what they are."""
+        return tuple(key for key, fact in self._facts.items() if _says(fact))
 
     def scene(self, now: float, live: float = 0.0) -> Scene:
         """Every sensed fact as it stands at ``now`` (s): its value, or unknown with the reason.
@@ -151,12 +156,15 @@ class FactMonitor:
 
 def _others(fact: _Fact, now: float) -> list[Said]:
     """What is said by no sensor that stands: a person's answer, and named sensors nobody has."""
-    if fact.rule.aggregation == "human":
-        return [_answered(fact, now)] if fact.answer else []
+    answers = [_answered(fact, now)] if fact.rule.people and fact.answer else []
     if not fact.rule.awaits_all:
-        return []
+        return answers
     named = (name for name in fact.rule.sensors if name not in fact.sources)
-    return [Said(name, None, "this world has no such sensor", now) for name in named]
+    return [*(Said(name, None, "this world has no such sensor", now) for name in named), *answers]
+
+
+def _says(fact: _Fact) -> bool:
+    return fact.answer is not None and fact.answer[0].value is not None
 
 
 def _answered(fact: _Fact, now: float) -> Said:

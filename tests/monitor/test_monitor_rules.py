@@ -123,6 +123,28 @@ def test_a_person_answers_only_what_is_asked_of_one() -> None:
             monitor.answer("SB1", digit, "1", "Ada", 0.0)
 
 
+def test_a_person_may_say_what_sensors_leave_unknown() -> None:
+    monitor = _monitor(FactRule(shared=True), "eye")
+    assert _read(monitor, 0.0).value is None
+    monitor.answer(*FACT, "0", "Ada", 0.5)
+    assert _read(monitor, 1.0) == Reading("0", "", 0.5)
+    assert monitor.answered() == (FACT,)
+    _say(monitor, 1.0, 1, eye="1")
+    assert _read(monitor, 1.0).value == "1", "where a sensor knows, it counts"
+    assert _read(monitor, 9.0).value == "0", "and a person again where it is stale"
+    monitor.answer(*FACT, None, "Ada", 9.0)
+    assert _read(monitor, 9.0).value is None
+    assert monitor.answered() == ()
+
+
+def test_a_person_settles_what_sensors_disagree_about() -> None:
+    monitor = _monitor(FactRule("all", shared=True), "eye", "ear")
+    _say(monitor, 0.0, 1, eye="1", ear="0")
+    assert _read(monitor, 0.0).reason.startswith("conflict")
+    monitor.answer(*FACT, "0", "Ada", 0.0)
+    assert _read(monitor, 0.0) == Reading("0", "", 0.0)
+
+
 def test_only_a_good_reading_is_evidence() -> None:
     monitor = _monitor(FactRule(), "eye")
     monitor.accept([Sample(*FACT, "eye", "1", 0.0, 1, quality=UNCERTAIN)], 0.0)
