@@ -1,13 +1,13 @@
 """What can go wrong on the table, on purpose: each tampers with the world, none with the sensors.
 
-They are generators: resumed once a tick, after the arm was told where to go and before the world
-moves. Some wait for their moment (a ring in the hand) before they strike.
+Generators are resumed once a tick, after the arm was told where to go and before the world moves;
+some wait for their moment (a ring in the hand) before they strike.
 """
 
 from __future__ import annotations
 
-from collections.abc import Generator
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Generator
+from typing import TYPE_CHECKING, Any
 
 from smsl_studio.errors import WorldError
 
@@ -24,95 +24,110 @@ RAISED = 0.03
 """How far (m) above the table a held ring's lower side is when it counts as lifted."""
 
 
+def gripper_opens(table: Table, seconds: float = 1.0) -> Fault:
+    """The fingers open as soon as a ring is lifted, and stay open for a while."""
+    yield from _until_lifted(table)
+    for _ in range(_ticks(table, seconds)):
+        table.world.robot.open()
+        yield
+
+
+def slippery(table: Table, disk: int = 0, friction: float = 0.005) -> None:
+    """A ring (0: every ring) is greased."""
+    for one in table.disks if disk == 0 else (table.disk(disk),):
+        table.world.rub(one.name, friction)
+
+
+def blocked_peg(table: Table, peg: str, seconds: float = 0.0) -> Fault:
+    """A cap is put over a peg, for good or for a while: no ring goes on it."""
+    if peg not in PEGS:
+        raise WorldError(f"there is no peg {peg!r}", advice="There are the pegs a, b and c.")
+    tower = sum(disk.thickness for disk in table.on_peg(peg))
+    rim = max(tower, PEG_TOP - CAP_HEIGHT + CAP_LID) + 0.0005
+    table.world.place(CAP, (*PEGS[peg], rim + CAP_HEIGHT / 2))
+    if seconds > 0.0:
+        for _ in range(_ticks(table, seconds)):
+            yield
+        table.world.place(CAP, (*CAP_ASIDE, CAP_HEIGHT / 2))
+
+
+def tower_carried(table: Table) -> Fault:
+    """The next ring that is gripped sticks to the one below it, until it is let go."""
+    held = None
+    while (held := _gripped(table)) is None:
+        yield
+    below = _below(table, held)
+    if below is None:
+        return
+    glue = table.world.stick(held.name, below.name)
+    while table.world.fingers_on(held.name) == 2:
+        yield
+    table.world.unstick(glue)
+
+
+def wrong_order(table: Table) -> Fault:
+    """While a ring is in the hand, another is put on a smaller one: one of another peg, or the
+    upper two of a tower change places."""
+    if len(table.disks) < 3:
+        raise WorldError("besides the ring in the hand there must be two, this table has fewer")
+    yield from _until_lifted(table)
+    towers = [table.on_peg(peg) for peg in PEGS]
+    tops = sorted((tower[-1] for tower in towers if tower), key=lambda disk: disk.number)
+    if len(tops) > 1:
+        _put_on(table, tops[1], tops[0])
+        return
+    upper, lower = tops[0], towers[[bool(tower) for tower in towers].index(True)][-2]
+    place, _ = table.world.pose(lower.name)
+    table.world.place(lower.name, table.world.pose(upper.name)[0])
+    table.world.place(upper.name, place)
+
+
+def disk_pushed(table: Table, disk: int) -> None:
+    """A ring lies beside its peg, flat on the table, towards the robot."""
+    one = table.disk(disk)
+    (_, y, _), _ = table.world.pose(one.name)
+    table.world.place(one.name, (0.40, y, one.thickness / 2 + 0.001))
+
+
+def seized_joint(table: Table, joint: int = 1) -> None:
+    """A joint of the arm (1 to 7, counted from the base) does not move any more."""
+    if not 1 <= joint <= 7:
+        raise WorldError(f"the arm has no joint {joint}", advice="Its joints are 1 to 7.")
+    table.world.robot.seize(joint - 1)
+
+
+def disk_off_board(table: Table, disk: int) -> None:
+    """A ring is out of reach of the arm and out of sight of the camera."""
+    one = table.disk(disk)
+    table.world.place(one.name, (0.45, 0.8, one.thickness / 2 + 0.001))
+
+
+def weak_grip(table: Table, force: float = 0.1) -> None:
+    """The fingers close with no more than this force (N)."""
+    table.world.robot.weaken(force)
+
+
+FAULTS: tuple[Callable[..., Any], ...] = (
+    gripper_opens,
+    slippery,
+    blocked_peg,
+    tower_carried,
+    wrong_order,
+    disk_pushed,
+    seized_joint,
+    disk_off_board,
+    weak_grip,
+)
+
+
 def register_faults(library: OperationLibrary) -> None:
     """Offer the nine faults of the world ``hanoi``."""
-
-    @library.fault("hanoi", "gripper_opens")
-    def gripper_opens(table: Table, seconds: float = 1.0) -> Fault:
-        """The fingers open as soon as a ring is lifted, and stay open for a while."""
-        yield from _until_lifted(table)
-        for _ in range(_ticks(table, seconds)):
-            table.world.robot.open()
-            yield
-
-    @library.fault("hanoi", "slippery")
-    def slippery(table: Table, disk: int = 0, friction: float = 0.005) -> None:
-        """A ring (0: every ring) is greased."""
-        for one in table.disks if disk == 0 else (table.disk(disk),):
-            table.world.rub(one.name, friction)
-
-    @library.fault("hanoi", "blocked_peg")
-    def blocked_peg(table: Table, peg: str, seconds: float = 0.0) -> Fault:
-        """A cap is put over a peg, for good or for a while: no ring goes on it."""
-        _known(peg)
-        stack = sum(disk.thickness for disk in table.on_peg(peg))
-        rim = max(stack, PEG_TOP - CAP_HEIGHT + CAP_LID) + 0.0005
-        table.world.place(CAP, (*PEGS[peg], rim + CAP_HEIGHT / 2))
-        if seconds > 0.0:
-            yield from _wait(_ticks(table, seconds))
-            table.world.place(CAP, (*CAP_ASIDE, CAP_HEIGHT / 2))
-
-    @library.fault("hanoi", "tower_carried")
-    def tower_carried(table: Table) -> Fault:
-        """The next ring that is gripped sticks to the one below it, until it is let go."""
-        held = None
-        while held is None or table.world.fingers_on(held.name) < 2:
-            held = _gripped(table)
-            yield
-        below = _below(table, held)
-        if below is None:
-            return
-        glue = table.world.stick(held.name, below.name)
-        while table.world.fingers_on(held.name) == 2:
-            yield
-        table.world.unstick(glue)
-
-    @library.fault("hanoi", "wrong_order")
-    def wrong_order(table: Table) -> None:
-        """A hand puts a ring on a smaller one: from another peg, or two of one tower swapped."""
-        towers = [[d for d in table.on_peg(peg)] for peg in PEGS]
-        tops = [tower[-1] for tower in towers if tower]
-        for upper in sorted(tops, key=lambda disk: disk.number):
-            for lower in tops:
-                if lower.number < upper.number:
-                    _put_on(table, upper, lower)
-                    return
-        for tower in towers:
-            if len(tower) > 1:
-                (x, y, z), _ = table.world.pose(tower[-1].name)
-                below, _ = table.world.pose(tower[-2].name)
-                table.world.place(tower[-1].name, below)
-                table.world.place(tower[-2].name, (x, y, z))
-                return
-        raise WorldError("there are no two rings of which one could be put on the other")
-
-    @library.fault("hanoi", "disk_pushed")
-    def disk_pushed(table: Table, disk: int) -> None:
-        """A ring lies beside its peg, flat on the table, towards the robot."""
-        one = table.disk(disk)
-        (_, y, _), _ = table.world.pose(one.name)
-        table.world.place(one.name, (0.40, y, one.thickness / 2 + 0.001))
-
-    @library.fault("hanoi", "seized_joint")
-    def seized_joint(table: Table, joint: int = 1) -> None:
-        """A joint of the arm (1 to 7, counted from the base) does not move any more."""
-        if not 1 <= joint <= 7:
-            raise WorldError(f"the arm has no joint {joint}", advice="Its joints are 1 to 7.")
-        table.world.robot.seize(joint - 1)
-
-    @library.fault("hanoi", "disk_off_board")
-    def disk_off_board(table: Table, disk: int) -> None:
-        """A ring is out of reach of the arm and out of sight of the camera."""
-        one = table.disk(disk)
-        table.world.place(one.name, (0.45, 0.8, one.thickness / 2 + 0.001))
-
-    @library.fault("hanoi", "weak_grip")
-    def weak_grip(table: Table, force: float = 0.1) -> None:
-        """The fingers close with no more than this force (N)."""
-        table.world.robot.weaken(force)
+    for function in FAULTS:
+        library.fault("hanoi", function.__name__)(function)
 
 
 def _until_lifted(table: Table) -> Fault:
+    """Let ticks pass until a ring is in the hand and off the table."""
     while True:
         held = _gripped(table)
         if held is not None:
@@ -123,7 +138,7 @@ def _until_lifted(table: Table) -> Fault:
 
 
 def _gripped(table: Table) -> Disk | None:
-    return next((d for d in table.disks if table.world.fingers_on(d.name) == 2), None)
+    return next((one for one in table.disks if table.world.fingers_on(one.name) == 2), None)
 
 
 def _below(table: Table, disk: Disk) -> Disk | None:
@@ -143,15 +158,5 @@ def _put_on(table: Table, upper: Disk, lower: Disk) -> None:
     table.world.place(upper.name, (x, y, z + height))
 
 
-def _known(peg: str) -> None:
-    if peg not in PEGS:
-        raise WorldError(f"there is no peg {peg!r}", advice="There are the pegs a, b and c.")
-
-
 def _ticks(table: Table, seconds: float) -> int:
     return max(1, round(seconds / table.world.tick))
-
-
-def _wait(ticks: int) -> Fault:
-    for _ in range(ticks):
-        yield

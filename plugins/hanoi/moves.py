@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.errors import WorldError
-from smsl_studio.world.paths import rounded, timetable, waypoints
+from smsl_studio.world.paths import minimum_jerk, rounded, timetable, waypoints
 
 from .disks import PEG_TOP, PEGS, Disk
 from .table import HELD
@@ -38,6 +38,10 @@ SQUEEZE = 0.006
 """How far inside the ring's radius (m) the fingers are sent when they close."""
 
 CLOSING, OPENING = 36, 24
+"""Ticks that the fingers take."""
+
+TURNING = 0.6
+"""Seconds for a quarter turn of the hand."""
 
 
 def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
@@ -54,10 +58,10 @@ def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
         if _covered(table, disk) or any(table.reading(other) == HELD for other in table.disks):
             return False
         yield from _pick(table, disk)
-    if not (yield from _lift(table, disk)):
-        yield from _open(table.world)
+    if not (yield from lift(table, disk)):
+        yield from let_go(table.world)
         return False
-    return (yield from _put(table, disk, peg))
+    return (yield from put(table, disk, peg))
 
 
 def _covered(table: Table, disk: Disk) -> bool:
@@ -68,51 +72,55 @@ def _covered(table: Table, disk: Disk) -> bool:
 def _pick(table: Table, disk: Disk) -> Motion:
     """Come down around the ring and close the fingers on it."""
     world = table.world
-    centre = _centre(world, disk)
-    above = _above(centre)
+    centre = centre_of(world, disk)
     grasp = np.add(centre, (0.0, 0.0, TIPS - disk.thickness / 2))
     world.robot.open()
-    yield from _travel(world, [_above(_tool(world)), above, grasp], TRAVEL)
+    yield from travel(world, [above(tool(world)), above(centre), grasp], TRAVEL)
     world.robot.grip(disk.radius - SQUEEZE)
-    yield from _wait(CLOSING)
+    yield from wait(CLOSING)
 
 
-def _lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
+def lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
+    """Raise a gripped ring over the pegs, the hand turned as it is; whether it came along."""
     world = table.world
     if world.fingers_on(disk.name) < 2:
         return False
-    yield from _travel(world, [_above(_tool(world))], CAREFUL)
+    turned = world.arm.tool(world.robot.goal)[1]
+    yield from travel(world, [above(tool(world))], CAREFUL, turned)
     return world.fingers_on(disk.name) == 2
 
 
-def _put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
+def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     """Bring the ring's own middle over the peg, lower it onto the stack and let go."""
     world = table.world
-    shift = _tool(world) - _centre(world, disk)
+    shift = tool(world) - centre_of(world, disk)
     over = np.array([*PEGS[peg], CLEAR + disk.thickness / 2]) + shift
-    yield from _travel(world, [over], TRAVEL)
+    yield from travel(world, [over], TRAVEL)
     if world.fingers_on(disk.name) < 2:
-        yield from _open(world)
+        yield from let_go(world)
         return False
-    shift = _tool(world) - _centre(world, disk)
+    shift = tool(world) - centre_of(world, disk)
     height = sum(other.thickness for other in table.on_peg(peg)) + 0.001
     down = np.array([*PEGS[peg], height + disk.thickness / 2]) + shift
-    yield from _travel(world, [down], CAREFUL)
+    yield from travel(world, [down], CAREFUL)
     world.robot.open()
-    yield from _wait(OPENING)
-    yield from _travel(world, [_above(_tool(world))], CAREFUL)
+    yield from wait(OPENING)
+    yield from travel(world, [above(tool(world))], CAREFUL)
     return True
 
 
-def _travel(world: BulletWorld, corners: Sequence[Array], speed: float) -> Motion:
+def travel(
+    world: BulletWorld, corners: Sequence[Array], speed: float, rotation: Array = DOWN
+) -> Motion:
     """Lead the tool from where it is sent now through the corners, smoothly."""
+    yield from turn(world, rotation)
     start = world.robot.goal
     points, ways = waypoints(rounded([world.arm.tool(start)[0], *corners], 0.03))
     if ways[-1] < 1e-6:
         return
     joints = [start]
     for point in points[1:]:
-        joints.append(world.arm.solve(point, DOWN, near=joints[-1]))
+        joints.append(world.arm.solve(point, rotation, near=joints[-1]))
     before = start
     for segment, share in timetable(ways, speed, world.tick):
         here = joints[segment] + (joints[segment + 1] - joints[segment]) * share
@@ -123,25 +131,38 @@ def _travel(world: BulletWorld, corners: Sequence[Array], speed: float) -> Motio
     yield
 
 
-def _open(world: BulletWorld) -> Motion:
+def turn(world: BulletWorld, rotation: Array) -> Motion:
+    """Turn the tool where it is; nothing where it is turned so already."""
+    start = world.robot.goal
+    place, turned = world.arm.tool(start)
+    if np.abs(turned - rotation).max() < 0.01:
+        return
+    end = world.arm.solve(place, rotation, near=start)
+    ticks = int(TURNING / world.tick)
+    for tick in range(1, ticks + 1):
+        world.robot.drive(start + (end - start) * minimum_jerk(tick / ticks))
+        yield
+
+
+def let_go(world: BulletWorld) -> Motion:
     world.robot.open()
-    yield from _wait(OPENING)
+    yield from wait(OPENING)
 
 
-def _wait(ticks: int) -> Motion:
+def wait(ticks: int) -> Motion:
     for _ in range(ticks):
         yield
 
 
-def _tool(world: BulletWorld) -> Array:
+def tool(world: BulletWorld) -> Array:
     """Where the tool really is (m)."""
     return world.arm.tool(world.robot.joints())[0]
 
 
-def _centre(world: BulletWorld, disk: Disk) -> Array:
+def centre_of(world: BulletWorld, disk: Disk) -> Array:
     return np.array(world.pose(disk.name)[0])
 
 
-def _above(point: Array) -> Array:
+def above(point: Array) -> Array:
     """The point over another at which a ring in the hand passes over the pegs."""
     return np.array([point[0], point[1], CLEAR + TIPS])

@@ -13,6 +13,7 @@ from smsl_studio.errors import WorldError
 
 from .faults import register_faults
 from .moves import carry
+from .recovering import recover
 from .table import HELD, NOWHERE, Table
 
 if TYPE_CHECKING:
@@ -48,5 +49,9 @@ def register(library: OperationLibrary) -> None:
     @library.operation("Op_{disk}{peg}", stop="hold", timeout=20.0)
     def move_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:
         return (yield from carry(table, table.disk(disk), peg))
+
+    @library.operation("Op_recover{disk}{peg}", stop="hold", timeout=30.0)
+    def recover_disk(table: Table, disk: int, peg: str) -> Generator[None, None, bool]:
+        return (yield from recover(table, table.disk(disk), peg))
 
     register_faults(library)

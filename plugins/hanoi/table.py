@@ -121,7 +121,7 @@ class Table:
     def _rests(self, disk: Disk, height: float) -> bool:
         """Whether a ring lies flat with its lower side at this height (m)."""
         (_, _, z), (qx, qy, _, _) = self.world.pose(disk.name)
-        flat = 1.0 - 2.0 * (qx * qx + qy * qy) > TILT
+        flat = abs(1.0 - 2.0 * (qx * qx + qy * qy)) > TILT  # upside down it is the same ring
         return flat and abs(z - disk.thickness / 2 - height) < LEVEL
 
     def _places(self, pegs: Mapping[Disk, str]) -> Iterator[tuple[Disk, Vector]]:
