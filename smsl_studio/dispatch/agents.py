@@ -1,0 +1,35 @@
+"""Automatic supervisors: agents that decide on every operation before it begins."""
+
+from __future__ import annotations
+
+from smsl_studio.dispatch.supervisor import ALLOW, ASK, VETO, Proposal, Verdict
+from smsl_studio.errors import UsageError, did_you_mean
+
+RISKS = ("low", "medium", "high")
+
+
+class RiskLimit:
+    """Allows operations up to a declared risk, refuses those above it, asks about the others.
+
+    It sees what every supervisor sees: the operation that is proposed, nothing further ahead. An
+    operation of which no risk is declared is not safe for that: a person is asked.
+    """
+
+    def __init__(self, limit: str = "medium") -> None:
+        if limit not in RISKS:
+            near = did_you_mean(limit, RISKS) or f"Choose one of {', '.join(RISKS)}."
+            raise UsageError(f"{limit!r} is no risk", advice=near)
+        self.limit = limit
+
+    @property
+    def name(self) -> str:
+        return f"risk limit {self.limit}"
+
+    def review(self, proposal: Proposal) -> Verdict:
+        """Allow, veto, or ask a person where nobody has declared the risk."""
+        risk = proposal.risk
+        if risk not in RISKS:
+            return Verdict(ASK, f"No risk is declared for {proposal.operation}.")
+        if RISKS.index(risk) > RISKS.index(self.limit):
+            return Verdict(VETO, f"Its risk is {risk}, above the limit of {self.limit}.")
+        return Verdict(ALLOW, f"Its risk is {risk}.")
