@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from enum import Enum
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.check import CheckResult
+from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.host.protocol import Bound, Outcome, Tick
@@ -22,6 +23,7 @@ ENDED = {
     Outcome.IDLE: "lost",
 }
 HAIR = 1e-9
+UNSURE = "the operation was cancelled and may have changed it"
 
 
 class Stage(Enum):
@@ -85,6 +87,31 @@ class Carrier:
         """The edge whose function runs."""
         return self.action.edge.address if self.moving else None
 
+    @property
+    def can_freeze(self) -> bool:
+        """Whether a pause may hold it where it is, to go on with it later."""
+        return self.stage is Stage.SETTLING or (self.bound.stop == "hold" and self.bound.resumes)
+
+    @property
+    def uncommitted(self) -> tuple[Address, ...]:
+        """The edges of the step that are not committed yet, begun or not."""
+        done = {edge for action in self.step.actions[: self._index] for edge in action.commits}
+        return tuple(edge.address for edge in self.step.edges if edge not in done)
+
+    @property
+    def touched(self) -> tuple[FactKey, ...]:
+        """The facts that what has begun and is not committed may have changed."""
+        run, last = self._run, self._index + (self.stage is not Stage.NEXT)
+        open_edges = set(self.uncommitted)
+        found: set[FactKey] = set()
+        for action in self.step.actions[:last]:
+            for edge in action.begins:
+                if edge.address in open_edges:
+                    found |= _changed(run.blueprint[edge.branch], edge)
+                    bound = run.opened.bound.get(edge.address)
+                    found |= set(bound.touches) if bound and edge.function else set()
+        return tuple(sorted(found))
+
     def advance(self, shut: Mapping[Address, str]) -> None:
         """One tick. Afterwards ``stage`` says whether the step goes on, is done or has failed."""
         if self.stage is Stage.NEXT:
@@ -100,10 +127,28 @@ class Carrier:
     def abort(self, mode: str, reason: str) -> None:
         """Cancel the running function; the step fails without blame once the world has settled."""
         if self.stage is Stage.RUNNING:
-            self._run.host.cancel(mode)
-            self._ended("cancelled", reason)
+            self._cancel(mode, "cancelled", reason)
             self._fault, self._blame = reason, False
             self._settle()
+        elif self.stage is Stage.NEXT:
+            self._fail(reason, risky=False, pending=bool(self._run.transit))
+
+    def cut(self, reason: str) -> tuple[FactKey, ...]:
+        """End it where it is: braked, nothing settles and nothing more commits. What it may have
+        touched."""
+        touched = self.touched
+        if self.stage is Stage.RUNNING:
+            stop = self.bound.stop
+            self._cancel("hold" if stop == "finish" else stop, "cancelled", reason)
+        self.stage = Stage.FAILED
+        return touched
+
+    def _cancel(self, mode: str, outcome: str, message: str) -> None:
+        """End the function; what it may have touched is unknown until it is sensed anew."""
+        run = self._run
+        run.host.cancel(mode)
+        self._ended(outcome, message)
+        run.emit(*run.senses.doubt(self.touched, UNSURE))
 
     def _begin(self, shut: Mapping[Address, str]) -> None:
         action, run = self.action, self._run
@@ -139,9 +184,8 @@ class Carrier:
             limit = self.bound.timeout
             if tick.time - self.since < limit - HAIR:
                 return
-            self._run.host.cancel("abort")
             self._fault = f"{self.action.edge} took longer than its {limit:g} s"
-            self._ended("timed_out", self._fault)
+            self._cancel("abort", "timed_out", self._fault)
         else:
             self._ended(ENDED[tick.outcome], tick.message)
             self._fault = _fault(self.action.edge, tick)
@@ -174,7 +218,7 @@ class Carrier:
                 self._fail(check_words(run.blueprint, self.check), risky=True)
                 return
         if action.commits:
-            run.commit(action.committed, len(action.commits))
+            run.commit(action.committed, [edge.address for edge in action.commits])
             operations = tuple(map(str, action.commits))
             run.emit(
                 Committed(t=run.time, operations=operations, configuration=dict(action.committed))
@@ -205,6 +249,16 @@ class Carrier:
             pending = bool(self.action.transit)
         self.failure = Failure(self.action.edge, reason, risky, pending)
         self.stage = Stage.FAILED
+
+
+def _changed(branch: StateBranch, edge: Edge) -> set[FactKey]:
+    """The facts that an edge changes itself, not through a sub-SB."""
+    pairs = zip(branch.facts(edge.source), branch.facts(edge.target), strict=False)
+    return {
+        (branch.name, digit)
+        for digit, (old, new) in enumerate(pairs)
+        if old != new and digit not in branch.subs
+    }
 
 
 def _fault(edge: Edge, tick: Tick) -> str:

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.stepper import Terms
 from smsl_studio.dispatch.blocks import Blocks
 from smsl_studio.dispatch.planner import Leg, Planner
 from smsl_studio.dispatch.prices import Prices
+from smsl_studio.errors import PlanningError
 from smsl_studio.host.protocol import Bound
 
 VETOED = "vetoed"
@@ -151,6 +152,16 @@ class Course:
         )
         return self._ahead
 
+    def next_operation(self, configuration: Mapping[str, str]) -> Address | None:
+        """The operation that the route would begin from here; the plan stays as it is."""
+        kept = self._legs, self._at, self._ahead
+        try:
+            step, _ = self.next_step(configuration)
+        except PlanningError:
+            step = None
+        self._legs, self._at, self._ahead = kept
+        return None if step is None else step.asked.address
+
     def drop_plan(self) -> None:
         self._legs, self._at, self._ahead = (), (0, 0), None
 
@@ -190,11 +201,16 @@ class Course:
         found = (edge for leg in legs or () for edge in leg.operations)
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))
 
-    def _lift_vetoes(self, configuration: Mapping[str, str]) -> None:
-        if self.vetoed and self._vetoed_at != dict(configuration):
+    def lift_vetoes(self) -> None:
+        """What was vetoed has been skipped and may be used again."""
+        if self.vetoed:
             self.vetoed.clear()
             self.version += 1
             self._planner, self._asked, self._detours = None, {}, {}
+
+    def _lift_vetoes(self, configuration: Mapping[str, str]) -> None:
+        if self.vetoed and self._vetoed_at != dict(configuration):
+            self.lift_vetoes()
 
     def _repriced(self, changed: Mapping[Address, float]) -> Mapping[Address, float]:
         if changed:

@@ -1,30 +1,28 @@
 """The dispatcher: one D-SFO step at a time, as a person or the plan would have it.
 
-::
-
-    ready ──ask, step──▶ running ──done──▶ ready       by hand: the world lives while it waits
-    running ──pause──▶ paused ──resume, step, ask──▶ running      simulated time stands still
-    running ──failure, mismatch──▶ held ──resume, adopt, ask──▶ running
-    any ──stop, goal reached, no route, refused, host gone──▶ finished
-
-``tick`` makes one host tick when something runs, otherwise it proposes the next operation.
-Commands take effect at the next tick. Nothing here reads a clock or a file or starts a thread.
+``tick`` takes the commands first, then makes one host tick where something runs or lives, otherwise
+it proposes the next operation. ``docs/supervision.md`` draws the run states. Nothing here reads a
+clock or a file or starts a thread.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.guards import Supervisor
-from smsl_studio.dispatch.pace import Pace
+from smsl_studio.dispatch.looking import look, look_at_nothing, phase_at_end
 from smsl_studio.dispatch.start import begin_run, start_events
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.commands import Commands
+from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
+from smsl_studio.dispatch.supervision.reviewing import Reviewer
+from smsl_studio.dispatch.supervision.run_state import RunState
+from smsl_studio.dispatch.supervision.table import obey
+from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.errors import HostError, RunRefused
 from smsl_studio.host.protocol import Host, Opened
@@ -33,13 +31,17 @@ from smsl_studio.runlog.events import Event, Held, RunFinished
 NOWHERE: Mapping[str, str] = MappingProxyType({})
 
 
-class Dispatcher:
+class Dispatcher(Commands):
     """Runs one blueprint on one host.
 
     ``start`` names the state of an SB, ``goals`` are states; ``avoid`` are edges that neither
     routing nor a person may use. ``on_mismatch``: ``hold`` waits for a person, ``adopt`` goes on
     from the one configuration the scene agrees with. ``attended`` says whether someone is there
-    to decide; where nobody is (by default in an automatic run), a hold ends the run.
+    to decide; where nobody is (by default in an automatic run), a hold or a stop ends the run.
+    ``supervisor`` is asked before every operation, last of all guards. ``visits`` is how often the
+    automatic route may begin one edge from one configuration before the run holds.
+
+    Commands are taken while the run is open; the record of a finished one is closed.
     """
 
     def __init__(
@@ -55,7 +57,9 @@ class Dispatcher:
         automatic: bool = True,
         attended: bool | None = None,
         supervisor: Supervisor | None = None,
+        visits: int = VISITS,
     ) -> None:
+        super().__init__()
         self.host = host
         self._blueprint = blueprint
         self._start, self._goals, self._seed = dict(start), tuple(goals), seed
@@ -63,9 +67,9 @@ class Dispatcher:
         self._adopts = on_mismatch == "adopt"
         self._automatic = automatic
         self._attended = not automatic if attended is None else attended
-        self._supervisor = supervisor
+        self._reviewer = Reviewer(supervisor)
+        self._visits = visits
         self._driver: Driver | None = None
-        self._commands: list[Callable[[Driver], None]] = []
         self._ended: RunFinished | None = None
         self._status: DispatchStatus | None = None
 
@@ -82,9 +86,10 @@ class Dispatcher:
             self._driver = Driver(
                 run,
                 course,
-                Pace(by_hand=not self._automatic),
+                RunState(by_hand=not self._automatic),
                 Trouble(run, course, self._adopts),
-                supervisor=self._supervisor,
+                reviewer=self._reviewer,
+                loops=LoopGuard(self._visits),
                 attended=self._attended,
             )
             run.emit(*start_events(run, self._seed, goals))
@@ -100,14 +105,16 @@ class Dispatcher:
         if driver is None or self.finished:
             return ()
         try:
-            commands, self._commands = self._commands, []
-            for command in commands:
-                if not driver.reason:
-                    command(driver)
-            if not driver.reason:
+            commands, self._waiting = self._waiting, []
+            if commands:
+                obey(driver, commands)
+            if driver.ended is None:
                 driver.go_on()
         except HostError as error:
             return self._host_gone(error)
+        if driver.ended is not None:
+            self._ended = driver.ended
+            driver.run.emit(driver.ended)
         return self._drain()
 
     def close(self) -> None:
@@ -121,7 +128,8 @@ class Dispatcher:
 
     @property
     def finished(self) -> bool:
-        return self._ended is not None or bool(self._driver and self._driver.reason)
+        """Whether the run is over; ``run_finished`` was its last event."""
+        return self._ended is not None
 
     @property
     def time(self) -> float:
@@ -130,48 +138,10 @@ class Dispatcher:
 
     @property
     def phase(self) -> str:
-        """``ready``, ``running``, ``paused``, ``held`` or ``finished``: see the drawing above."""
-        if self.finished:
-            return "finished"
-        return self._driver.phase if self._driver else "ready"
-
-    # commands -----------------------------------------------------------------------------------
-
-    def ask(self, address: Address) -> None:
-        """Carry out one operation that a person chose; refused with every reason otherwise."""
-        self._commands.append(lambda driver: driver.ask(address))
-
-    def pause(self) -> None:
-        """Hold now, or as the running operation declares (finish it, abort it)."""
-        self._commands.append(Driver.pause)
-
-    def resume(self) -> None:
-        """Go on: after a pause, after a hold (the scene is read again), by hand automatically."""
-        self._commands.append(Driver.resume)
-
-    def step(self) -> None:
-        """Carry out one operation of the route, then pause."""
-        self._commands.append(Driver.step)
-
-    def stop(self) -> None:
-        """Brake and end the run."""
-        self._commands.append(Driver.stop)
-
-    def adopt(self) -> None:
-        """While held: go on from the one configuration the scene agrees with."""
-        self._commands.append(Driver.adopt)
-
-    def prune(self, address: Address, reason: str) -> None:
-        """Shut an edge out; if it is being carried out, stop it."""
-        self._commands.append(lambda driver: driver.prune(address, reason))
-
-    def restore(self, address: Address) -> None:
-        """Let a pruned, avoided or risky edge be used again."""
-        self._commands.append(lambda driver: driver.restore(address))
-
-    def set_automatic(self, automatic: bool) -> None:
-        """Follow the route by itself, or wait to be asked."""
-        self._commands.append(lambda driver: setattr(driver.pace, "by_hand", not automatic))
+        """The run state, one of ``run_state.RUN_STATES``; when it is over, the last one."""
+        if self._ended is not None:
+            return phase_at_end(self._ended)
+        return self._driver.phase if self._driver else "idle"
 
     # what is seen -------------------------------------------------------------------------------
 
@@ -179,56 +149,13 @@ class Dispatcher:
     def status(self) -> DispatchStatus:
         """How the run stands now; the same object until something happens."""
         if self._status is None:
-            self._status = self._look() if self._driver else self._nothing()
+            ended, driver = self._ended, self._driver
+            self._status = (
+                look(driver, self.phase, ended)
+                if driver
+                else look_at_nothing(self.phase, self._goals, ended)
+            )
         return self._status
-
-    def _look(self) -> DispatchStatus:
-        driver = self._driver
-        assert driver is not None
-        run, carrier, over = driver.run, driver.carrier, self.finished
-        current = carrier.remaining if carrier else ()
-        ended = self._ended.reason if self._ended else driver.reason
-        return DispatchStatus(
-            phase=self.phase,
-            time=run.time,
-            configuration=dict(run.configuration),
-            pending=dict(run.pending),
-            running=carrier.running if carrier else None,
-            carrying=carrier.step.asked.address if carrier else None,
-            running_since=carrier.since if carrier and carrier.moving else None,
-            progress=driver.outlook.progress(carrier),
-            route=(*(edge.address for edge in current), *driver.course.ahead),
-            goals=driver.course.goals,
-            scene=run.senses.scene,
-            check=None if over else driver.outlook.awaited(carrier),
-            possible=() if over else driver.outlook.possible(),
-            candidates=driver.trouble.candidates if driver.pace.held else (),
-            reason=ended or ("held" if driver.pace.held else ""),
-            sentence=self._ended.sentence if self._ended else driver.sentence,
-            operations=run.operations,
-        )
-
-    def _nothing(self) -> DispatchStatus:
-        """Before the world stands, or where a guard of the start said no."""
-        return DispatchStatus(
-            phase=self.phase,
-            time=0.0,
-            configuration={},
-            pending={},
-            running=None,
-            carrying=None,
-            running_since=None,
-            progress=None,
-            route=(),
-            goals=self._goals,
-            scene=Scene(),
-            check=None,
-            possible=(),
-            candidates=(),
-            reason=self._ended.reason if self._ended else "",
-            sentence=self._ended.sentence if self._ended else "",
-            operations=0,
-        )
 
     # the end ------------------------------------------------------------------------------------
 

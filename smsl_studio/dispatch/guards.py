@@ -1,7 +1,7 @@
 """Guards: all that is asked before anything moves, for every edge of a joint step (clause 4).
 
 What does not depend on sensing (permitted, not shut out, bound, sub-SB routes) is answered by the
-stepper; here are the questions to the scene and to the supervisor.
+stepper; here are the questions to the scene. The supervisor is asked last (``reviewing``).
 """
 
 from __future__ import annotations
@@ -10,30 +10,27 @@ from collections.abc import Callable, Iterator
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
-from smsl_studio.blueprint.check import CheckResult
+from smsl_studio.blueprint.check import Term
+from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import check_words, fact_words
 from smsl_studio.errors import AddressError
 
-Supervisor = Callable[[JointStep], str]
-"""Asked last, before motion: the empty text agrees, anything else is the objection."""
 
-
-def refusals(run: Run, step: JointStep, supervisor: Supervisor | None = None) -> tuple[str, ...]:
+def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
     """Why a joint step may not begin now, as sentences; empty where it may."""
-    reasons = [*_sources(run, step), *_required(run, step)]
-    if not reasons and supervisor is not None:
-        objection = supervisor(step)
-        reasons += [objection] if objection else []
-    return tuple(dict.fromkeys(reasons))
+    return tuple(dict.fromkeys([*_sources(run, step), *_required(run, step)]))
 
 
 def asked(
-    run: Run, course: Course, address: Address, supervisor: Supervisor | None = None
+    run: Run, course: Course, address: Address, objection: Callable[[Run, JointStep], str]
 ) -> JointStep | tuple[str, ...]:
-    """The joint step of an operation that a person asks for, or every reason against it."""
+    """The joint step of an operation that a person asks for, or every reason against it.
+
+    ``objection`` is asked last, where there is no other: the empty text agrees.
+    """
     try:
         edge = course.edge(run.blueprint.resolve(address))
     except AddressError as error:
@@ -46,7 +43,10 @@ def asked(
     step = course.asked(run.configuration, edge)
     if isinstance(step, Unavailable):
         return step.reasons
-    return refusals(run, step, supervisor) or step
+    reasons = refusals(run, step)
+    if not reasons and (no := objection(run, step)):
+        reasons = (no,)
+    return reasons or step
 
 
 def _sources(run: Run, step: JointStep) -> Iterator[str]:
@@ -60,16 +60,24 @@ def _sources(run: Run, step: JointStep) -> Iterator[str]:
                 yield check_words(run.blueprint, check)
 
 
+def needs(run: Run, edge: Edge) -> Iterator[Term]:
+    """The facts of other SBs that an edge requires, as they stand now."""
+    for branch, digit, value in edge.requires:
+        if digit < 0:
+            yield Term((branch, digit), value, None, None, "there is no such fact")
+            continue
+        term = run.check(branch, run.configuration[branch]).terms[digit]
+        truth = None if term.reading is None else term.reading == value
+        yield Term(term.fact, value, term.reading, truth, term.reason)
+
+
 def _required(run: Run, step: JointStep) -> Iterator[str]:
     """Required facts of SBs that the step has not moved by then must be sensed so."""
     moved: set[str] = set()
     for edge in step.edges:
-        for branch, digit, value in edge.requires:
-            if digit < 0 or branch in moved:
-                continue
-            check: CheckResult = run.check(branch, run.configuration[branch])
-            term = check.terms[digit]
-            if term.reading != value:
+        for term in needs(run, edge):
+            branch, digit = term.fact
+            if digit >= 0 and branch not in moved and term.truth is not True:
                 what = fact_words(run.blueprint, term)
-                yield f"{edge} requires {branch}/{digit} to be {value}: {what}"
+                yield f"{edge} requires {branch}/{digit} to be {term.wanted}: {what}"
         moved.add(edge.branch)

@@ -6,11 +6,14 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.guards import refusals
+from smsl_studio.dispatch.guards import needs, refusals
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.status import Possible
+
+ACTORS = {"human": HUMAN, "shared": SHARED, "robot": AUTOMATIC, None: AUTOMATIC}
 
 
 class Outlook:
@@ -71,6 +74,7 @@ class Outlook:
         run, course = self._run, self._course
         step = course.asked(run.configuration, edge)
         unavailable = isinstance(step, Unavailable)
+        note = run.blueprint[edge.branch].operation_note(edge.source, edge.name)
         reasons = step.reasons if isinstance(step, Unavailable) else refusals(run, step)
         return Possible(
             address=edge.address,
@@ -81,4 +85,8 @@ class Outlook:
             on_route=edge.address in route and not unavailable,
             pruned=edge.address in course.shut,
             risky=edge.address in course.risky,
+            vetoed=edge.address in course.vetoed,
+            needs=tuple(needs(run, edge)),
+            risk=note.risk or "",
+            level=ACTORS[note.actor],
         )

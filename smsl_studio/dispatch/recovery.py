@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from itertools import islice, product
 
 from smsl_studio.blueprint.check import state_check
@@ -24,10 +24,22 @@ def candidates(run: Run) -> tuple[Mapping[str, str], ...]:
 
     Subs first, then bases. An SB whose committed state checks true keeps it.
     """
+    return _agreeing(run, _true_states)
+
+
+def located(run: Run) -> tuple[Mapping[str, str], ...]:
+    """The same, going by the scene alone: what is committed counts for nothing where it is
+    sensed."""
+    return _agreeing(run, _estimated)
+
+
+def _agreeing(
+    run: Run, states_of: Callable[[Run, str, Mapping[str, str]], list[str]]
+) -> tuple[Mapping[str, str], ...]:
     believed = dict(run.configuration)
     found: dict[str, list[str]] = {}
     for name in reversed(run.hierarchy.order):
-        found[name] = _true_states(run, name, believed)
+        found[name] = states_of(run, name, believed)
         if not found[name]:
             return ()
         believed[name] = found[name][0]
@@ -60,4 +72,8 @@ def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
     scene, committed = run.senses.scene, run.configuration[name]
     if state_check(run.blueprint, name, committed, scene, believed).truth is True:
         return [committed]
-    return list(estimate(run.blueprint, name, scene, believed).states)
+    return _estimated(run, name, believed)
+
+
+def _estimated(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
+    return list(estimate(run.blueprint, name, run.senses.scene, believed).states)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import (
     IN_TRANSIT,
     CheckResult,
@@ -21,7 +22,8 @@ class Run:
     """The facts of a run that all its parts share; verbs are elsewhere.
 
     ``configuration`` is committed. ``pending`` are the SBs that stand elsewhere, not committed;
-    ``transit`` are the base digits in transit. Nothing else is stored: flags are computed.
+    ``transit`` are the base digits in transit. Flags are computed, never stored. ``since`` is when
+    each SB entered its state (simulated s), ``previous`` the edge that led there, where one did.
     """
 
     def __init__(
@@ -36,6 +38,8 @@ class Run:
         self.pending: dict[str, str] = {}
         self.transit: frozenset[FactKey] = frozenset()
         self.operations = 0
+        self.since = dict.fromkeys(start, self.senses.time)
+        self.previous: dict[str, Address] = {}
         self.events: list[Event] = []
 
     @property
@@ -84,14 +88,24 @@ class Run:
             ).misses
         )
 
+    def relocate(self, configuration: Mapping[str, str]) -> None:
+        """SBs stand where the scene has them; no edge of this run led there."""
+        for name, state in configuration.items():
+            if self.configuration[name] != state:
+                self.configuration[name] = state
+                self.since[name] = self.time
+                self.previous.pop(name, None)
+
     def drop_pending(self) -> None:
         """Forget what was in transit; the committed configuration stands."""
         self.pending, self.transit = {}, frozenset()
 
-    def commit(self, committed: Mapping[str, str], count: int) -> None:
-        """SBs take the states that became true together."""
+    def commit(self, committed: Mapping[str, str], edges: Iterable[Address]) -> None:
+        """SBs take the states that became true together with these edges."""
         self.configuration.update(committed)
-        self.operations += count
+        for edge in edges:
+            self.operations += 1
+            self.since[edge.branch], self.previous[edge.branch] = self.time, edge
         self.pending = {
             name: state for name, state in self.pending.items() if self.configuration[name] != state
         }

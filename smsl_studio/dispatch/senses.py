@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from types import MappingProxyType
 
-from smsl_studio.blueprint.check import FactKey, Scene
+from smsl_studio.blueprint.check import FactKey, Reading, Scene
 from smsl_studio.host.protocol import Host, Opened, Tick
 from smsl_studio.monitor.bus import FactBus
 from smsl_studio.monitor.facts import FactMonitor, SourceState
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.runlog.events import FactChanged
+
+
+@dataclass(slots=True)
+class _Doubt:
+    """Why a fact is unknown, and how many samples each of its sources had counted by then."""
+
+    reason: str
+    counted: dict[str, int]
 
 
 class Senses:
@@ -27,6 +37,7 @@ class Senses:
         self._inbox = self.bus.subscribe()
         self._monitor = FactMonitor(opened.sensors, opened.rules)
         self._told: dict[FactKey, str | None] = {}
+        self._doubts: dict[FactKey, _Doubt] = {}
         self.time = 0.0
         self.scene = Scene()
 
@@ -56,7 +67,26 @@ class Senses:
     ) -> tuple[FactChanged, ...]:
         """A person says what a fact is that no sensor may answer; what changed."""
         self._monitor.answer(branch, digit, value, who, self.time)
+        self._doubts.pop((branch, digit), None)
         return self._take(())
+
+    def doubt(self, facts: Iterable[FactKey], reason: str) -> tuple[FactChanged, ...]:
+        """What was known of these facts counts no longer, until it is sensed anew; what changed.
+
+        Every source of a fact that says something must say it anew. What nobody senses stays
+        unknown until a person answers or vouches for it.
+        """
+        fresh = {key: _Doubt(reason, {}) for key in sorted(set(facts))}
+        for source in self.sources if fresh else ():
+            if source.fact in fresh:
+                fresh[source.fact].counted[source.said.source] = source.counted
+        self._doubts |= fresh
+        return self._take(())
+
+    def vouch(self) -> None:
+        """A person takes facts that nobody senses for what is believed of them."""
+        self._doubts = {key: doubt for key, doubt in self._doubts.items() if doubt.counted}
+        self._take(())
 
     def _take(self, samples: Iterable[Sample]) -> tuple[FactChanged, ...]:
         self.bus.publish(samples)
@@ -64,7 +94,23 @@ class Senses:
             self.bus.publish(self._remote.heard())
         self._monitor.accept(self._inbox.take(), self.time)
         self.scene = self._monitor.scene(self.time, self._live)
+        if self._doubts:
+            self._dispel()
         return tuple(self._changes())
+
+    def _dispel(self) -> None:
+        """Let go of the doubts whose sources have all spoken anew; the others make unknown."""
+        for source in self.sources:
+            doubt, name = self._doubts.get(source.fact), source.said.source
+            if doubt is None or name not in doubt.counted:
+                continue
+            if source.counted > doubt.counted[name] or source.said.value is None:
+                del doubt.counted[name]
+                if not doubt.counted:
+                    del self._doubts[source.fact]
+        unknown = {key: Reading(None, doubt.reason) for key, doubt in self._doubts.items()}
+        readings = MappingProxyType({**self.scene.readings, **unknown})
+        self.scene = Scene(readings, self.scene.time)
 
     @property
     def _live(self) -> float:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.carrier import Failure
 from smsl_studio.dispatch.course import Course
@@ -12,16 +13,21 @@ from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.recovery import candidates, stands, sub_relocalised
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import all_words, check_words
+from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
 
 
 @dataclass(frozen=True)
 class Hold:
-    """Why a run cannot go on by itself; ``kind`` is how it ends where nobody is there to decide."""
+    """Why a run cannot go on by itself; ``kind`` is how it ends where nobody is there to decide.
+
+    ``blocking`` are the edges that stand in the way.
+    """
 
     reason: str
     details: Sequence[str] = ()
     kind: str = "held"
+    blocking: tuple[Address, ...] = ()
 
 
 class Trouble:
@@ -76,18 +82,34 @@ class Trouble:
     def adopt(self, configuration: Mapping[str, str]) -> None:
         """Go on from a configuration that the scene agrees with."""
         run = self._run
-        run.configuration.update(configuration)
+        run.relocate(configuration)
         self._course.drop_plan()
         run.emit(Relocalised(t=run.time, configuration=dict(run.configuration)))
 
     def no_way(self, details: Sequence[str]) -> Hold:
-        """Nothing leads on: name the risky edges that would, or say that nothing does."""
+        """Nothing leads on: name the risky edges that would, else all that stands in the way."""
         run, course = self._run, self._course
         goal = next(one for one in course.goals if not holds(run.configuration, [one]))
         risky = course.risky_way(run.configuration)
         if risky:
             names = ", ".join(map(str, risky))
             words = [f"{edge}: {course.risky[edge]}" for edge in risky]
-            return Hold(f"Only risky operations lead to {goal}: {names}.", words)
+            return Hold(f"Only risky operations lead to {goal}: {names}.", words, "held", risky)
         here = ", ".join(f"{name}/{state}" for name, state in run.configuration.items())
-        return Hold(f"Nothing permitted leads from {here} to {goal}.", details, "no_route")
+        blocking = self._blocking()
+        here_too = {line.partition(":")[0] for line in details}
+        words = [
+            f"{edge}: stands in the way, {reason}"
+            for edge, reason in blocking.items()
+            if str(edge) not in here_too
+        ]
+        sentence = f"Nothing permitted leads from {here} to {goal}"
+        if blocking:
+            sentence += f"; it would with {', '.join(map(str, blocking))}"
+        return Hold(f"{sentence}.", (*words, *details), "no_route", tuple(blocking))
+
+    def _blocking(self) -> Mapping[Address, str]:
+        try:
+            return self._course.blocking(self._run.configuration)
+        except PlanningError:
+            return {}

@@ -36,12 +36,16 @@ class Bound:
 
     ``exact`` says that it was bound to exactly this ``State/Operation`` (clause 5). ``timeout`` is
     in simulated seconds. ``stop`` is what a stop or pause does to it: abort, hold or finish.
+    ``resumes`` says that it goes on after it was held. ``touches`` are facts that it may change
+    besides those its edge changes: unknown, once it was cancelled, until they are sensed anew.
     """
 
     function: str
     exact: bool
     stop: str
     timeout: float
+    resumes: bool = True
+    touches: tuple[FactKey, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

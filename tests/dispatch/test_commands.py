@@ -73,7 +73,7 @@ def test_stop_brakes_and_is_the_end() -> None:
     assert calls(story)[-1] == "cancel hold"
     assert (story.end.reason, story.end.operations) == ("stopped", 0)
     assert story.dispatcher.tick() == ()
-    assert story.dispatcher.status.phase == "finished"
+    assert story.dispatcher.status.phase == "stopped"
 
 
 def test_pruning_what_runs_stops_it_and_plans_around_it() -> None:
@@ -97,6 +97,8 @@ def test_by_hand_nothing_moves_until_it_is_asked_and_the_world_lives() -> None:
     assert story.of("goal_reached")[0].goal == "SB1/State_ccc"
     assert story.phase == "ready"
     story.dispatcher.stop()
+    assert story.tick().phase == "stopped"
+    story.dispatcher.end()
     assert story.tick().end.reason == "stopped"
 
 

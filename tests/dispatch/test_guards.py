@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.supervisor import Proposal, Verdict
 from smsl_studio.host.protocol import Outcome
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.runs import Story, sample
@@ -95,12 +95,16 @@ def test_clause_4_a_required_fact_must_be_sensed_not_only_believed() -> None:
 def test_clause_4_the_supervisor_is_asked_last_and_may_object() -> None:
     asked: list[str] = []
 
-    def supervisor(step: JointStep) -> str:
-        asked.append(str(step.asked))
-        return "" if step.asked.name != "Op_1b" else "Not with this patient."
+    class Nurse:
+        name = "Nurse"
 
-    story = by_hand(sample("hanoi"), supervisor=supervisor).ask("Op_1b", "Op_1c")
-    assert story.reasons == ["Not with this patient."]
+        def review(self, proposal: Proposal) -> Verdict:
+            asked.append(str(proposal.operation))
+            no = proposal.operation.operation == "Op_1b"
+            return Verdict("veto", "not with this patient") if no else Verdict("allow")
+
+    story = by_hand(sample("hanoi"), supervisor=Nurse()).ask("Op_1b", "Op_1c")
+    assert story.reasons == ["Nurse says no: not with this patient"]
     assert asked == ["SB1/State_aaa/Op_1b", "SB1/State_aaa/Op_1c"]
     assert story.configuration == {"SB1": "State_caa"}
 

@@ -205,7 +205,7 @@ def test_clause_6_and_8_an_own_function_that_fails_leaves_every_crossing_uncommi
     assert short(story.started) == ["ReinitState", "ReinitState"]
     assert story.commits == []
     assert story.configuration == {"REGISTRATION": "State110", "DIGITIZATION": "State1"}
-    assert story.phase == "held"
+    assert story.phase == "fault_hold"
     agreed = {"REGISTRATION": "State100", "DIGITIZATION": "State0"}
     assert story.dispatcher.status.candidates == (agreed,)
     story.dispatcher.adopt()
@@ -217,7 +217,7 @@ def test_clause_9_a_fact_that_moves_by_itself_while_idle_holds() -> None:
     story = hanoi(automatic=False).tick(3)
     story.host.facts["SB1", 2] = "b"  # type: ignore[attr-defined]
     story.tick()
-    assert story.phase == "held"
+    assert story.phase == "fault_hold"
     assert story.dispatcher.status.sentence == (
         "SB1/State_aaa does not check true: Fact 3 of SB1 reads b, not a"
     )
@@ -266,7 +266,7 @@ def test_a_host_that_dies_holds_with_the_reason_and_ends_as_failed() -> None:
     assert story.words[-2:] == ["held", "run_finished"]
     assert (story.end.reason, story.end.sentence) == ("failed", "the world's process was killed")
     assert story.end.configuration == {"SB1": "State_caa"}
-    assert story.dispatcher.status.phase == "finished"
+    assert story.dispatcher.status.phase == "fault_hold"
     assert story.dispatcher.status.running is None
 
 
@@ -274,7 +274,7 @@ def test_restoring_a_risky_edge_lets_the_held_run_go_on() -> None:
     made = blueprint({"ONE": branch({"0": "go>1", "1": ""})})
     host = FakeHost(made, faults={"ONE/State0/go": Fault(Outcome.FAILED, {})})
     story = Story(made, host, attended=True).run()
-    assert story.phase == "held"
+    assert story.phase == "fault_hold"
     host.faults.clear()
     story.dispatcher.restore(Address("ONE", "State0", "go"))
     story.dispatcher.resume()

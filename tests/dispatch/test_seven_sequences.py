@@ -90,7 +90,7 @@ def test_register_that_throws_after_its_effect_is_not_believed() -> None:
     host = FakeHost(made, faults={"REGISTRATION/State110/Registered": Fault(Outcome.RAISED)})
     story = Story(made, host, automatic=False)
     story.ask(*(WORDS[word] for word in ("plan", "auto-digitize", "register")))
-    assert story.phase == "held"
+    assert story.phase == "fault_hold"
     assert story.configuration["REGISTRATION"] == "State110"
     assert "State111" in str(story.of("mismatch")[0].candidates)
 

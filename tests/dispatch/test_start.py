@@ -120,7 +120,7 @@ def test_a_host_that_dies_while_it_opens_is_a_failed_run() -> None:
         "failed",
         "the child did not answer within 10 s",
     )
-    assert story.dispatcher.status.phase == "finished"
+    assert story.dispatcher.status.phase == "fault_hold"
 
 
 def test_nothing_has_moved_before_the_first_tick() -> None:

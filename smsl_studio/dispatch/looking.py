@@ -1,0 +1,104 @@
+"""Looking at a run: how it stands now, as one frozen value."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import Scene
+from smsl_studio.dispatch.driver import Driver
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.offers import offers
+from smsl_studio.errors import PlanningError
+from smsl_studio.runlog.events import RunFinished
+
+_ENDS = {
+    "goal_reached": "done",
+    "no_route": "no_route",
+    "stopped": "stopped",
+    "refused": "idle",
+}
+
+
+def phase_at_end(ended: RunFinished) -> str:
+    """The run state in which a run ended."""
+    return _ENDS.get(ended.reason, "fault_hold")
+
+
+def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatus:
+    """How an opened run stands."""
+    run, carrier, state = driver.run, driver.carrier, driver.state
+    current = carrier.remaining if carrier else ()
+    held = state.held
+    candidates = driver.trouble.candidates if held is not None else ()
+    if state.offered is not None:
+        candidates = (state.offered,)
+    return DispatchStatus(
+        phase=phase,
+        time=run.time,
+        configuration=dict(run.configuration),
+        pending=dict(run.pending),
+        running=carrier.running if carrier else None,
+        carrying=carrier.step.asked.address if carrier else None,
+        running_since=carrier.since if carrier and carrier.moving else None,
+        progress=driver.outlook.progress(carrier),
+        route=(*(edge.address for edge in current), *driver.course.ahead),
+        goals=driver.course.goals,
+        scene=run.senses.scene,
+        check=None if ended else driver.outlook.awaited(carrier),
+        possible=() if ended else driver.outlook.possible(),
+        candidates=candidates,
+        reason=ended.reason if ended else held.kind if held else "",
+        sentence=ended.sentence if ended else driver.sentence,
+        operations=run.operations,
+        details=tuple(held.details) if held else (),
+        offers=offers(driver),
+        detour=_detour(driver) if driver.attended and not ended else None,
+        since=dict(run.since),
+        previous=dict(run.previous),
+        sources=run.senses.sources,
+        full_map=state.full_map,
+        by=state.by,
+    )
+
+
+def look_at_nothing(
+    phase: str, goals: Sequence[Address], ended: RunFinished | None
+) -> DispatchStatus:
+    """Before the world stands, or where a guard of the start said no."""
+    return DispatchStatus(
+        phase=phase,
+        time=0.0,
+        configuration={},
+        pending={},
+        running=None,
+        carrying=None,
+        running_since=None,
+        progress=None,
+        route=(),
+        goals=tuple(goals),
+        scene=Scene(),
+        check=None,
+        possible=(),
+        candidates=(),
+        reason=ended.reason if ended else "",
+        sentence=ended.sentence if ended else "",
+        operations=0,
+    )
+
+
+def _detour(driver: Driver) -> tuple[Address, ...] | None:
+    """The way to the goals if the next operation were vetoed."""
+    run, carrier, course = driver.run, driver.carrier, driver.course
+    here = dict(run.configuration)
+    if carrier is not None:
+        here.update(carrier.step.after)
+        following = course.ahead[0] if course.ahead else None
+    else:
+        following = driver.next_edge()
+    if following is None:
+        return None
+    try:
+        return course.detour(here, following)
+    except PlanningError:
+        return None

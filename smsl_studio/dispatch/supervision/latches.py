@@ -1,0 +1,121 @@
+"""Stop, take over, and the ways back: nothing that was going on resumes by itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import fact_text
+from smsl_studio.dispatch.recovery import located, stands
+from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.dispatch.words import all_words
+from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.driver import Driver
+
+
+def stop(driver: Driver, command: Command) -> str:
+    """Brake and latch; where nobody attends the run, that is its end."""
+    run, state = driver.run, driver.state
+    touched = driver.cut(f"stopped by {command.by}")
+    state.latch()
+    state.taken_over, state.stopped, state.touched = "", command.by, touched
+    driver.sentence = f"Stopped by {command.by}."
+    run.emit(RunStopped(t=run.time, by=command.by))
+    if not driver.attended:
+        driver.finish("stopped", driver.sentence)
+    return ""
+
+
+def reset(driver: Driver, command: Command) -> str:
+    """Unlatch to paused; what the stopped operation may have touched is unknown."""
+    run, state = driver.run, driver.state
+    touched, state.touched, state.stopped = state.touched, (), ""
+    driver.sentence = ""
+    state.pause(carrying=False)
+    unknown = tuple(fact_text(*key) for key in touched)
+    run.emit(RunReset(t=run.time, by=command.by, unknown=unknown))
+    run.emit(*run.senses.doubt(touched, "an operation that was stopped may have changed it"))
+    return ""
+
+
+def end(driver: Driver, command: Command) -> str:
+    """Finish a run that is stopped or holds."""
+    held = driver.state.held
+    if held is None:
+        driver.finish("stopped", driver.sentence)
+    else:
+        driver.finish(held.kind, held.reason)
+    return ""
+
+
+def take_over(driver: Driver, command: Command) -> str:
+    """Automation is locked out; the dispatcher only observes."""
+    run, state = driver.run, driver.state
+    driver.cut(f"{command.by} took over")
+    state.latch()
+    state.taken_over = command.by
+    driver.sentence = f"{command.by[:1].upper()}{command.by[1:]} has taken over."
+    run.emit(TakenOver(t=run.time, by=command.by))
+    return ""
+
+
+def give_back(driver: Driver, command: Command) -> str:
+    """Ask the scene; the one configuration it agrees with is offered to be accepted."""
+    run, state = driver.run, driver.state
+    run.look()
+    state.offered = None
+    found = located(run)
+    if len(found) == 1:
+        state.offered = found[0]
+        return ""
+    if found:
+        names = " or ".join(_states(one) for one in found)
+        return f"the scene agrees with several configurations, {names}; make it one of them"
+    checks = [check for check in run.checks(run.configuration) if check.truth is not True]
+    words = [
+        word
+        for check in checks
+        for word in all_words(run.blueprint, (*check.misses, *check.unknown))
+    ]
+    facts = f": {'; '.join(words)}" if words else ""
+    return f"the scene agrees with no configuration of the blueprint{facts}"
+
+
+def accept(driver: Driver, command: Command) -> str:
+    """Take what giving back found, if the scene still says so; the run is paused then."""
+    run, state, offered = driver.run, driver.state, driver.state.offered
+    if offered is None:
+        return "nothing is offered: give it back first"
+    run.look()
+    if located(run) != (offered,):
+        state.offered = None
+        return f"the scene no longer agrees with {_states(offered)} alone: give it back again"
+    state.latch()
+    state.taken_over, driver.sentence = "", ""
+    state.paused = not state.by_hand
+    driver.loops.forget()
+    run.emit(GivenBack(t=run.time, by=command.by, configuration=dict(offered)))
+    driver.trouble.adopt(offered)
+    return ""
+
+
+def adopt(driver: Driver, command: Command) -> str:
+    """While it holds: take the one configuration the scene agrees with."""
+    found = driver.trouble.candidates
+    if len(found) != 1:
+        several = " or ".join(_states(one) for one in found)
+        return f"the scene agrees with {several or 'no configuration'}, not with exactly one"
+    driver.run.look()
+    driver.run.senses.vouch()
+    if not stands(driver.run, found[0]):
+        return f"the scene no longer agrees with {_states(found[0])}: resume reads it again"
+    driver.release()
+    driver.loops.forget()
+    driver.trouble.adopt(found[0])
+    return ""
+
+
+def _states(configuration: object) -> str:
+    assert isinstance(configuration, dict)
+    return ", ".join(f"{name}/{state}" for name, state in configuration.items())

@@ -1,0 +1,38 @@
+"""The loop guard: the same edge from the same configuration, again and again, gets nowhere."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from smsl_studio.blueprint.address import Address
+
+VISITS = 3
+"""So often the automatic route may begin one edge from one configuration."""
+
+
+class LoopGuard:
+    """Counts what the automatic route begins; forgets it where a person decides, or a goal is
+    reached."""
+
+    def __init__(self, most: int = VISITS) -> None:
+        self.most = most
+        self._visits: Counter[tuple[tuple[str, ...], Address]] = Counter()
+
+    def why_not(self, configuration: Mapping[str, str], edge: Address) -> str:
+        """Why an edge must not begin: it was begun too often from here. Empty where it may."""
+        if self._visits[_key(configuration, edge)] < self.most:
+            return ""
+        here = ", ".join(f"{name}/{state}" for name, state in configuration.items())
+        return f"{edge} was begun {self.most} times from {here} without getting further."
+
+    def count(self, configuration: Mapping[str, str], edge: Address) -> None:
+        """An edge begins."""
+        self._visits[_key(configuration, edge)] += 1
+
+    def forget(self) -> None:
+        self._visits.clear()
+
+
+def _key(configuration: Mapping[str, str], edge: Address) -> tuple[tuple[str, ...], Address]:
+    return tuple(configuration.values()), edge

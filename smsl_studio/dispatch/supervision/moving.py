@@ -1,0 +1,82 @@
+"""What lets a run go on or holds it: ask, pause, resume, step. Each answers why it was refused."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.guards import asked
+from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.runlog.events import OperationRefused, Resumed
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.driver import Driver
+
+
+def ask(driver: Driver, command: Command) -> str:
+    """Carry out one operation; refused with every reason, before anything moves."""
+    run, address = driver.run, command.address
+    assert address is not None
+    reasons: tuple[str, ...]
+    if driver.carrier is not None:
+        reasons = (f"{driver.carrier.step.asked} is being carried out",)
+    elif driver.phase == "running":
+        reasons = ("the run is automatic, pause it first",)
+    else:
+        run.look()
+        answer = asked(run, driver.course, address, driver.reviewer.objection)
+        if isinstance(answer, JointStep):
+            driver.course.drop_plan()
+            driver.state.paused |= driver.state.held is not None and not driver.state.by_hand
+            driver.loops.forget()
+            driver.begin(answer)
+            return ""
+        reasons = answer
+    run.emit(OperationRefused(t=run.time, address=str(address), reasons=reasons))
+    return "; ".join(reasons)
+
+
+def pause(driver: Driver, command: Command) -> str:
+    """Hold now, or as the running operation declares: finish it, abort it."""
+    state, carrier = driver.state, driver.carrier
+    if state.pausing:
+        return "it pauses already, as soon as the operation allows"
+    if carrier is None or not carrier.moving or carrier.can_freeze:
+        driver.now_paused()
+        return ""
+    state.pausing = True
+    if carrier.bound.stop != "finish":
+        carrier.abort(carrier.bound.stop, "it was paused and cannot be held")
+    return ""
+
+
+def resume(driver: Driver, command: Command) -> str:
+    """Go on after a pause or a hold; by hand, follow the route from here."""
+    state = driver.state
+    if driver.phase == "ready":
+        state.by_hand = False
+    state.resume()
+    driver.run.emit(Resumed(t=driver.run.time))
+    if driver.carrier is None:
+        driver.course.drop_plan()
+    driver.reviewer.trust()
+    driver.recheck()
+    return ""
+
+
+def step(driver: Driver, command: Command) -> str:
+    """One operation of the route, then wait again; ignored while one is carried out."""
+    if driver.phase == "running" and driver.carrier is not None:
+        return f"{driver.carrier.step.asked} is being carried out; step is ignored until it ended"
+    if driver.state.once:
+        return "one operation is about to begin already"
+    driver.state.step()
+    driver.reviewer.trust()
+    driver.recheck()
+    return ""
+
+
+def set_automatic(driver: Driver, command: Command) -> str:
+    """Follow the route by itself, or wait to be asked."""
+    driver.state.by_hand = command.value == "off"
+    return ""
