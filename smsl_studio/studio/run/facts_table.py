@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.studio.chips import paint_chip
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
@@ -31,7 +32,11 @@ Index = QModelIndex | QPersistentModelIndex
 @dataclass(frozen=True)
 class FactRow:
     """One fact of one SB. ``sensed`` None: unknown; ``quality`` is agrees, differs, unknown,
-    transit or believed (nobody senses it)."""
+    transit or believed (nobody senses it).
+
+    ``chip`` draws what is believed as the canvas does (on, off, value), ``sub`` says that a sub-SB
+    stands under it; ``bars`` of four say how many of its sources stand by the value.
+    """
 
     name: str
     believed: str
@@ -40,14 +45,18 @@ class FactRow:
     quality: str
     words: str
     group: bool = False
+    chip: str = ""
+    sub: bool = False
+    bars: int = 4
 
 
 class FactsModel(QAbstractTableModel):
     """The rows as a Qt model; ``show`` replaces them and repaints only what changed."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, quality: str = COLUMNS[4]) -> None:
         super().__init__(parent)
         self.rows: tuple[FactRow, ...] = ()
+        self._heads = (*COLUMNS[:4], quality)
 
     def show(self, rows: tuple[FactRow, ...]) -> None:
         if len(rows) != len(self.rows):
@@ -69,7 +78,7 @@ class FactsModel(QAbstractTableModel):
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> object:
         if orientation is Qt.Orientation.Horizontal:
             if role == Qt.ItemDataRole.DisplayRole:
-                return COLUMNS[section]
+                return self._heads[section]
             if role == Qt.ItemDataRole.TextAlignmentRole:
                 right = Qt.AlignmentFlag.AlignRight if section == 3 else Qt.AlignmentFlag.AlignLeft
                 return right | Qt.AlignmentFlag.AlignVCenter
@@ -107,6 +116,11 @@ class _Cells(QStyledItemDelegate):
             painter.restore()
             return
         match index.column():
+            case 1 if words and row.chip:
+                place = QRectF(room.left(), room.center().y() - 10.5, 20, 20)
+                wide = self._chip_wide(painter, words, room)
+                place.setWidth(wide)
+                paint_chip(painter, place, words, row.chip, self.tokens, sub=row.sub)
             case 1 | 2 if words:
                 self._chip(painter, room, words, row, sensed=index.column() == 2)
             case 3:
@@ -153,9 +167,8 @@ class _Cells(QStyledItemDelegate):
                 "unknown": (t.unks, t.unk, t.unk),
                 "transit": (t.accs, t.acc, t.acc),
             }.get(row.quality, (t.sunk, t.sunk, t.tx3))
-        painter.setFont(mono_font(12, 600))
-        width = max(20.0, painter.fontMetrics().horizontalAdvance(words) + 10.0)
-        box = QRectF(room.left(), room.center().y() - 10.5, min(width, room.width() - 12), 20)
+        wide = self._chip_wide(painter, words, room)
+        box = QRectF(room.left(), room.center().y() - 10.5, wide, 20)
         dashed = (
             Qt.PenStyle.DashLine if sensed and row.quality == "unknown" else Qt.PenStyle.SolidLine
         )
@@ -168,6 +181,12 @@ class _Cells(QStyledItemDelegate):
         )
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, shown)
 
+    @staticmethod
+    def _chip_wide(painter: QPainter, words: str, room: QRectF) -> float:
+        painter.setFont(mono_font(12, 600))
+        width = max(20.0, painter.fontMetrics().horizontalAdvance(words) + 10.0)
+        return min(width, room.width() - 12)
+
     def _quality(self, painter: QPainter, room: QRectF, row: FactRow) -> None:
         t = self.tokens
         colour = {"agrees": t.ok, "differs": t.bad, "unknown": t.unk, "transit": t.acc}.get(
@@ -175,12 +194,14 @@ class _Cells(QStyledItemDelegate):
         )
         ink = t.tx if row.quality in ("agrees", "believed") else colour
         room = room.adjusted(8, 0, -4, 0)
-        if row.quality == "transit":
-            draw(painter, "arrow", QRectF(room.left(), room.center().y() - 7, 14, 14), ink, t.surf)
+        sign = "arrow" if row.quality == "transit" else "layers" if row.sub else ""
+        if sign:
+            draw(painter, sign, QRectF(room.left(), room.center().y() - 7, 14, 14), colour, t.surf)
         else:
-            self._bars(painter, room, colour, 4 if row.quality in ("agrees", "differs") else 0)
+            bars = row.bars if row.quality in ("agrees", "differs") else 0
+            self._bars(painter, room, colour, bars)
         painter.setFont(text_font(13))
-        after = 20 if row.quality == "transit" else 31
+        after = 20 if sign else 31
         self._words(painter, room.adjusted(after, 0, 0, 0), row.words, ink)
 
     def _bars(self, painter: QPainter, room: QRectF, colour: QColor, bars: int) -> None:
@@ -195,9 +216,11 @@ class _Cells(QStyledItemDelegate):
 class FactsTable(QTableView):
     """The table of the run pane; ``show_rows`` replaces what it shows."""
 
-    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, tokens: Tokens, parent: QWidget | None = None, quality: str = COLUMNS[4]
+    ) -> None:
         super().__init__(parent)
-        self.facts = FactsModel(self)
+        self.facts = FactsModel(self, quality)
         self._names: tuple[str, ...] = ()
         self.setModel(self.facts)
         self._cells = _Cells(tokens, self)

@@ -1,0 +1,117 @@
+"""What Supervise shows in the mode bar: goal, supervisor, how the run stands, step, pause, stop."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+
+from smsl_studio.studio.controls import Elided, label, rule
+from smsl_studio.studio.frame.key_button import KeyButton
+from smsl_studio.studio.run.phases import phase_words
+from smsl_studio.studio.theme import CONTROL_DECISION, Tokens
+
+NARROW = 620
+"""Pixels from which the buttons have their words."""
+
+
+class SuperviseBar(QWidget):
+    """Stop keeps the place and the size that it has in Run."""
+
+    step_wanted = Signal()
+    play_wanted = Signal()
+    pause_wanted = Signal()
+    stop_wanted = Signal()
+    reset_wanted = Signal()
+    end_wanted = Signal()
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._pauses = False
+        self._kind = ""
+        self._goal, self._person = Elided(), Elided()
+        for part in (self._goal, self._person):
+            part.setProperty("role", "strong")
+        self._said = [label("Goal", "small"), label("Supervisor", "small")]
+        self.phase = QLabel()
+        self.phase.setProperty("role", "phase")
+        self.phase.setFixedHeight(32)
+        self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.phase.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.step = KeyButton("Step", "F10", "step", "", tokens)
+        self.step.setToolTip("One operation, then pause (F10)")
+        self.step.clicked.connect(self.step_wanted)
+        self.play = KeyButton("Resume", "F5", "play", "primary", tokens)
+        self.play.clicked.connect(self._play_or_pause)
+        self.reset, self.end = QPushButton("Reset"), QPushButton("End run")
+        self.reset.setToolTip("Unlatch the stop, to paused")
+        self.end.setToolTip("End the run for good")
+        self.reset.clicked.connect(self.reset_wanted)
+        self.end.clicked.connect(self.end_wanted)
+        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
+        self.stop.clicked.connect(self.stop_wanted)
+        across = QHBoxLayout(self)
+        across.setContentsMargins(0, 0, 0, 0)
+        across.setSpacing(8)
+        across.addWidget(self._said[0])
+        across.addWidget(self._goal, 2)
+        across.addSpacing(4)
+        across.addWidget(self._said[1])
+        across.addWidget(self._person, 2)
+        across.addStretch(1)
+        across.addWidget(self.phase)
+        for button in (self.reset, self.end):
+            button.setFixedHeight(CONTROL_DECISION)
+            across.addWidget(button)
+        across.addWidget(self.step)
+        across.addWidget(self.play)
+        across.addWidget(rule(vertical=True, length=24))
+        across.addWidget(self.stop)
+        self.show_run("", exists=False, tip="", goal="", person="")
+
+    def show_run(self, phase: str, exists: bool, tip: str, goal: str, person: str) -> None:
+        """Show how the run stands, where it goes, and in whose name one commands it."""
+        words, kind = phase_words(phase)
+        self.phase.setText(words if kind == "quiet" else f"●  {words}")
+        self.phase.setToolTip(tip)
+        self.phase.setAccessibleName(f"The run: {words}")
+        if kind != self._kind:
+            self._kind = kind
+            self.phase.setProperty("kind", kind)
+            self.phase.style().unpolish(self.phase)
+            self.phase.style().polish(self.phase)
+        for part, said in ((self._goal, goal), (self._person, person)):
+            part.setText(said)
+            part.setToolTip(said)
+        self._said[0].setVisible(bool(goal))
+        self._goal.setVisible(bool(goal))
+        latched = phase == "stopped" and exists
+        self.reset.setVisible(latched)
+        self.end.setVisible(latched)
+        self.step.setVisible(not latched)
+        self.play.setVisible(not latched)
+        self._pauses = exists and phase in ("running", "opening", "waiting")
+        if self._pauses:
+            self.play.set_words("Pause", "F6", "pause")
+            self.play.setToolTip("Hold the run at the next tick (F6)")
+        else:
+            self.play.set_words("Resume" if exists else "Run", "F5", "play")
+            self.play.setToolTip("Go on (F5)" if exists else "Run to the goal (F5)")
+        tip = "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
+        self.stop.setToolTip(tip)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        for button in (self.step, self.play, self.stop):
+            button.set_tokens(tokens)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is narrow, words give way before buttons; Stop never does."""
+        super().resizeEvent(event)
+        for button in (self.step, self.play):
+            button.set_short(self.width() < NARROW)
+
+    def _play_or_pause(self) -> None:
+        (self.pause_wanted if self._pauses else self.play_wanted).emit()

@@ -1,0 +1,159 @@
+"""The line above the partial view: which State Branch, what its columns are, and the full map."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+
+from smsl_studio.studio.canvas.ink import Type
+from smsl_studio.studio.controls import row
+from smsl_studio.studio.icons import icon
+from smsl_studio.studio.run.framing import tool
+from smsl_studio.studio.supervise.board import draw_dots
+from smsl_studio.studio.supervise.columns import Columns
+from smsl_studio.studio.theme import Tokens, text_font
+
+HIGH = 64
+TOP = 40
+
+
+class Head(QWidget):
+    """With several SBs one button each; the one in which something happens is chosen unasked,
+    until a person chooses."""
+
+    branch_wanted = Signal(str)
+    map_wanted = Signal(bool)
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._columns: Columns | None = None
+        self._names: tuple[str, ...] = ()
+        self._shown = self._live = ""
+        self.setFixedHeight(HIGH)
+        self.map = tool("Show full map, logged", "map", "", tokens)
+        self.map.setCheckable(True)
+        self.map.clicked.connect(lambda on: self.map_wanted.emit(on))
+        self.map.setProperty("role", "mapTool")
+        self.map.setFixedHeight(28)
+        inner = QWidget()
+        self._buttons = QHBoxLayout(inner)
+        self._buttons.setContentsMargins(0, 0, 0, 0)
+        self._buttons.setSpacing(2)
+        top = row(inner, None, self.map)
+        top.setContentsMargins(6, 6, 12, 0)
+        top.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.setLayout(top)
+
+    def branches(self) -> list[QToolButton]:
+        """The buttons of the SBs, in order."""
+        return [
+            button
+            for at in range(self._buttons.count())
+            if (item := self._buttons.itemAt(at)) is not None
+            and isinstance(button := item.widget(), QToolButton)
+            and not button.isHidden()
+        ]
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._dress_map()
+        self.update()
+
+    def show_columns(self, columns: Columns | None) -> None:
+        """Name the columns where they stand; None: there are none."""
+        if columns != self._columns:
+            self._columns = columns
+            self.update()
+
+    def show_branches(self, names: Sequence[str], shown: str, live: str) -> None:
+        """``live`` is the SB in which an operation runs."""
+        told = (tuple(names), shown, live)
+        if told == (self._names, self._shown, self._live):
+            return
+        self._names, self._shown, self._live = told
+        self._fill()
+
+    def show_map(self, on: bool, possible: bool) -> None:
+        """Whether the full map is shown, and whether it may be asked for."""
+        self.map.setChecked(on)
+        self.map.setText("Back to the partial view" if on else "Show full map, logged")
+        self.map.setEnabled(possible)
+        self.map.setToolTip(
+            "Every state and operation of this State Branch. That it was looked at stands in the "
+            "record." if possible else "It is logged in a run's record, and no run is there."
+        )  # fmt: skip
+        self.map.setAccessibleName(self.map.text().strip())
+        self._dress_map()
+
+    def _dress_map(self) -> None:
+        colour = self._tokens.acc if self.map.isChecked() else self._tokens.tx2
+        self.map.setIcon(icon("map", self._tokens, 16, colour))
+
+    def _fill(self) -> None:
+        while self._buttons.count() < len(self._names):
+            button = QToolButton()
+            button.setProperty("role", "branch")
+            button.setCheckable(True)
+            at = self._buttons.count()
+            button.clicked.connect(lambda _=False, at=at: self._choose(at))
+            self._buttons.addWidget(button)
+        middle = Qt.TextElideMode.ElideMiddle
+        metrics = QFontMetrics(text_font(13, 600))
+        share = (self.width() - 220) // max(len(self._names), 1) - 14
+        for at in range(self._buttons.count()):
+            item = self._buttons.itemAt(at)
+            found = item.widget() if item else None
+            assert isinstance(found, QToolButton)
+            found.setVisible(at < len(self._names))
+            if at < len(self._names):
+                name = self._names[at]
+                found.setText(metrics.elidedText(name, middle, max(share, 30)))
+                found.setToolTip(f"Show {name}")
+                found.setAccessibleName(name)
+                found.setChecked(name == self._shown)
+                live = name == self._live and len(self._names) > 1
+                if bool(found.property("live")) != live:
+                    found.setProperty("live", live)
+                    found.style().unpolish(found)
+                    found.style().polish(found)
+
+    def _choose(self, at: int) -> None:
+        self._fill()
+        self.branch_wanted.emit(self._names[at])
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, HIGH)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, HIGH)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._names:
+            self._fill()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self._tokens.canvas)
+        draw_dots(painter, self.rect(), self._tokens)
+        found = self._columns
+        if found is not None:
+            painter.setRenderHint(QPainter.RenderHint.TextAntialiasing)
+            kind = Type(text_font(12))
+            painter.setFont(kind.font)
+            painter.setPen(self._tokens.tx2)
+            long = "Permitted operations: risk, cost, who acts, needs"
+            cards = long if kind.width(long) < found.cards[1] + 60 else "Permitted operations"
+            for (x, wide), words in (
+                (found.previous, "Previous"),
+                (found.current, "Current"),
+                (found.cards, cards),
+                (found.neighbours, "Neighbours"),
+            ):
+                room = QRectF(x - 40, TOP, wide + 80, 18)
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+        painter.end()

@@ -1,0 +1,103 @@
+"""Why a run does not go on, edge by edge, and what may be done about it; no hold, no space."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.dispatch.status import DispatchStatus, Offer
+from smsl_studio.studio.controls import label
+from smsl_studio.studio.people.room import Room
+from smsl_studio.studio.run.phases import LATCHED, phase_words
+from smsl_studio.studio.supervise.decisions import Decision, offered, offers
+from smsl_studio.studio.words import capital
+
+MOST = 180
+"""Pixels of the reasons before they scroll."""
+
+
+class HoldCard(QFrame):
+    """Shown while nothing moves until a person has decided."""
+
+    wanted = Signal(object)
+    """A decision to ask for."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("holdCard")
+        self.setAccessibleName("Why it holds")
+        self._heading, self._sentence = label("", "strong"), label("", "small")
+        self._sentence.setWordWrap(True)
+        self._details = QLabel()
+        self._details.setProperty("role", "small")
+        self._details.setWordWrap(True)
+        self._details.setTextFormat(Qt.TextFormat.PlainText)
+        self._details.setAlignment(Qt.AlignmentFlag.AlignTop)
+        inner = QWidget()
+        rows = QVBoxLayout(inner)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addWidget(self._details)
+        self._room = Room(inner)
+        self._room.setMaximumHeight(MOST)
+        self._buttons = QVBoxLayout()
+        self._buttons.setSpacing(6)
+        self._shown: tuple[Offer, ...] = ()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 10, 12, 12)
+        column.setSpacing(6)
+        for part in (self._heading, self._sentence, self._room):
+            column.addWidget(part)
+        column.addLayout(self._buttons)
+        self.hide()
+
+    @property
+    def details(self) -> str:
+        """The reasons, one a line."""
+        return "" if self.isHidden() else self._details.text()
+
+    def buttons(self) -> list[QPushButton]:
+        """What is offered, in order."""
+        return [] if self.isHidden() else self.findChildren(QPushButton)
+
+    def show_status(self, status: DispatchStatus | None, exists: bool) -> None:
+        """Follow the run."""
+        held = status is not None and exists and status.phase in LATCHED
+        self.setVisible(held)
+        if status is None or not held:
+            self._offer(())
+            return
+        words, kind = phase_words(status.phase)
+        self._heading.setText(words + (f" by {status.by}" if status.by else ""))
+        sentence = capital(status.sentence)
+        self._sentence.setText(sentence)
+        self._sentence.setVisible(bool(sentence))
+        self._details.setText("\n".join(status.details))
+        self._room.setVisible(bool(status.details))
+        self._offer(offers(status))
+        if self.property("kind") != kind:
+            self.setProperty("kind", kind)
+            self.style().unpolish(self)
+            self.style().polish(self)
+
+    def _offer(self, found: Sequence[Offer]) -> None:
+        if tuple(found) == self._shown:
+            return
+        self._shown = tuple(found)
+        while self._buttons.count():
+            item = self._buttons.takeAt(0)
+            old = item.widget() if item else None
+            if old is not None:
+                old.hide()
+                old.setParent(None)
+                old.deleteLater()
+        for offer in self._shown:
+            decision = offered(offer)
+            button = QPushButton(decision.verb)
+            button.setToolTip(decision.detail)
+            button.clicked.connect(lambda _=False, one=decision: self._want(one))
+            self._buttons.addWidget(button)
+
+    def _want(self, decision: Decision) -> None:
+        self.wanted.emit(decision)

@@ -1,0 +1,377 @@
+"""The body of Supervise: the partial view, what decides, and the column in which one steps in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QScrollArea,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.runlog.events import Commanded, Event, OperationRefused
+from smsl_studio.studio.run.run_canvas import RunCanvas
+from smsl_studio.studio.run.run_session import RunSession
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.supervise import decisions
+from smsl_studio.studio.supervise.bar import SuperviseBar
+from smsl_studio.studio.supervise.board import Board
+from smsl_studio.studio.supervise.check_panel import CheckPanel
+from smsl_studio.studio.supervise.decisions import Decision
+from smsl_studio.studio.supervise.facts import sensed_marks
+from smsl_studio.studio.supervise.head import Head
+from smsl_studio.studio.supervise.hold_card import HoldCard
+from smsl_studio.studio.supervise.notice import Notice
+from smsl_studio.studio.supervise.partial import PartialView, partial_view, shown_branch
+from smsl_studio.studio.supervise.step_in import StepIn
+from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import capital
+
+RIGHT = 396
+BELOW = 246
+"""The height of the panels below the partial view, as designed."""
+
+
+class SupervisePane(QWidget):
+    """Shows the run of this window; it never runs anything by itself.
+
+    ``task_slot`` and ``level_slot`` take the widgets that ask people, and say how far they lead.
+    """
+
+    begin_wanted = Signal()
+    """A run shall start."""
+
+    def __init__(
+        self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._run = run
+        self._chosen_branch = ""
+        self._view: PartialView | None = None
+        self._picked: Address | None = None
+        self.setAccessibleName("Supervise")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.bar = SuperviseBar(tokens)
+        self.head, self.board = Head(tokens), Board(tokens)
+        self.full_map = RunCanvas(session, run, tokens)
+        self.notice = Notice()
+        self.check = CheckPanel(tokens)
+        self.hold, self.step_in = HoldCard(), StepIn(tokens)
+        self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in)
+        self._build()
+        self._connect()
+        self.refresh()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for part in self._wearing:
+            part.set_tokens(tokens)
+        self.refresh()
+
+    # What is asked of it.
+
+    @property
+    def view(self) -> PartialView | None:
+        """What the partial view shows now."""
+        return self._view
+
+    @property
+    def subject(self) -> Address | None:
+        """The operation that a veto or a prune would be about: the chosen one, else the next."""
+        status = self._run.status
+        if self._view is not None and self._view.card(self._picked) is not None:
+            return self._picked
+        if status is None or not self._run.exists:
+            return None
+        return status.running or status.carrying or next(iter(status.route), None)
+
+    def choose(self, number: int) -> None:
+        """Choose the operation with this key; Enter does the rest."""
+        card = self._view.numbered(number) if self._view is not None else None
+        if card is not None and self._run.exists:
+            self.pick(card.address)
+
+    def pick(self, address: Address) -> None:
+        """Choose one operation and ask what shall be done with it."""
+        card = self._view.card(address) if self._view is not None else None
+        if card is not None and self._run.exists:
+            self._picked = address
+            self.step_in.say("")
+            self._ask(decisions.choose(card))
+
+    def accept(self) -> None:
+        """Ask for the state that was located, where one was."""
+        status = self._run.status
+        if status is not None and status.phase == "taken_over" and len(status.candidates) == 1:
+            self._ask(decisions.accept(status))
+
+    def set_full_map(self, on: bool) -> None:
+        """Show the whole of the SB; that it was looked at stands in the run's record."""
+        if self._run.exists:
+            self._run.full_map(on)
+
+    def show_branch(self, name: str) -> None:
+        """Show this SB from now on, whatever happens elsewhere."""
+        self._chosen_branch = name
+        self._drop()
+        self.refresh()
+
+    # Building.
+
+    def _build(self) -> None:
+        self.pages = QStackedWidget()
+        for page in (self.board, self.full_map, self.notice):
+            self.pages.addWidget(page)
+        top = _column(self.head, self.pages)
+        self.level_slot = QVBoxLayout()
+        self.level_slot.setContentsMargins(0, 0, 0, 0)
+        level = QWidget()
+        level.setLayout(self.level_slot)
+        self.below = _split(Qt.Orientation.Horizontal, self.check, level)
+        self.below.setSizes([583, 424])
+        self.level = level
+        level.hide()
+        left = _split(Qt.Orientation.Vertical, top, self.below)
+        left.setStretchFactor(0, 1)
+        left.setSizes([560, BELOW])
+        right = self._right()
+        right.setMinimumWidth(330)
+        self._sides = _split(Qt.Orientation.Horizontal, left, right)
+        self._sides.setStretchFactor(0, 1)
+        self._sides.setSizes([1044, RIGHT])
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._sides)
+
+    def _right(self) -> QWidget:
+        inner = QWidget()
+        inner.setProperty("role", "panel")
+        column = QVBoxLayout(inner)
+        column.setContentsMargins(12, 12, 12, 12)
+        column.setSpacing(12)
+        self.task_slot = QVBoxLayout()
+        self.task_slot.setContentsMargins(0, 0, 0, 0)
+        self.task_slot.setSpacing(12)
+        column.addLayout(self.task_slot)
+        column.addWidget(self.hold)
+        column.addWidget(self.step_in)
+        column.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setWidget(inner)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        return scroll
+
+    def add_levels(self, widget: QWidget) -> None:
+        """Show how far people and automation lead, beside the state check."""
+        self.level_slot.addWidget(widget)
+        self.level.show()
+
+    def _connect(self) -> None:
+        run, bar = self._run, self.bar
+        run.changed.connect(self.refresh)
+        run.events_told.connect(self._tell)
+        run.refused.connect(lambda error: self.notice.say(f"{error.sentence} {error.advice}"))
+        self.board.card_chosen.connect(self.pick)
+        self.board.columns_moved.connect(self._place_heads)
+        self.full_map.chosen.connect(self.pick)
+        self.head.branch_wanted.connect(self.show_branch)
+        self.head.map_wanted.connect(self.set_full_map)
+        self.step_in.wanted.connect(self._ask)
+        self.step_in.asking.confirmed.connect(self._do)
+        self.step_in.asking.dropped.connect(self._drop)
+        self.hold.wanted.connect(self._ask)
+        self.notice.pressed.connect(self.begin_wanted)
+        bar.play_wanted.connect(lambda: run.play() if run.exists else self.begin_wanted.emit())
+        bar.pause_wanted.connect(run.pause)
+        bar.stop_wanted.connect(run.stop)
+        bar.reset_wanted.connect(lambda: self._ask(decisions.offered(decisions.RESET_OFFER)))
+        bar.end_wanted.connect(lambda: self._ask(decisions.offered(decisions.END_OFFER)))
+
+    # What is shown.
+
+    def refresh(self) -> None:
+        """Show the run as it stands."""
+        run, status, blueprint = self._run, self._run.status, self._run.blueprint
+        here = status is not None and blueprint is not None
+        branch = ""
+        self._view = None
+        if status is not None and blueprint is not None:
+            branch = shown_branch(blueprint, status, self._chosen_branch)
+            self._view = partial_view(blueprint, status, branch)
+        if self._view is None or self._view.card(self._picked) is None:
+            self._picked = None
+        self._show_bar(status)
+        if not self.isVisible():
+            return
+        self._settle_decision(status)
+        mapped = bool(here and run.exists and status is not None and status.full_map)
+        board = here and run.exists and self._view is not None
+        self.pages.setCurrentWidget(
+            self.full_map if mapped else self.board if board else self.notice
+        )
+        sensed = sensed_marks(blueprint, status, branch) if blueprint and status else ()
+        self.board.show_view(blueprint, self._view if board else None, self._picked, sensed)
+        self.head.show_columns(self.board.columns if board and not mapped else None)
+        names = list(status.configuration) if status is not None and not mapped else []
+        live = status.running.branch if status is not None and status.running else ""
+        self.head.show_branches(names if run.exists else [], branch, live)
+        self.head.show_map(mapped, run.exists and status is not None)
+        if mapped:
+            self.full_map.refresh()
+        self.notice.show_run(run)
+        self.check.show_status(blueprint, status, self._view, lost=run.phase == "failed")
+        self.hold.show_status(status, run.exists)
+        self.step_in.show_status(blueprint, status, run.exists, self.subject)
+
+    def _place_heads(self, columns: object) -> None:
+        if self.pages.currentWidget() is self.board:
+            self.head.show_columns(self.board.columns)
+
+    def _show_bar(self, status: DispatchStatus | None) -> None:
+        run = self._run
+        goals = ", ".join(goal.state for goal in status.goals) if status is not None else ""
+        person = run.who()
+        named = "" if person == "a person" else person
+        self.bar.show_run(run.phase, run.exists, run.sentence, goals, named)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.refresh()
+
+    # Deciding.
+
+    def _ask(self, decision: Decision) -> None:
+        self.step_in.say("")
+        self.step_in.asking.show_decision(decision)
+        if decision.reasoned:
+            self.step_in.asking.reason.setFocus()
+        self.refresh()
+
+    def _do(self, decision: Decision, reason: str) -> None:
+        run, address = self._run, decision.address
+        self.step_in.asking.show_decision(None)
+        commands: dict[str, Callable[[], None]] = {}
+        if address is not None:
+            commands = {
+                decisions.ASK: partial(run.ask, address),
+                decisions.VETO: partial(run.veto, address),
+                decisions.PRUNE: partial(run.prune, address, reason),
+                decisions.RESTORE: partial(run.restore, address),
+            }
+        commands.get(decision.command, partial(run.command, decision.command))()
+        self._picked = None
+        self.setFocus()
+        self.refresh()
+
+    def _drop(self) -> None:
+        """Nothing is decided; what was chosen is let go of."""
+        if self.step_in.asking.decision is not None:
+            self.step_in.asking.show_decision(None)
+        self._picked = None
+        self.step_in.say("")
+        self.setFocus()
+        self.refresh()
+
+    def _settle_decision(self, status: DispatchStatus | None) -> None:
+        """A question whose ground is gone is asked no more; a located state is asked about."""
+        asking = self.step_in.asking
+        decision = asking.decision
+        located = (
+            status is not None
+            and self._run.exists
+            and status.phase == "taken_over"
+            and len(status.candidates) == 1
+        )
+        if decision is None:
+            if located and status is not None:
+                asking.show_decision(decisions.accept(status))
+            return
+        gone = not self._run.exists or (
+            decision.command in (decisions.ASK, "") and self._picked is None
+        ) or (decision.command == decisions.ACCEPT and not located)  # fmt: skip
+        if gone:
+            asking.show_decision(None)
+        elif self._picked is not None and self._view is not None:
+            card = self._view.card(self._picked)
+            if card is not None and decision.command in (decisions.ASK, decisions.RESTORE, ""):
+                asking.show_decision(decisions.choose(card))
+
+    def _tell(self, events: tuple[Event, ...]) -> None:
+        for event in events:
+            if isinstance(event, Commanded) and event.refused:
+                self.step_in.say(capital(event.refused))
+            elif isinstance(event, OperationRefused):
+                self.step_in.say(" ".join(map(capital, event.reasons)))
+
+    # Keys.
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        plain = event.modifiers() in (
+            Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier,
+        )  # fmt: skip
+        if plain and not event.isAutoRepeat() and self._press(Qt.Key(event.key())):
+            return
+        super().keyPressEvent(event)
+
+    def _press(self, key: Qt.Key) -> bool:
+        """Obey a key; whether it means something here."""
+        asking, step_in = self.step_in.asking, self.step_in
+        if Qt.Key.Key_1 <= key <= Qt.Key.Key_9:
+            self.choose(key - Qt.Key.Key_0)
+        elif key == Qt.Key.Key_V:
+            step_in.ask_veto()
+        elif key == Qt.Key.Key_P:
+            step_in.ask_prune()
+        elif key == Qt.Key.Key_T:
+            step_in.ask_hand()
+        elif key == Qt.Key.Key_Escape:
+            self._drop()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            return self._enter(asking.decision)
+        else:
+            return False
+        return True
+
+    def _enter(self, decision: Decision | None) -> bool:
+        """Enter presses the button that has the focus, else it does what was asked about."""
+        focus = QApplication.focusWidget()
+        pressing = isinstance(focus, QAbstractButton) and self.isAncestorOf(focus)
+        if pressing and (decision is None or focus not in self.board.cards):
+            assert isinstance(focus, QAbstractButton)
+            focus.click()
+            return True
+        if decision is None:
+            return False
+        self.step_in.asking.confirm()
+        return True
+
+
+def _column(*parts: QWidget) -> QWidget:
+    made = QWidget()
+    column = QVBoxLayout(made)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    for at, part in enumerate(parts):
+        column.addWidget(part, at)
+    return made
+
+
+def _split(way: Qt.Orientation, *parts: QWidget) -> QSplitter:
+    made = QSplitter(way)
+    made.setHandleWidth(1)
+    made.setChildrenCollapsible(False)
+    for part in parts:
+        made.addWidget(part)
+    return made

@@ -1,0 +1,264 @@
+"""The partial view of one State Branch, from a run's status alone: pure functions, no widget.
+
+It has the state one came from, the state that is active, every operation out of it, and where
+those lead. Nothing else of the blueprint is in it: that is what makes it partial.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import Term
+from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.dispatch.status import DispatchStatus, Possible
+from smsl_studio.picture.sub_marks import sub_mark
+
+RUNNING, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE = (
+    "running", "waits", "unknown", "pruned", "risky", "vetoed", "refused", "next", "possible",
+)  # fmt: skip
+ACTORS = {"human": "human", "shared": "shared", "robot": "robot", "automatic": "robot"}
+NUMBERED = 9
+"""So many operations have a key of their own."""
+
+
+@dataclass(frozen=True)
+class Card:
+    """One operation out of the active state.
+
+    ``standing`` is one of the words above; ``reasons`` say why it is not permitted. ``mark`` is
+    rise, fall, mixed or empty; ``actor`` human, shared or robot. ``needs`` says in few words what
+    it takes, ``unmet`` whether that is not given now (``unknown`` or ``missing``).
+    """
+
+    address: Address
+    number: int
+    target: str
+    mark: str
+    risk: str
+    cost: str
+    actor: str
+    needs: str
+    standing: str
+    unmet: str = ""
+    reasons: tuple[str, ...] = ()
+    on_route: bool = False
+
+    @property
+    def name(self) -> str:
+        return self.address.operation
+
+    @property
+    def stays(self) -> bool:
+        """Whether it leads back to the state it leaves."""
+        return self.target == self.address.state
+
+    @property
+    def permitted(self) -> bool:
+        return self.standing in (NEXT, POSSIBLE)
+
+
+@dataclass(frozen=True)
+class PartialView:
+    """What the body of Supervise shows of one SB.
+
+    ``via`` is the edge that led here, None at the start. ``neighbours`` are the states that the
+    cards lead to, in their order, each once. ``ahead`` is the state that comes next. ``seconds``
+    says how long the active state has been so (simulated).
+    """
+
+    branch: str
+    state: str
+    title: str
+    seconds: float
+    via: Address | None
+    via_mark: str
+    cards: tuple[Card, ...]
+    neighbours: tuple[str, ...]
+    ahead: str = ""
+
+    def card(self, address: Address | None) -> Card | None:
+        """The card of an operation, None where it is not out of the active state."""
+        return next((card for card in self.cards if card.address == address), None)
+
+    def numbered(self, number: int) -> Card | None:
+        """The card with this key."""
+        return self.cards[number - 1] if 0 < number <= len(self.cards) else None
+
+
+@dataclass(frozen=True)
+class Outside:
+    """A fact of another SB that an operation requires and that does not hold."""
+
+    term: Term
+    name: str
+    words: str
+    blocks: tuple[str, ...]
+
+
+def shown_branch(blueprint: Blueprint, status: DispatchStatus, chosen: str = "") -> str:
+    """The SB to show: the chosen one, else where something happens, or will next."""
+    happening = (status.running, status.carrying, *status.route[:1], *status.goals[:1])
+    wanted = (chosen, _asked_about(status), *(a.branch for a in happening if a is not None))
+    known = [name for name in wanted if name in status.configuration]
+    return known[0] if known else next(iter(status.configuration), "")
+
+
+def partial_view(blueprint: Blueprint, status: DispatchStatus, name: str) -> PartialView | None:
+    """What is seen of one SB now; None where it is in no state yet."""
+    state = status.configuration.get(name, "")
+    branch = blueprint.branches.get(name)
+    if branch is None or state not in branch.table:
+        return None
+    cards = _cards(blueprint, branch, status, state)
+    via = status.previous.get(name)
+    note = branch.state_note(state)
+    nearest = _nearest(status, name)
+    return PartialView(
+        branch=name,
+        state=state,
+        title=note.title if note else "",
+        seconds=max(status.time - status.since.get(name, status.time), 0.0),
+        via=via,
+        via_mark=_mark(branch, via) if via else "",
+        cards=cards,
+        neighbours=tuple(dict.fromkeys(card.target for card in cards if not card.stays)),
+        ahead=branch.table[state].get(nearest.operation, "") if nearest else "",
+    )
+
+
+def outside_facts(
+    blueprint: Blueprint, status: DispatchStatus, view: PartialView
+) -> tuple[Outside, ...]:
+    """The facts of other SBs that keep operations of this view from beginning."""
+    found: dict[tuple[tuple[str, int], str], tuple[Term, list[str]]] = {}
+    for item in status.possible:
+        if view.card(item.address) is None:
+            continue
+        for term in item.needs:
+            if term.truth is not True and term.fact[0] != view.branch:
+                entry = found.setdefault((term.fact, term.wanted), (term, []))
+                entry[1].append(item.address.operation)
+    return tuple(
+        Outside(term, _fact_name(blueprint, term), _why(term), tuple(blocks))
+        for term, blocks in found.values()
+    )
+
+
+def _cards(
+    blueprint: Blueprint, branch: StateBranch, status: DispatchStatus, state: str
+) -> tuple[Card, ...]:
+    """Operations that lead to one state stand together, in written order; those that stay, last.
+
+    The order follows nothing that changes while one looks: a number stays the same key.
+    """
+    known = {item.address: item for item in status.possible}
+    edges = branch.table[state]
+    targets = list(dict.fromkeys(edges.values()))
+    ordered = sorted(edges, key=lambda op: (edges[op] == state, targets.index(edges[op])))
+    addresses = [Address(branch.name, state, operation) for operation in ordered]
+    return tuple(
+        _card(blueprint, branch, status, address, known.get(address), number)
+        for number, address in enumerate(addresses, 1)
+    )
+
+
+def _card(
+    blueprint: Blueprint,
+    branch: StateBranch,
+    status: DispatchStatus,
+    address: Address,
+    item: Possible | None,
+    number: int,
+) -> Card:
+    note = branch.operation_note(address.state, address.operation)
+    needs, unmet = _needs(blueprint, note.confirm, item.needs if item else ())
+    level = item.level if item else "automatic"
+    actor = note.actor or ACTORS.get(level, "robot")
+    cost = item.cost if item else branch.cost(address.state, address.operation)
+    return Card(
+        address=address,
+        number=number,
+        target=branch.table[address.state][address.operation],
+        mark=_mark(branch, address),
+        risk=(item.risk if item else "") or note.risk or "",
+        cost=f"{cost:.1f}",
+        actor=actor if level in ("automatic", "") or note.actor else ACTORS[level],
+        needs=needs,
+        standing=_standing(status, address, item),
+        unmet=unmet,
+        reasons=item.reasons if item else (),
+        on_route=bool(item and item.on_route),
+    )
+
+
+def _standing(status: DispatchStatus, address: Address, item: Possible | None) -> str:
+    if address in (status.running, status.carrying):
+        return RUNNING
+    if any(task.address == str(address) for task in status.tasks):
+        return WAITS
+    if item is None:
+        return REFUSED
+    if item.pruned:
+        return PRUNED
+    if item.risky:
+        return RISKY
+    if item.vetoed:
+        return VETOED
+    if not item.permitted:
+        unknown = any(term.truth is None for term in item.needs)
+        return UNKNOWN if unknown else REFUSED
+    return NEXT if item.on_route and item.address in status.route[:1] else POSSIBLE
+
+
+def _needs(
+    blueprint: Blueprint, confirm: tuple[str, ...], needs: tuple[Term, ...]
+) -> tuple[str, str]:
+    """What an operation takes, in few words, and whether that is missing or unknown."""
+    names = [(_fact_name(blueprint, term), term) for term in needs]
+    for name, term in names:
+        if term.truth is None:
+            return f"{name}?", "unknown"
+    for name, term in names:
+        if term.truth is False:
+            return f"{name}: {term.reading}, not {term.wanted}", "missing"
+    people = f"{len(confirm)} people" if len(confirm) > 1 else "".join(confirm).capitalize()
+    said = [words for words in (people, *(name for name, _ in names)) if words]
+    return ", ".join(said) or "Nothing", ""
+
+
+def _fact_name(blueprint: Blueprint, term: Term) -> str:
+    name, digit = term.fact
+    branch = blueprint.branches.get(name)
+    if branch is None:
+        return f"{name}/{digit}"
+    note = branch.fact_note(digit)
+    return note.name if note and note.name else f"Fact {digit + 1} of {name}"
+
+
+def _why(term: Term) -> str:
+    if term.truth is None:
+        return f"unknown, {term.reason}" if term.reason else "unknown"
+    return f"reads {term.reading}, must be {term.wanted}"
+
+
+def _mark(branch: StateBranch, address: Address) -> str:
+    target = branch.table.get(address.state, {}).get(address.operation, "")
+    edge = Operation(branch.name, address.state, address.operation, target)
+    return sub_mark(branch, edge)
+
+
+def _nearest(status: DispatchStatus, branch: str) -> Address | None:
+    """The next edge that leaves the active state of an SB: what runs, or what the route has."""
+    state = status.configuration.get(branch)
+    ahead = (status.running, status.carrying, *status.route)
+    here = (a for a in ahead if a is not None and a.branch == branch)
+    first = next(here, None)
+    return first if first is not None and first.state == state else None
+
+
+def _asked_about(status: DispatchStatus) -> str:
+    """The SB that an open task is about."""
+    about = (Address(*Address.split(task.address)).branch for task in status.tasks if task.address)
+    return next(about, "")
