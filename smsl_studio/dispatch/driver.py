@@ -239,7 +239,9 @@ class Driver:
         state = self.state
         state.held, self.sentence = hold, hold.reason
         state.once = state.pausing = state.paused = False
-        self.run.emit(Held(t=self.run.time, reason=hold.reason, details=tuple(hold.details)))
+        details = tuple(hold.details)
+        held = Held(t=self.run.time, reason=hold.reason, details=details, kind=hold.kind)
+        self.run.emit(held)
         if not self.attended:
             self.finish(hold.kind, hold.reason)
 

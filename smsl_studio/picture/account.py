@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any
 
-from smsl_studio.picture.account_words import Told, told, vanished
+from smsl_studio.picture.account_words import Causes, Told, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY, safe
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
@@ -39,6 +39,10 @@ _HEADER = (
     ("goals", "Goals asked for"),
     ("avoid", "Operations to avoid"),
     ("on_mismatch", "On a mismatch"),
+    ("levels", "Levels set before the run"),
+    ("script", "Script"),
+    ("supervisor", "Supervised by"),
+    ("by_hand", "Run by hand"),
     ("policy", "Trust policy"),
     ("node", "Computer"),
 )
@@ -119,8 +123,9 @@ def _events(events: tuple[Event, ...]) -> Iterator[str]:
     yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
     yield "<tbody>"
     by = next((one.world for one in events if isinstance(one, RunStarted)), "")
+    causes = Causes()
     for event in islice(events, MOST):
-        yield _row(event.t, told(event, by))
+        yield _row(event.t, told(event, by, causes.of(event)))
     yield "</tbody></table>" + vanished(len(events) - MOST, "event")
 
 

@@ -7,10 +7,12 @@ from dataclasses import dataclass, fields
 from types import MappingProxyType
 from typing import Any
 
+from smsl_studio.picture import account_regulating as regulating
+from smsl_studio.picture.account_regulating import LONGEST, listed, states
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
 
-BELIEVED, SENSED, DECIDED, DONE = "believed", "sensed", "decided", "done"
+BELIEVED, SENSED, DECIDED, DONE, ASKED = "believed", "sensed", "decided", "done", "asked"
 _KINDS: Mapping[type[Event], str] = MappingProxyType(
     {
         run.RunStarted: BELIEVED,
@@ -22,14 +24,26 @@ _KINDS: Mapping[type[Event], str] = MappingProxyType(
         run.Mismatch: SENSED,
         run.OperationStarted: DONE,
         run.OperationEnded: DONE,
+        run.Disturbed: DONE,
+        run.FaultInjected: DONE,
+        run.TaskOpened: ASKED,
+        run.TaskEscalated: ASKED,
+        run.TaskAnswered: ASKED,
+        run.TaskClosed: ASKED,
+        run.GivenBack: BELIEVED,
     }
 )
 """What is not listed was decided."""
 
-_PEOPLE = (run.OperationPruned, run.OperationRestored, run.Paused, run.Resumed)
-_BAD = (run.Mismatch, run.OperationRisky, run.OperationRefused, run.Held)
-_LONGEST = 40
-"""So many names of a route stand in its line; all of them are listed beside it."""
+_BAD = (
+    run.Mismatch,
+    run.OperationRisky,
+    run.OperationRefused,
+    run.Held,
+    run.RunStopped,
+    run.TakenOver,
+    run.FaultInjected,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,11 +56,48 @@ class Told:
     bad: bool
 
 
-def told(event: Event, world: str = "") -> Told:
-    """An event as the account has it; an event without words of its own is told by its fields."""
+def told(event: Event, world: str = "", cause: str = "") -> Told:
+    """An event as the account has it; an event without words of its own is told by its fields.
+
+    ``cause`` names whose command it answers (see ``Causes``).
+    """
     write = _WORDS.get(type(event), _plainly)
     kind = _KINDS.get(type(event), DECIDED)
-    return Told(kind, write(event), _by(event, kind, world), _is_bad(event))
+    return Told(kind, write(event), cause or _by(event, kind, world), _is_bad(event))
+
+
+class Causes:
+    """Who commanded what events tell of: a command stands before its effects, at the same time."""
+
+    def __init__(self) -> None:
+        self._time = 0.0
+        self._by: dict[str, str] = {}
+
+    def of(self, event: Event) -> str:
+        """Whose command an event answers; the empty text where it answers none."""
+        if event.t != self._time:
+            self._time, self._by = event.t, {}
+        if isinstance(event, run.Commanded):
+            if not event.refused:
+                self._by[event.command] = event.by
+            return event.by
+        found = (self._by[word] for word in _EFFECTS.get(type(event), ()) if word in self._by)
+        return next(found, "")
+
+
+_EFFECTS: Mapping[type[Event], tuple[str, ...]] = MappingProxyType(
+    {
+        run.OperationPruned: ("prune",),
+        run.OperationRestored: ("restore",),
+        run.Paused: ("pause", "step"),
+        run.Resumed: ("resume",),
+        run.OperationRefused: ("ask",),
+        run.CostsChanged: ("set_cost",),
+        run.Disturbed: ("disturb",),
+        run.FaultInjected: ("inject",),
+        run.RunFinished: ("end", "stop"),
+    }
+)
 
 
 def vanished(more: int, what: str) -> str:
@@ -57,14 +108,17 @@ def vanished(more: int, what: str) -> str:
 
 
 def _by(event: Event, kind: str, world: str) -> str:
+    """Who: as the event says it; where it names nobody, what part of the run tells it."""
+    if isinstance(event, run.TaskClosed):
+        return ", ".join(event.answers) or "dispatcher"
+    by = getattr(event, "by", "")
+    if by:
+        role = getattr(event, "role", "")
+        return f"{by}, {role}" if role else str(by)
     if isinstance(event, run.OperationStarted | run.OperationEnded):
         return "library function"
     if isinstance(event, run.FactChanged):
         return f"sensors of {world}" if world else "sensors"
-    if isinstance(event, _PEOPLE):
-        return "person"
-    if isinstance(event, run.RunFinished) and event.reason == "stopped":
-        return "person"
     return "dispatcher" if kind != SENSED else "state check"
 
 
@@ -75,24 +129,20 @@ def _is_bad(event: Event) -> bool:
         return event.outcome != "returned"
     if isinstance(event, run.RunFinished):
         return event.reason != "goal_reached"
+    if isinstance(event, run.TaskClosed):
+        return event.outcome != "answered"
+    if isinstance(event, run.Commanded | run.TaskAnswered):
+        return bool(event.refused)
     return isinstance(event, _BAD)
 
 
-def _states(configuration: Mapping[str, str]) -> str:
-    return ", ".join(f"{branch}/{state}" for branch, state in configuration.items())
-
-
-def _with(words: str, details: tuple[str, ...]) -> str:
-    return f"{words}: {'; '.join(details)}" if details else words
-
-
 def _started(event: run.RunStarted) -> str:
-    return f"The run begins in {_states(event.start)}; it is to reach {', '.join(event.goals)}"
+    return f"The run begins in {states(event.start)}; it is to reach {', '.join(event.goals)}"
 
 
 def _route(event: run.RoutePlanned) -> str:
-    shown = ", ".join(event.operations[:_LONGEST])
-    more = f" and {len(event.operations) - _LONGEST:,} more" * (len(event.operations) > _LONGEST)
+    shown = ", ".join(event.operations[:LONGEST])
+    more = f" and {len(event.operations) - LONGEST:,} more" * (len(event.operations) > LONGEST)
     return f"Route to {event.goal}, cost {event.cost:g}: {shown or 'no operation'}{more}"
 
 
@@ -102,13 +152,13 @@ def _operation(event: run.OperationStarted) -> str:
 
 
 def _ended(event: run.OperationEnded) -> str:
-    return _with(
+    return listed(
         f"The function of {event.address} {event.outcome}", (event.message,) * bool(event.message)
     )
 
 
 def _checked(event: run.StateChecked) -> str:
-    words = _with(f"State check of {event.address} is {event.result}", event.misses)
+    words = listed(f"State check of {event.address} is {event.result}", event.misses)
     return words + (f"; unknown: {'; '.join(event.unknown)}" if event.unknown else "")
 
 
@@ -119,12 +169,12 @@ def _fact(event: run.FactChanged) -> str:
 
 
 def _committed(event: run.Committed) -> str:
-    return f"{', '.join(event.operations)} became true: {_states(event.configuration)}"
+    return f"{', '.join(event.operations)} became true: {states(event.configuration)}"
 
 
 def _mismatch(event: run.Mismatch) -> str:
-    words = _with("Sensed facts and beliefs differ", event.facts)
-    fitting = " or ".join(_states(one) for one in event.candidates) or "no configuration"
+    words = listed("Sensed facts and beliefs differ", event.facts)
+    fitting = " or ".join(states(one) for one in event.candidates) or "no configuration"
     return f"{words}. The scene agrees with {fitting}"
 
 
@@ -145,15 +195,16 @@ _WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
         run.FactChanged: _fact,
         run.Committed: _committed,
         run.Mismatch: _mismatch,
-        run.OperationRefused: lambda e: _with(f"{e.address} was refused", e.reasons),
+        run.OperationRefused: lambda e: listed(f"{e.address} was refused", e.reasons),
         run.OperationRisky: lambda e: f"{e.address} is tagged risky: {e.reason}",
         run.OperationPruned: lambda e: f"{e.address} was shut out: {e.reason}",
         run.OperationRestored: lambda e: f"{e.address} may be used again",
-        run.Relocalised: lambda e: f"The scene was read again: {_states(e.configuration)}",
-        run.Held: lambda e: _with(f"The run holds: {e.reason}", e.details),
+        run.Relocalised: lambda e: f"The scene was read again: {states(e.configuration)}",
+        run.Held: lambda e: listed(f"The run holds: {e.reason}", e.details),
         run.Paused: lambda e: "The run was paused",
         run.Resumed: lambda e: "The run goes on",
         run.GoalReached: lambda e: f"The goal {e.goal} holds",
+        **regulating.WORDS,
         run.RunFinished: lambda e: f"The run ended ({e.reason}): {e.sentence}",
     }
 )

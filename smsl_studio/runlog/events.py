@@ -193,11 +193,15 @@ class Relocalised(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Held(Event):
-    """The run holds and says why; nobody moves until someone decides."""
+    """The run holds and says why; nobody moves until someone decides.
+
+    ``kind`` is ``no_route`` where nothing permitted leads to the goal, else ``held``.
+    """
 
     event: ClassVar[str] = "held"
     reason: str
     details: tuple[str, ...] = ()
+    kind: str = "held"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

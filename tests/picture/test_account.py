@@ -13,8 +13,9 @@ from hypothesis import strategies as st
 
 from smsl_studio.picture import account as page
 from smsl_studio.picture.account import account
-from smsl_studio.picture.account_words import told
+from smsl_studio.picture.account_words import Causes, told
 from smsl_studio.runlog.events import (
+    Commanded,
     EdgeSwept,
     Event,
     Held,
@@ -25,6 +26,8 @@ from smsl_studio.runlog.events import (
     RunFinished,
     StateChecked,
     SweepFinished,
+    TaskAnswered,
+    TaskClosed,
 )
 from smsl_studio.runlog.reading import Head, LoggedRun, Record, read_records
 from tests.runlog.any_event import events
@@ -179,8 +182,21 @@ def test_every_event_of_a_run_has_words_of_its_own(event: Event) -> None:
 
 
 def test_who_did_it_and_what_is_bad() -> None:
-    assert told(OperationPruned(t=0.0, address="a", reason="no")).by == "person"
-    assert told(Paused(t=0.0)).by == "person"
+    causes = Causes()
+    events = (
+        Commanded(t=1.0, command="prune", by="L. Brandt", address="a", reason="no"),
+        OperationPruned(t=1.0, address="a", reason="no"),
+        Commanded(t=1.0, command="pause", by="script", refused="it is paused already"),
+        Paused(t=1.0),
+        OperationPruned(t=2.0, address="b", reason="no"),
+        TaskAnswered(t=2.0, task="task 1", by="A. Okafor", role="surgeon"),
+        TaskClosed(t=2.0, task="task 1", outcome="disagreed", answers={"A": "yes", "B": "no"}),
+    )
+    found = [told(event, "", causes.of(event)) for event in events]
+    who = ["L. Brandt", "L. Brandt", "script", "dispatcher", "dispatcher", "A. Okafor, surgeon"]
+    assert [one.by for one in found] == [*who, "A, B"]
+    assert [one.bad for one in found] == [False, False, True, False, False, False, True]
+    assert found[-1].what == "The answers to task 1 differ, so nothing is done (A: yes; B: no)"
     assert told(Held(t=0.0, reason="why", details=("a", "b"))).what == "The run holds: why: a; b"
     assert told(Held(t=0.0, reason="why")).bad
     assert told(StateChecked(t=0.0, address="a", result="unknown", unknown=("f",))).bad

@@ -1,0 +1,129 @@
+"""Events of regulation in the words of an account: commands, tasks, disturbances, faults."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+from smsl_studio.runlog import events as run
+from smsl_studio.runlog.events import Event
+
+LONGEST = 40
+"""So many names of a route or prices stand in a line; the log has all of them."""
+
+
+def states(configuration: Mapping[str, str]) -> str:
+    """A configuration in a line."""
+    return ", ".join(f"{branch}/{state}" for branch, state in configuration.items())
+
+
+def listed(words: str, details: tuple[str, ...]) -> str:
+    """A sentence, and behind a colon what belongs to it."""
+    return f"{words}: {'; '.join(details)}" if details else words
+
+
+_COMMANDS: Mapping[str, str] = MappingProxyType(
+    {
+        "ask": "Asked for {address}",
+        "pause": "Asked for a pause",
+        "resume": "Let the run go on",
+        "step": "Asked for one operation",
+        "veto": "Vetoed {address}",
+        "prune": "Shut {address} out",
+        "restore": "Allowed {address} again",
+        "set_cost": "Priced {address} at {value}",
+        "take_over": "Took over",
+        "give_back": "Gave the run back",
+        "accept": "Accepted where the scene says it stands",
+        "adopt": "Took the configuration that the scene agrees with",
+        "stop": "Stopped the run",
+        "reset": "Unlatched the stop",
+        "end": "Ended the run",
+        "answer": "Answered {value}",
+        "full_map": "Turned the full map {value}",
+        "disturb": "Disturbed sensors: {value}",
+        "inject": "Had something go wrong: {value}",
+    }
+)
+_AUTOMATIC = {"on": "Let the run follow its route by itself", "off": "Took the run by hand"}
+
+
+def _commanded(event: run.Commanded) -> str:
+    plain = f"Commanded {event.command.replace('_', ' ')}"
+    said = _COMMANDS.get(event.command, plain)
+    if event.command == "set_automatic":
+        said = _AUTOMATIC.get(event.value, plain)
+    words = said.format(address=event.address or "the next operation", value=event.value)
+    why = f" ({event.reason})" if event.reason else ""
+    return f"{words}{why}{f', which was refused: {event.refused}' if event.refused else ''}"
+
+
+def _opened(event: run.TaskOpened) -> str:
+    who = event.role or "anybody"
+    many = f", {event.persons} different people" if event.persons > 1 else ""
+    about = f" about {event.address}" if event.address else ""
+    return (
+        f"Asked{about} ({event.task}), whose task it is: {who}{many}, until {event.deadline:g} s: "
+        f"{event.question} {' / '.join(event.options)}"
+    )
+
+
+def _answered(event: run.TaskAnswered) -> str:
+    if event.refused:
+        return f"An answer to {event.task} does not count: {event.refused}"
+    return f"{event.task} has an answer, which stays hidden until all are in"
+
+
+def _closed(event: run.TaskClosed) -> str:
+    said = "; ".join(f"{by}: {answer}" for by, answer in event.answers.items())
+    ends = {
+        "answered": f"{event.task} was answered with {event.answer}",
+        "disagreed": f"The answers to {event.task} differ, so nothing is done",
+        "timed_out": f"Nobody answered {event.task} in time, which is no yes",
+        "withdrawn": f"{event.task} is not asked any more",
+    }
+    return ends.get(event.outcome, f"{event.task} ended ({event.outcome})") + (
+        f" ({said})" if said else ""
+    )
+
+
+def _disturbed(event: run.Disturbed) -> str:
+    if event.kind == "none":
+        return f"{event.target} is disturbed no more"
+    with_ = ", ".join(f"{name} {value}" for name, value in event.parameters.items())
+    which = f" ({', '.join(event.sensors)})" if event.sensors else ""
+    return f"{event.target}{which} is disturbed: {event.kind}{f', {with_}' if with_ else ''}"
+
+
+def _injected(event: run.FaultInjected) -> str:
+    with_ = ", ".join(f"{name} {value}" for name, value in event.parameters.items())
+    return f"Something goes wrong on purpose: {event.fault}{f' ({with_})' if with_ else ''}"
+
+
+def _reset(event: run.RunReset) -> str:
+    words = "The stop was unlatched; the run is paused"
+    return listed(f"{words}. Unknown until sensed anew", event.unknown) if event.unknown else words
+
+
+def _costs(event: run.CostsChanged) -> str:
+    prices = ", ".join(f"{name} {cost:g}" for name, cost in [*event.costs.items()][:LONGEST])
+    return f"Costs changed: {prices or 'none'}"
+
+
+WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
+    {
+        run.Commanded: _commanded,
+        run.TakenOver: lambda e: "Automation is locked out; the dispatcher only observes",
+        run.GivenBack: lambda e: f"Given back in {states(e.configuration)}",
+        run.RunStopped: lambda e: "The run is stopped and braked",
+        run.RunReset: _reset,
+        run.TaskOpened: _opened,
+        run.TaskEscalated: lambda e: f"Half the time of {e.task} has passed: {e.role} is asked too",
+        run.TaskAnswered: _answered,
+        run.TaskClosed: _closed,
+        run.Disturbed: _disturbed,
+        run.FaultInjected: _injected,
+        run.CostsChanged: _costs,
+    }
+)
