@@ -43,7 +43,7 @@ class PinField(QLineEdit):
 
 
 class PersonRow(QWidget):
-    """One person: works here or not, name, role, PIN. Whoever has a PIN is locked until it is typed."""
+    """One person: works here or not, name, role, PIN; one who has a PIN is locked until then."""
 
     given = Signal(object, object)
     """(the person as it was, as it is now; None: it is gone)."""

@@ -64,7 +64,7 @@ class TaskCard(QWidget):
         self._refresh()
 
     def follow(self, run: RunSession) -> None:
-        """Show the tasks of this run."""
+        """Show the tasks of this run, and answer them there."""
 
         def look() -> None:
             status = run.status
@@ -74,6 +74,7 @@ class TaskCard(QWidget):
 
         run.changed.connect(look)
         run.events_told.connect(self.tell)
+        self.answered.connect(run.answer)
         look()
 
     # What is shown.

@@ -7,7 +7,7 @@ holds the blueprint it was started with, whatever is drawn meanwhile.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 
@@ -36,13 +36,17 @@ FRAME = 33
 
 @dataclass(frozen=True)
 class RunChoice:
-    """What a person chose to run. ``start`` and ``goal`` are addresses; empty: the defaults."""
+    """What a person chose to run. ``start`` and ``goal`` are addresses; empty: the defaults.
+
+    ``levels`` are those that were set for this run (see ``blueprint.levels``).
+    """
 
     world: str
     start: str = ""
     goal: str = ""
     seed: int = 0
     by_hand: bool = False
+    levels: Mapping[str, str] = field(default_factory=dict)
 
 
 class RunSession(QObject, Verbs):
@@ -248,5 +252,4 @@ def _log(blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder:
 
 
 def _step_first(dispatcher: Dispatcher) -> None:
-    dispatcher.pause()
     dispatcher.step()
