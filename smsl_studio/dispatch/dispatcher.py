@@ -117,6 +117,16 @@ class Dispatcher(Commands):
             driver.run.emit(driver.ended)
         return self._drain()
 
+    def watch(self) -> tuple[Event, ...]:
+        """Whether the host is still there, for a run that stands still: nothing moves."""
+        if self._driver is None or self.finished:
+            return ()
+        try:
+            self.host.check()
+        except HostError as error:
+            return self._host_gone(error)
+        return ()
+
     def close(self) -> None:
         """Free the host; calling it twice is harmless."""
         self.host.close()

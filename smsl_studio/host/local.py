@@ -156,6 +156,9 @@ class LocalHost:
         """The world's short words for people."""
         return self._engine.status() if self._engine else {}
 
+    def check(self) -> None:
+        """It is in this very process."""
+
     def close(self) -> None:
         """Free the world; calling it twice is harmless."""
         self._drop()

@@ -25,6 +25,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError
 from smsl_studio.host.child import Recipe, serve
+from smsl_studio.host.ending import ending_words
 from smsl_studio.host.protocol import Opened, Tick
 from smsl_studio.host.shared_poses import SharedPoses
 from smsl_studio.monitor.sample import Sample
@@ -63,6 +64,7 @@ class ProcessHost:
         self._status: Mapping[str, str] = {}
         self._gone: HostError | None = None
         self._doing = ""
+        self._pulse = (-1, 0.0)
         self._using = threading.RLock()
         self._closing = False
 
@@ -122,6 +124,22 @@ class ProcessHost:
     def status(self) -> Mapping[str, str]:
         """The world's newest short words for people."""
         return self._status
+
+    def check(self) -> None:
+        """Look at the child while nothing is asked of it: HostError where it died or is frozen."""
+        with self._using:
+            if self._gone is not None:
+                raise HostError(self._gone.sentence, advice=self._gone.advice)
+            if self._process is None or self._shared is None:
+                return
+            if wait([self._process.sentinel], 0):
+                raise self._died()
+            now, newest = time.monotonic(), self._shared.pulse
+            if newest != self._pulse[0]:
+                self._pulse = (newest, now)
+            elif now - self._pulse[1] > self._silence_limit:
+                silent = f"{now - self._pulse[1]:.1f} s{self._doing}"
+                raise self._lost(f"the simulation process has shown no pulse for {silent}")
 
     def close(self) -> None:
         """End the child, also one that hangs, and free everything; twice is harmless."""
@@ -203,11 +221,7 @@ class ProcessHost:
 
     def _died(self) -> HostError:
         self._process.join(2.0)
-        code = self._process.exitcode
-        if code is not None and code < 0:
-            how = f"was killed by signal {-code} ({_signal_name(-code)})"
-        else:
-            how = f"ended by itself with exit status {code}"
+        how = ending_words(self._process.exitcode)
         return self._lost(f"the simulation process {how}{self._doing}")
 
     def _lost(self, sentence: str) -> HostError:
@@ -227,13 +241,6 @@ class ProcessHost:
             self._shared.read()
             self._shared.close()
         self._process = self._pid = self._pipe = None
-
-
-def _signal_name(number: int) -> str:
-    try:
-        return signal.Signals(number).name
-    except ValueError:
-        return "unknown"
 
 
 @contextlib.contextmanager

@@ -15,6 +15,7 @@ from typing import Protocol
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.aggregate import FactRule
+from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import Shape
 
@@ -75,6 +76,10 @@ class Elsewhere(Protocol):
 
     def heard(self) -> tuple[Sample, ...]:
         """The newest sample of each of them since the last time."""
+        ...
+
+    def view(self) -> RemoteView:
+        """The network as people want to see it; any thread may ask."""
         ...
 
 
@@ -157,6 +162,10 @@ class Host(Protocol):
 
     def status(self) -> Mapping[str, str]:
         """The world's short words for people; never blocks on a running tick."""
+        ...
+
+    def check(self) -> None:
+        """HostError where it is gone or silent; nothing is asked of the world, nothing moves."""
         ...
 
     def close(self) -> None:

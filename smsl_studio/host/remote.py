@@ -7,7 +7,7 @@ when the run looks; a slow network, a dead broker or a flood costs facts, never 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from threading import Event as Flag
 from time import monotonic
 from typing import Protocol
@@ -18,8 +18,7 @@ from smsl_studio.errors import UsageError
 from smsl_studio.host.protocol import Host, Opened, SensorInfo, Tick
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.disturbance import Disturbed, checked
-from smsl_studio.monitor.nodes import NodeState
-from smsl_studio.monitor.reception import Received, Reception
+from smsl_studio.monitor.reception import Reception, RemoteView
 from smsl_studio.monitor.sample import Sample
 
 HELLO = 3.0
@@ -40,19 +39,6 @@ class Line(Protocol):
     def connections(self) -> int: ...
     def open(self) -> None: ...
     def close(self) -> None: ...
-
-
-@dataclass(frozen=True, slots=True)
-class RemoteView:
-    """The network as people want to see it: the broker, its nodes, and what came."""
-
-    broker: str
-    site: str
-    run: str
-    lost: float | None
-    connections: int
-    nodes: tuple[NodeState, ...]
-    received: Received
 
 
 class Remote:
@@ -205,6 +191,10 @@ class WithRemote:
     def status(self) -> Mapping[str, str]:
         """The world's short words for people."""
         return self.inner.status()
+
+    def check(self) -> None:
+        """HostError where the inner host is gone; a dead broker costs facts, not the run."""
+        self.inner.check()
 
     def close(self) -> None:
         """End the connection and the world; twice is harmless."""

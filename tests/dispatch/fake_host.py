@@ -104,6 +104,9 @@ class FakeHost:
     def status(self) -> Mapping[str, str]:
         return {}
 
+    def check(self) -> None:
+        """It is always there."""
+
     def close(self) -> None:
         self.calls.append("close")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
+import select
 import signal
 import subprocess
 import sys
@@ -152,6 +153,38 @@ def test_a_frozen_child_is_given_up(lamp: Callable[..., ProcessHost]) -> None:
     os.kill(host.pid, signal.SIGSTOP)
     with pytest.raises(HostError, match="has shown no pulse"):
         host.tick()
+
+
+def test_a_child_that_dies_while_nothing_is_asked_of_it_is_seen(
+    lamp: Callable[..., ProcessHost],
+) -> None:
+    host = lamp()
+    host.open(START)
+    host.check()
+    assert host.pid is not None
+    gone = os.pidfd_open(host.pid)
+    os.kill(host.pid, signal.SIGKILL)
+    select.select([gone], [], [])
+    os.close(gone)
+    for _ in range(2):
+        with pytest.raises(HostError, match="SIGKILL"):
+            host.check()
+
+
+def test_a_child_that_freezes_while_nothing_is_asked_of_it_is_seen(
+    lamp: Callable[..., ProcessHost],
+) -> None:
+    host = lamp(silence_limit=0.3)
+    host.open(START)
+    assert host.pid is not None
+    os.kill(host.pid, signal.SIGSTOP)
+
+    def look_until_it_is_given_up() -> None:
+        while True:
+            host.check()
+
+    with pytest.raises(HostError, match="has shown no pulse"):
+        look_until_it_is_given_up()
 
 
 def test_a_close_from_another_thread_ends_what_hangs(lamp: Callable[..., ProcessHost]) -> None:

@@ -50,6 +50,18 @@ def test_a_killed_world_holds_the_run_and_loses_nothing(sit: Sit) -> None:
     run.until_phase("Stopped")
 
 
+def test_a_world_that_dies_while_the_run_is_paused_is_noticed_at_once(sit: Sit) -> None:
+    person = sit(HANOI)
+    run = AtRun(person)
+    person.press(Key.Key_F5)
+    run.until_runs()
+    person.press(Key.Key_F6)
+    run.until_phase("Paused")
+    os.kill(_pid(run), signal.SIGKILL)
+    run.until_phase("Fault hold")
+    assert "killed by signal 9 (SIGKILL)" in run.pane.canvas.banner
+
+
 def test_without_graphics_the_run_goes_on_and_tells_the_same(
     sit: Sit, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -24,6 +24,8 @@ from smsl_studio.runlog.log import RunLog
 
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
+WATCH = 0.05
+"""Wall seconds between two looks at the world's process while a run stands still."""
 LAG = 0.25
 """Wall seconds a run may fall behind its pace before it stops trying to catch up."""
 FASTEST = 1e6
@@ -142,16 +144,21 @@ class Runner(QThread):
     def _loop(self, dispatcher: Dispatcher, recording: Recording, heard: list[Event]) -> None:
         """Tick until closed. ``heard`` are the events that the window was not told of yet."""
         pace = _Pace(dispatcher.time, self._speed)
-        reported, slowest = -math.inf, 0.0
+        reported, slowest, told = -math.inf, 0.0, None
         while not self._closing:
             still = dispatcher.finished or dispatcher.phase == "paused"
-            if still or monotonic() - reported >= FRAME:
-                self.latency, slowest = slowest, 0.0
-                self._report(heard, dispatcher.status)
+            new = dispatcher.status is not told if still else monotonic() - reported >= FRAME
+            if new:
+                self.latency, slowest, told = slowest, 0.0, dispatcher.status
+                self._report(heard, told)
                 heard.clear()
                 reported = monotonic()
-            wait = None if still else pace.ahead(dispatcher.time)
-            if self._obey(dispatcher, wait) or still or pace.speed != self._speed:
+            obeyed = self._obey(dispatcher, _patience(dispatcher, pace))
+            if still and not obeyed:
+                # Nothing asks the world anything now, and its process may end all the same.
+                recording.tell(self._heeded(dispatcher.watch()))
+                continue
+            if obeyed or pace.speed != self._speed:
                 pace = _Pace(dispatcher.time, self._speed)
             if not self._closing and pace.ahead(dispatcher.time) <= 0:
                 began = monotonic()
@@ -179,6 +186,13 @@ class Runner(QThread):
                 obeyed = True
             wait = 0.0
         return obeyed
+
+
+def _patience(dispatcher: Dispatcher, pace: _Pace) -> float | None:
+    """Wall seconds to wait for a command; None: until one comes."""
+    if dispatcher.finished:
+        return None
+    return WATCH if dispatcher.phase == "paused" else pace.ahead(dispatcher.time)
 
 
 class _Pace:
