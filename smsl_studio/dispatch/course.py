@@ -13,6 +13,7 @@ from smsl_studio.blueprint.stepper import Terms
 from smsl_studio.dispatch.blocks import Blocks
 from smsl_studio.dispatch.planner import Leg, Planner
 from smsl_studio.dispatch.prices import Prices
+from smsl_studio.dispatch.ways import Ways
 from smsl_studio.errors import PlanningError
 from smsl_studio.host.protocol import Bound
 
@@ -39,6 +40,7 @@ class Course:
         self.risky: dict[Address, str] = {}
         self.vetoed: dict[Address, str] = {}
         self.prices = Prices(hierarchy.blueprint)
+        self._ways = Ways(hierarchy)
         self.version = 0
         self._hierarchy = hierarchy
         self._bound = bound
@@ -226,7 +228,7 @@ class Course:
         self, shut: Mapping[Address, str], failing: Collection[Address] = ()
     ) -> Planner:
         terms = Terms(shut, self._bound.keys(), self._exact, failing, self.prices.now)
-        return Planner(self._hierarchy, terms)
+        return Planner(self._hierarchy, terms, self._ways)
 
 
 def _operations(legs: Sequence[Leg]) -> tuple[Address, ...]:

@@ -13,6 +13,7 @@ from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import Move, cheapest, patience
 from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.dispatch.ways import Ways
 
 Key = tuple[str, ...]
 
@@ -44,11 +45,18 @@ class Leg:
 
 
 class Planner:
-    """Plans for one blueprint under one set of terms; kept as long as the terms stand."""
+    """Plans for one blueprint under one set of terms; kept as long as the terms stand.
 
-    def __init__(self, hierarchy: Hierarchy, terms: Terms | None = None) -> None:
+    ``ways`` may be shared by planners whose terms differ in what is shut out and in costs. Where
+    one SB moves alone, its goal tree has the way; else joint configurations are searched.
+    """
+
+    def __init__(
+        self, hierarchy: Hierarchy, terms: Terms | None = None, ways: Ways | None = None
+    ) -> None:
         self.hierarchy = hierarchy
         self.stepper = Stepper(hierarchy, terms)
+        self._ways = ways or Ways(hierarchy)
         self._at = {name: index for index, name in enumerate(hierarchy.order)}
         self._required = {
             fact[0]
@@ -121,6 +129,8 @@ class Planner:
         """The cheapest way to where all that is wanted holds; ``clean`` (and any way to no goal)
         ends without failure."""
         movers = self._movers(branches)
+        if len(movers) == 1 and self._ways.alone(self.stepper, movers[0]):
+            return self._lone_leg(start, goal, wanted, movers[0], clean)
         ill = [name for name in movers if clean or goal is None if self._failing(name)]
         quiet = self._quiet(movers, {*ill, *(one.branch for one in wanted)})
         places = [(self._at[one.branch], one.state) for one in wanted]
@@ -150,6 +160,30 @@ class Planner:
             before.append(dict(here))
             here.update(step.after)
         return Leg(goal, tuple(steps), tuple(before), round(sum(s.cost for s in steps), 9))
+
+    def _lone_leg(
+        self,
+        start: Configuration,
+        goal: Address | None,
+        wanted: Sequence[Address],
+        branch: str,
+        clean: bool,
+    ) -> Leg | None:
+        """The same where one SB moves alone: by its goal tree."""
+        if any(start[one.branch] != one.state for one in wanted if one.branch != branch):
+            return None
+        states = {one.state for one in wanted if one.branch == branch}
+        goals = states if wanted else set(self.hierarchy.blueprint[branch].table)
+        if goal is None or clean:
+            goals -= self._failing(branch).keys()
+        if len(states) > 1 or not goals:
+            return None
+        steps = self._ways.way(self.stepper, start, branch, goals)
+        if steps is None:
+            return None
+        places = [start[branch], *(step.asked.target for step in steps[:-1])][: len(steps)]
+        before = tuple({**start, branch: state} for state in places)
+        return Leg(goal, steps, before, round(sum(step.cost for step in steps), 9))
 
     def _quiet(self, movers: Sequence[str], seen: Collection[str]) -> frozenset[str]:
         """The flat subs that no goal (``seen``) and no ``requires`` looks into.

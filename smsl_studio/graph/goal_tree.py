@@ -8,7 +8,7 @@ it meets a way that the change did not touch. Only what becomes cheaper asks for
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence, Set
 from heapq import heappop, heappush
 from math import gcd, inf
 
@@ -80,20 +80,23 @@ class GoalTree:
         self._closed.discard(edge)
         self._reweigh(edge, self._weight_of(edge))
 
-    def reprice(self, edge: int, cost: float) -> None:
-        """Give an edge another cost."""
-        fine = round(cost * FINE)
+    def reprice(self, costs: Mapping[int, float]) -> None:
+        """Give edges other costs."""
         if self._costs is None:
             self._costs = [FINE] * len(self.graph.targets)
-        self._costs[edge] = fine
-        if fine % self._unit:
+        for edge, cost in costs.items():
+            self._costs[edge] = round(cost * FINE)
+        if any(self._costs[edge] % self._unit for edge in costs):
             self._spread, self._far = self._fresh(), None
             self._forget()
-        elif edge not in self._closed:
-            self._reweigh(edge, self._weight_of(edge))
+            return
+        for edge in costs:
+            if edge not in self._closed:
+                self._reweigh(edge, self._weight_of(edge))
 
     @property
-    def closed(self) -> Collection[int]:
+    def closed(self) -> Set[int]:
+        """The edges that no way uses."""
         return self._closed
 
     # weights ------------------------------------------------------------------------------------

@@ -11,9 +11,10 @@ from smsl_studio.errors import PlanningError
 from smsl_studio.smsl.json_form import parse_json
 
 CHAIN = """{"SB1": {
-    "State_a": {"Op_b": "State_b"}, "State_b": {"Op_c": "State_c"},
-    "State_c": {"Op_d": "State_d"}, "State_d": {}
-}}"""
+    "HEADER": {"SUB_SBS": {"SB2": 1}},
+    "State_a0": {"Op_b": "State_b0"}, "State_b0": {"Op_c": "State_c0"},
+    "State_c0": {"Op_d": "State_d0"}, "State_d0": {"Op_e": "State_d1"}, "State_d1": {}
+}, "SB2": {"State_0": {"Op_1": "State_1"}, "State_1": {}}}"""
 
 
 def test_a_search_is_given_up_after_as_many_configurations_as_it_may_look_at() -> None:

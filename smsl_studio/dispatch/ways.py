@@ -1,0 +1,177 @@
+"""Goal trees of SBs that move alone, kept while a run goes on: what changed is worked out anew.
+
+An SB moves alone where it is a root without subs. All that its edges depend on is then its own
+state, and the facts of SBs that stand still.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+
+from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.configuration import Configuration, Hierarchy
+from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.failing import failing_states
+from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.graph.build import BranchGraph, graph_of
+from smsl_studio.graph.goal_tree import GoalTree
+
+MOST = 8
+"""Trees that are kept of one SB: its goal, ways out of failure, and what is asked in between."""
+NOTHING: frozenset[tuple[str, int]] = frozenset()
+
+
+class Ways:
+    """The ways of the flat roots of one hierarchy, for terms that differ in what is shut out and in
+    costs; which edges have a function must be the same for all."""
+
+    def __init__(self, hierarchy: Hierarchy) -> None:
+        self.hierarchy = hierarchy
+        self._lone: dict[str, _Lone] = {}
+
+    def alone(self, stepper: Stepper, branch: str) -> bool:
+        """Whether an SB's ways depend on nothing but its own state, under these terms."""
+        terms = stepper.terms
+        plain = terms.extra is None and terms.failing is not None and not terms.failing
+        return plain and not self.hierarchy.bases[branch] and not self.hierarchy.subs[branch]
+
+    def way(
+        self, stepper: Stepper, start: Configuration, branch: str, goals: Collection[str]
+    ) -> tuple[JointStep, ...] | None:
+        """The joint steps of the cheapest way to one of some states; None where there is none."""
+        lone = self._lone.get(branch)
+        if lone is None:
+            lone = self._lone[branch] = _Lone(self.hierarchy.blueprint[branch], stepper)
+        return lone.way(stepper, start, goals)
+
+
+class _Lone:
+    """One SB that moves alone: its graph, what is closed for good, its trees and its steps."""
+
+    def __init__(self, branch: StateBranch, stepper: Stepper) -> None:
+        self._branch = branch
+        self._graph = graph_of(branch)
+        self._trees: dict[frozenset[str], tuple[GoalTree, Mapping[Address, float]]] = {}
+        self._steps: dict[tuple[int, float], JointStep] = {}
+        self._never = frozenset((*self._unbound(stepper), *self._into_failure()))
+        self._declared = _declared(branch, self._graph)
+        self._asking = tuple(self._with_requires())
+
+    def way(
+        self, stepper: Stepper, start: Configuration, goals: Collection[str]
+    ) -> tuple[JointStep, ...] | None:
+        tree = self._tree(stepper, start, frozenset(goals))
+        edges = tree.route(self._graph.index[start[self._branch.name]])
+        return None if edges is None else tuple(self._step(stepper, edge) for edge in edges)
+
+    def _tree(self, stepper: Stepper, start: Configuration, goals: frozenset[str]) -> GoalTree:
+        graph, terms = self._graph, stepper.terms
+        closed = set(self._never)
+        closed.update(e for a in terms.shut if (e := self._number(a)) is not None)
+        closed.update(e for e in self._asking if not self._granted(stepper, start, e))
+        own = {a: cost for a, cost in terms.costs.items() if a.branch == self._branch.name}
+        tree, priced = self._trees.pop(goals, (None, {}))
+        if tree is None:
+            numbers = [graph.index[goal] for goal in goals if goal in graph.index]
+            tree = GoalTree(graph, numbers, self._declared, closed)
+        for edge in tree.closed - closed:
+            tree.open(edge)
+        for edge in closed - tree.closed:
+            tree.close(edge)
+        if own != priced:
+            changed = {
+                address: own.get(address)
+                for address in dict.fromkeys((*priced, *own))
+                if own.get(address) != priced.get(address)
+            }
+            tree.reprice(dict(self._costs(changed)))
+        self._trees[goals] = tree, own
+        if len(self._trees) > MOST:
+            del self._trees[next(iter(self._trees))]
+        return tree
+
+    def _costs(self, changed: Mapping[Address, float | None]) -> Iterator[tuple[int, float]]:
+        for address, cost in changed.items():
+            edge = self._number(address)
+            if edge is not None:
+                declared = self._branch.cost(address.state, address.operation)
+                yield edge, declared if cost is None else cost
+
+    def _step(self, stepper: Stepper, number: int) -> JointStep:
+        """The joint step of an edge that moves nothing but its own SB."""
+        edge = stepper.edges.get(self._address(number))
+        assert edge is not None
+        kept = self._steps.get((number, edge.cost))
+        if kept is None:
+            kept = self._steps[number, edge.cost] = _alone(edge)
+        return kept
+
+    def _address(self, number: int) -> Address:
+        graph = self._graph
+        state = graph.names[graph.sources[number]]
+        return Address(self._branch.name, state, graph.operations[number])
+
+    def _number(self, address: Address) -> int | None:
+        graph = self._graph
+        state = graph.index.get(address.state) if address.branch == self._branch.name else None
+        if state is None:
+            return None
+        found = (e for e in graph.edges_out(state) if graph.operations[e] == address.operation)
+        return next(found, None)
+
+    # what is never used, and what only now and then ----------------------------------------------
+
+    def _unbound(self, stepper: Stepper) -> Iterator[int]:
+        """The edges without a function, where a world says which have one."""
+        bound, name = stepper.terms.bound, self._branch.name
+        written = sum(map(len, self._branch.table.values()))
+        if bound is None or sum(one.branch == name for one in bound) == written:
+            return
+        for number in range(len(self._graph.targets)):
+            if self._address(number) not in bound:
+                yield number
+
+    def _into_failure(self) -> Iterator[int]:
+        failing, graph = failing_states(self._branch), self._graph
+        if failing:
+            bad = [name in failing for name in graph.names]
+            for number, target in enumerate(graph.targets):
+                if bad[target] and not bad[graph.sources[number]]:
+                    yield number
+
+    def _with_requires(self) -> Iterator[int]:
+        """The edges that require facts."""
+        branch, graph = self._branch, self._graph
+        if not any(note.requires for note in branch.notes.operations.values()):
+            return
+        for number, (source, name) in enumerate(zip(graph.sources, graph.operations, strict=True)):
+            if branch.operation_note(graph.names[source], name).requires:
+                yield number
+
+    def _granted(self, stepper: Stepper, start: Configuration, number: int) -> bool:
+        edge = stepper.edges.get(self._address(number))
+        assert edge is not None
+        here = {**start, edge.branch: edge.source}
+        return not any(True for _ in stepper.edges.missing(edge, here))
+
+
+def _declared(branch: StateBranch, graph: BranchGraph) -> list[float] | None:
+    """What each edge costs; None where all cost 1, which most often is so."""
+    notes = branch.notes.operations
+    if all(note.cost is None for note in notes.values()):
+        return None
+    commons = {name: notes.get(note_key(name)) for name in dict.fromkeys(graph.operations)}
+    if len(notes) == sum(note is not None for note in commons.values()):
+        costs = {n: 1.0 if o is None or o.cost is None else o.cost for n, o in commons.items()}
+        return [costs[name] for name in graph.operations]
+    ends = zip(graph.sources, graph.operations, strict=True)
+    return [branch.cost(graph.names[source], name) for source, name in ends]
+
+
+def _alone(edge: Edge) -> JointStep:
+    """The joint step of an edge that runs its own function and moves nothing else."""
+    place = {edge.branch: edge.target}
+    action = Action(edge, (edge,), place, (edge,), (edge,), place, NOTHING, NOTHING)
+    return JointStep(edge, (edge,), (action,), round(edge.cost, 9), place)
