@@ -104,7 +104,7 @@ def test_a_run_can_be_stopped_between_two_ticks(tmp_path: Path) -> None:
     )
     assert run.reason == "stopped"
     assert tuple(heard) == run.events
-    assert [e.event for e in run.events][-2:] == ["operation_ended", "run_finished"]
+    assert [e.event for e in run.events][-2:] == ["stopped", "run_finished"]
 
 
 def test_a_speed_paces_the_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

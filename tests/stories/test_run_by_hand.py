@@ -46,7 +46,7 @@ def _by_hand(sit: Sit, path: Path) -> AtRun:
     run = AtRun(sit(path))
     run.person.click(run.pane.transport.by_hand)
     run.person.press(Key.Key_F5)
-    run.until_phase("Waiting")
+    run.until_phase("Ready")
     return run
 
 
@@ -58,7 +58,7 @@ def test_an_arrow_is_clicked_and_an_operation_is_chosen_from_the_list(sit: Sit) 
     run.click_in_list("Operation100B")
     run.until_done(3)
     assert run.active() == {"SB1": "State111", "SB2": "State1"}
-    assert run.phase == "Waiting"
+    assert run.phase == "Ready"
 
 
 def test_what_is_not_possible_says_why(sit: Sit) -> None:
@@ -86,9 +86,11 @@ def test_a_failed_operation_holds_says_why_and_can_be_restored(
     run = AtRun(sit(SAMPLES / "hanoi-2.json"))
     run.choose(world="bench")
     run.person.press(Key.Key_F5)
-    run.until_phase("Held")
+    run.until_phase("Fault hold")
     tried = {e.address for e in run.events if isinstance(e, OperationStarted)}
-    assert run.pane.canvas.banner.startswith("Held: Only risky operations lead to SB1/State_cc")
+    assert run.pane.canvas.banner.startswith(
+        "Fault hold: Only risky operations lead to SB1/State_cc"
+    )
     assert {str(a) for a in run.pane.canvas.canvas.marks.risky} == tried
     assert run.pane.run.exists
     run.click_in_list("Restore")

@@ -72,7 +72,16 @@ def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
     run.until_phase("Running")
     person.press(Key.Key_F8)
     run.until_phase("Stopped")
-    assert not run.pane.run.exists
+    assert run.pane.run.exists
+    assert run.pane.transport.play.text() == "Reset"
+    person.press(Key.Key_F5)
+    run.until_phase("Paused")
+    assert not run.pane.transport.end.isVisible()
+    person.press(Key.Key_F8)
+    run.until_phase("Stopped")
+    person.click(run.pane.transport.end)
+    person.qtbot.waitUntil(lambda: not run.pane.run.exists)
+    assert run.phase == "Stopped"
 
 
 def test_stop_is_there_in_every_mode_and_from_a_dialog(sit: Sit) -> None:
@@ -95,7 +104,9 @@ def test_stop_is_there_in_every_mode_and_from_a_dialog(sit: Sit) -> None:
     run.until_phase("Stopped")
     assert dialog.isVisible()
     dialog.close()
-    assert not window.mode_bar.stop.isVisible()
+    assert window.mode_bar.stop.isVisible()
+    run.pane.run.end()
+    person.qtbot.waitUntil(lambda: not window.mode_bar.stop.isVisible())
 
 
 def test_the_drawing_moves_on_and_the_run_keeps_its_version(sit: Sit) -> None:

@@ -92,10 +92,13 @@ class RunPane(QWidget):
     # What is asked of the run.
 
     def play(self) -> None:
-        """Start a run, or go on with the one that is paused, held or waits for a hand."""
+        """Start a run, or go on with the one that is paused, holds or waits for a hand. One that
+        is stopped is only unlatched."""
         if self.run.phase == "running":
             return
-        if self.run.exists:
+        if self.run.phase == "stopped" and self.run.exists:
+            self.run.reset()
+        elif self.run.exists:
             self.transport.by_hand.setChecked(False)
             self.run.play()
         else:
@@ -234,6 +237,7 @@ class RunPane(QWidget):
         transport.pause_wanted.connect(self.pause)
         transport.step_wanted.connect(self.step)
         transport.stop_wanted.connect(self.stop)
+        transport.end_wanted.connect(self.run.end)
         transport.speed_changed.connect(self.run.set_speed)
         transport.by_hand_changed.connect(lambda on: self.run.set_automatic(not on))
         self.run.changed.connect(self._refresh)

@@ -17,17 +17,20 @@ from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_over
+from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.words import capital, counted
 
-TROUBLE = {
-    "held": "Held",
-    "failed": "Fault hold",
-    "no_route": "No route",
-    "refused": "Refused",
+TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "taken_over")
+ADVICE = {
+    "fault_hold": "Choose an operation, restore one, or end the run.",
+    "no_route": "Choose an operation, restore one, or end the run.",
+    "stopped": "Reset unlatches it, End run is the end of it.",
+    "taken_over": "Give it back in Supervise mode.",
 }
+"""What may be done in a run that is there still."""
 TALLER = 1.2
 TOOLS, PADDING = 180, 16
 """Pixels that the tools at the right take, and each SB's button beside its words."""
@@ -150,10 +153,8 @@ class RunCanvas(QWidget):
         run = self._run
         if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
             return ""
-        advice = (
-            "Choose an operation, restore one, or stop." if run.exists else "Play starts a new run."
-        )
-        return f"{TROUBLE[run.phase]}: {capital(run.sentence)} {advice}"
+        advice = ADVICE.get(run.phase, "") if run.exists else "Play starts a new run."
+        return f"{phase_words(run.phase)[0]}: {capital(run.sentence)} {advice}".strip()
 
     def say(self, words: str) -> None:
         """Say a short sentence at the pointer."""

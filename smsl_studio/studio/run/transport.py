@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIntValidator, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from smsl_studio.studio.controls import Combo, Field, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
+from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
 
@@ -19,19 +20,8 @@ WIDE, NARROW, SEEDED, NARROWEST = 1140, 990, 850, 720
 """Pixels from which the choices have labels, buttons their words, the seed is shown, and choices
 are shown at all."""
 
-PHASES = {
-    "": ("Ready", "quiet"),
-    "opening": ("Opening", "quiet"),
-    "ready": ("Waiting", "quiet"),
-    "running": ("Running", "busy"),
-    "paused": ("Paused", "quiet"),
-    "held": ("Held", "held"),
-    "goal_reached": ("Goal reached", "good"),
-    "stopped": ("Stopped", "quiet"),
-    "failed": ("Fault hold", "held"),
-    "refused": ("Refused", "held"),
-    "no_route": ("No route", "held"),
-}
+ENDABLE = ("stopped", "fault_hold", "no_route")
+"""The run states out of which a person may end the run for good."""
 
 
 class Transport(QWidget):
@@ -41,12 +31,13 @@ class Transport(QWidget):
     pause_wanted = Signal()
     step_wanted = Signal()
     stop_wanted = Signal()
+    end_wanted = Signal()
     speed_changed = Signal(float)
     by_hand_changed = Signal(bool)
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._running = False
+        self._running = self._stopped = False
         self._labels: list[QLabel] = []
         self._choices = QWidget()
         self._choices.setMinimumWidth(0)
@@ -80,10 +71,15 @@ class Transport(QWidget):
         self.play.clicked.connect(
             lambda: self.pause_wanted.emit() if self._running else self.play_wanted.emit()
         )
+        self.end = QPushButton("End run")
+        self.end.setFixedHeight(32)
+        self.end.setToolTip("End the run, which is stopped or holds, for good")
+        self.end.clicked.connect(self.end_wanted)
         self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
-        parts = (self.by_hand, self.speed, self.step, self.play, rule(vertical=True, length=24))
+        plain = (self.by_hand, self.speed, self.end, self.step, self.play)
+        parts = (*plain, rule(vertical=True, length=24))
         for part in (*parts, self.stop):
             across.addWidget(part)
         self._name_play()
@@ -110,7 +106,7 @@ class Transport(QWidget):
 
     def show_phase(self, phase: str, exists: bool, tip: str = "") -> None:
         """Show how the run stands; ``exists`` says whether there is one to stop."""
-        words, kind = PHASES.get(phase, (phase.replace("_", " ").capitalize(), "quiet"))
+        words, kind = phase_words(phase)
         self.phase.setText(f"●  {words}" if kind != "quiet" else words)
         self.phase.setToolTip(tip)
         if self.phase.property("kind") != kind:
@@ -120,9 +116,10 @@ class Transport(QWidget):
         self.stop.setToolTip(
             "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
         )
-        running = phase in ("running", "opening")
-        if running != self._running:
-            self._running = running
+        self.end.setVisible(exists and phase in ENDABLE)
+        running, stopped = phase in ("running", "opening"), exists and phase == "stopped"
+        if (running, stopped) != (self._running, self._stopped):
+            self._running, self._stopped = running, stopped
             self._name_play()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -130,9 +127,13 @@ class Transport(QWidget):
             button.set_tokens(tokens)
 
     def _name_play(self) -> None:
-        words = "Pause" if self._running else "Play"
-        self.play.set_words(words, "F6" if self._running else "F5", words.lower())
-        tip = "Hold the run at the next tick (F6)" if self._running else "Run to the goal (F5)"
+        if self._running:
+            words, key, tip = "Pause", "F6", "Hold the run at the next tick (F6)"
+        elif self._stopped:
+            words, key, tip = "Reset", "F5", "Unlatch the stop; the run is paused then (F5)"
+        else:
+            words, key, tip = "Play", "F5", "Run to the goal (F5)"
+        self.play.set_words(words, key, "pause" if self._running else "play")
         self.play.setToolTip(tip)
 
     def resizeEvent(self, event: QResizeEvent) -> None:

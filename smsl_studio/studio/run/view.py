@@ -14,7 +14,7 @@ from smsl_studio.studio.run.facts_table import FactRow
 from smsl_studio.studio.run.possible_list import PossibleRow
 from smsl_studio.studio.run.story import Story
 
-CHOOSABLE = ("ready", "paused", "held")
+CHOOSABLE = ("ready", "paused", "fault_hold", "no_route")
 """The phases in which a person may have an operation carried out by hand."""
 LOST = "process gone"
 Choices = list[tuple[str, str]]
