@@ -16,6 +16,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.reception import RemoteView
+from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import Shape
 
@@ -76,6 +77,10 @@ class Elsewhere(Protocol):
 
     def heard(self) -> tuple[Sample, ...]:
         """The newest sample of each of them since the last time."""
+        ...
+
+    def view(self) -> RemoteView:
+        """The network as people want to see it; any thread may ask."""
         ...
 
     def view(self) -> RemoteView:

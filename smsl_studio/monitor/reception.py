@@ -56,6 +56,19 @@ class Received:
     refusals: tuple[Refusal, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class RemoteView:
+    """The network as people want to see it: the broker, its nodes, and what came."""
+
+    broker: str
+    site: str
+    run: str
+    lost: float | None
+    connections: int
+    nodes: tuple[NodeState, ...]
+    received: Received
+
+
 class Reception:
     """Hears for one run of one site the sources that are declared."""
 

@@ -18,6 +18,7 @@ from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.frame.tabs import Tabs
 from smsl_studio.studio.icons import icon
+from smsl_studio.studio.monitor.monitoring import Monitoring
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.camera import VIEWS
 from smsl_studio.studio.run.event_list import EventList
@@ -77,6 +78,7 @@ class RunPane(QWidget):
         self.possible = PossibleList(tokens)
         self.timeline = Timeline(tokens)
         self.events = EventList()
+        self.monitoring = Monitoring(self.run, tokens, self)
         self._offered = self._foreign = False
         self._loaded: Loaded | None = None
         self._begin_later: bool | None = None
@@ -125,9 +127,14 @@ class RunPane(QWidget):
         else:
             self.canvas.say("Nothing runs. Play or Step starts a run")
 
+    def show_monitor(self) -> None:
+        """Show every sensor, fact, node and state check of the run, in a window beside it."""
+        self.monitoring.show()
+
     def shut(self) -> None:
         """End the run and free what it holds; for closing the window."""
         self._frames.stop()
+        self.monitoring.close()
         self.run.close()
         self.world.close_graphics()
 
@@ -146,6 +153,8 @@ class RunPane(QWidget):
             part.set_tokens(tokens)
         self.possible.set_tokens(tokens)
         self.timeline.set_tokens(tokens)
+        self.monitoring.set_tokens(tokens)
+        self._monitor.setIcon(icon("signal", tokens))
         self._views.setIcon(icon("camera", tokens))
         self._home.setIcon(icon("fit", tokens))
         self._refresh()
@@ -204,7 +213,9 @@ class RunPane(QWidget):
 
     def _right(self) -> QWidget:
         self._facts_rate, self._facts_note = label("", "small"), label("", "small")
-        top = head("Facts", self._facts_rate, None, self._facts_note)
+        self._monitor = tool("Monitor", "signal", "Every sensor and node (Ctrl+M)", self._tokens)
+        self._monitor.clicked.connect(self.show_monitor)
+        top = head("Facts", self._facts_rate, None, self._facts_note, self._monitor)
         facts = panel(top, self.facts, self.check)
         facts.setMinimumWidth(FACTS)
         self._lists = Tabs()

@@ -23,6 +23,7 @@ from smsl_studio.front.run_header import asked_for
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.monitor.reception import RemoteView
+from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.log import RunLog
@@ -161,6 +162,11 @@ class RunSession(QObject, Verbs):
     def words(self) -> Mapping[str, str]:
         """The world's short words for people."""
         return self._dispatcher.host.status() if self._dispatcher is not None else {}
+
+    def remote(self) -> RemoteView | None:
+        """The network of sensors that are elsewhere; None where there are none."""
+        opened = self._dispatcher.opened if self._dispatcher is not None else None
+        return opened.remote.view() if opened and opened.remote else None
 
     def remote(self) -> RemoteView | None:
         """The network of sensors that are elsewhere; None where there are none."""

@@ -103,5 +103,10 @@ class Verbs:
         """Say that the whole of an SB is shown from now on, or no longer; it is recorded."""
         self.command("full_map", on)
 
+    def disturb(self, target: str, kind: str, **parameters: float | str) -> None:
+        """Disturb a sensor, or all of one fact (``SB/digit``); ``none`` ends it."""
+        name = self.who()
+        self._command(lambda one: one.disturb(target, kind, by=name, **parameters))
+
     def set_automatic(self, automatic: bool) -> None:
         self.command("set_automatic", automatic)
