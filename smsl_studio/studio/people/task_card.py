@@ -7,7 +7,7 @@ option is chosen (a click, or its letter), and Enter or the button decides.
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
     QButtonGroup,
@@ -44,6 +44,8 @@ class TaskCard(QWidget):
 
     answered = Signal(str, str, str, str)
     """(task, option, name, role): a person decided."""
+    changed = Signal()
+    """Another task, another time, or the card came into view or went out of it."""
     persons_wanted = Signal()
     """The persons of this window shall be edited."""
 
@@ -124,6 +126,14 @@ class TaskCard(QWidget):
         """Have the keys act on the card, with no answer chosen."""
         if self._rows:
             self._rows[0].setFocus()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.changed.emit()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.changed.emit()
 
     # Building.
 
@@ -217,6 +227,7 @@ class TaskCard(QWidget):
         self.frame.setVisible(card is not None)
         self.lines.show_lines(self.outcomes.lines)
         self.setVisible(card is not None or bool(self.outcomes.lines))
+        self.changed.emit()
         if card is None:
             return
         self.heading.setText(card.heading)

@@ -1,0 +1,97 @@
+"""What a window has for people: who works here, what they are asked, how far they lead.
+
+It is put together once for each window: card and continuum into the places of Supervise, a line
+across the window for the other modes, and two dialogs.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QLineEdit, QVBoxLayout, QWidget
+
+from smsl_studio.studio.people.continuum import Continuum
+from smsl_studio.studio.people.level_editor import LevelEditor
+from smsl_studio.studio.people.next_levels import NextLevels
+from smsl_studio.studio.people.persons import Persons
+from smsl_studio.studio.people.persons_dialog import PersonsDialog
+from smsl_studio.studio.people.task_bar import TaskBar
+from smsl_studio.studio.people.task_card import TaskCard
+from smsl_studio.studio.run.run_session import RunSession
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import Tokens
+
+
+class People(QObject):
+    """Card, bar, continuum and dialogs of one window."""
+
+    task_wanted = Signal()
+    """The open task shall be shown, whatever is shown now."""
+
+    def __init__(
+        self,
+        session: Session,
+        run: RunSession,
+        levels: NextLevels,
+        persons: Persons,
+        tokens: Tokens,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._session, self._run, self._window = session, run, window
+        self.persons, self.levels = persons, levels
+        self.card = TaskCard(persons, tokens)
+        self.card.follow(run)
+        self.bar = TaskBar(self.card, tokens)
+        self.continuum = Continuum(session, run, levels, tokens)
+        self.bar.open_wanted.connect(self.task_wanted)
+        self.card.persons_wanted.connect(self.edit_persons)
+        self.continuum.edit_wanted.connect(self.edit_levels)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for part in (self.card, self.bar, self.continuum):
+            part.set_tokens(tokens)
+
+    def below(self, above: QWidget) -> QWidget:
+        """The widget with the line of tasks below it."""
+        both = QWidget()
+        column = QVBoxLayout(both)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(above)
+        column.addWidget(self.bar)
+        return both
+
+    def hear(self, page: QWidget) -> None:
+        """Let the letters of the answers act wherever in ``page`` the focus is."""
+        page.installEventFilter(self)
+
+    def has_task(self) -> bool:
+        """Whether people are asked anything now."""
+        return bool(self.card.tasks)
+
+    def may_edit_levels(self) -> bool:
+        """A run keeps the levels it began with."""
+        return not self._run.exists
+
+    def edit_persons(self) -> None:
+        """Open the dialog of the persons."""
+        dialog = PersonsDialog(self.persons, self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.open()
+
+    def edit_levels(self) -> None:
+        """Open the table of levels, before a run."""
+        if self.may_edit_levels():
+            editor = LevelEditor(self._session, self.levels, self._window)
+            editor.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+            editor.open()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """A letter that is an answer's, typed where nothing else is typed."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+            typing = isinstance(self._window.focusWidget(), QLineEdit)
+            if plain and not typing and not event.isAutoRepeat() and self.card.isVisible():
+                return self.card.press_letter(event.text())
+        return super().eventFilter(watched, event)
