@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -33,6 +33,7 @@ from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.frame.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.frame.menu_row import MenuRow
 from smsl_studio.studio.frame.mode_bar import ModeBar
+from smsl_studio.studio.frame.modes import Modes, Page
 from smsl_studio.studio.frame.popups import fill_recent, fill_samples, fill_sub_sbs, passing_menu
 from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.frame.toast import Toast
@@ -50,6 +51,7 @@ from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.stop_key import StopKey
+from smsl_studio.studio.supervise.pane import SupervisePane
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tidings import Tidings
 from smsl_studio.studio.typed_field import take_over
@@ -64,7 +66,6 @@ class Window(QMainWindow):
     def __init__(self, windows: Windows) -> None:
         super().__init__()
         self._windows, self._settings = windows, windows.settings
-        self._mode = "draw"
         self.tokens = windows.tokens
         self.setMinimumSize(*SMALLEST)
         self.setAcceptDrops(True)
@@ -94,8 +95,7 @@ class Window(QMainWindow):
         self.findings = Findings(session, tokens, self.inspector.rules)
         self.history = History(session, tokens)
         self.body = Body()
-        self.body.addWidget(self.canvas)
-        self.body.addWidget(self.run_pane)
+        self.supervise = SupervisePane(session, self.run_pane.run, tokens)
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
@@ -112,10 +112,18 @@ class Window(QMainWindow):
         self.docks.bottom_tabs.add("Findings", self.findings, self.findings.tools)
         self.docks.bottom_tabs.add("History", self.history)
 
+        run, supervise = self.run_pane, self.supervise
+        pages = {
+            "draw": Page(self.canvas, self.canvas),
+            "run": Page(run, run.canvas.canvas, run.transport),
+            "supervise": Page(supervise, supervise, supervise.bar),
+        }
+        self._modes = Modes(pages, self.body, self.docks, self._settings)
+
     def _build_actions(self) -> None:
         table = all_actions(
             self, self.session, self.files, self.drawing, self.clipping, self.findings, self.docks,
-            self.run_pane, self._windows, self.comparing,
+            self.run_pane, self._windows, self.comparing, self.supervise,
         )  # fmt: skip
         self.actions_table = Actions(table, self, self.tokens, self.settle)
 
@@ -128,10 +136,10 @@ class Window(QMainWindow):
         self.menu_row = MenuRow(actions, tokens, submenus)
         self.setMenuWidget(self.safety.below(self.menu_row))
         self.mode_bar = ModeBar(actions, tokens)
-        self.mode_bar.add_transport(self.run_pane.transport)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
+        self._modes.dress(self.mode_bar, self.status_line)
         self._captions = Captions(
             self.session, self.files, self.source, self.menu_row, self.status_line, self
         )
@@ -182,12 +190,14 @@ class Window(QMainWindow):
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self.status_line.show_run)
         self.run_pane.moved.connect(self.outline.set_run)
+        self.run_pane.moved.connect(self._light_source)
+        self.supervise.begin_wanted.connect(self.run_pane.play)
 
     # What the actions ask of the shell.
 
     @property
     def mode(self) -> str:
-        return self._mode
+        return self._modes.shown
 
     def new_window(self) -> None:
         """Show another window, empty, on what the plugins offer here."""
@@ -200,22 +210,9 @@ class Window(QMainWindow):
         return window
 
     def set_mode(self, mode: str) -> None:
-        """Show Draw or Run; each remembers its panels."""
-        if mode == self._mode:
-            self.actions_table.refresh()
-            return
-        self._settings.store(f"panels/{self._mode}", self.docks.save())
-        self._mode = mode
-        self.body.show_page(self.canvas if mode == "draw" else self.run_pane)
-        self.mode_bar.show_mode(mode)
-        self.status_line.show_mode(mode)
-        self.docks.show_mode(mode)
-        if mode == "draw":
-            self.docks.restore(self._settings.bytes_of("panels/draw"))
-        self._fit_width()
-        self.mode_bar.show()
-        # What had the focus may be gone, and keys would end up in whatever Qt finds next.
-        (self.canvas if mode == "draw" else self.run_pane.canvas.canvas).setFocus()
+        """Show Draw, Run or Supervise."""
+        if mode != self.mode:
+            self._modes.show(mode, self.width())
         self.actions_table.refresh()
 
     def wear(self, tokens: Tokens) -> None:
@@ -223,7 +220,7 @@ class Window(QMainWindow):
         self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
-        others = (self.run_pane, self.comparing, self.safety, self.actions_table)
+        others = (self.run_pane, self.supervise, self.comparing, self.safety, self.actions_table)
         for part in (self.canvas, *panels, *frame, *others):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
@@ -282,7 +279,7 @@ class Window(QMainWindow):
 
     def _show_broken(self) -> None:
         """A text that does not read is repaired in the source, where its faults are marked."""
-        if self.session.broken is not None and self._mode == "draw":
+        if self.session.broken is not None and self.mode == "draw":
             self.show_tab("Source")
 
     def _say_what_moved(self, before: Blueprint, after: Blueprint) -> None:
@@ -304,6 +301,10 @@ class Window(QMainWindow):
         self.mode_bar.show_stop(exists)
         self._stop_key.listen(exists)
 
+    def _light_source(self, active: Mapping[str, str], _: str) -> None:
+        """The active states stand lit in the text, as long as it is the run's."""
+        self.source.set_active(Address(sb, state) for sb, state in active.items())
+
     def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
         menu = context_menu(self.session, self.editor, self.actions_table, self.clipping, address)
         menu.popup(at)
@@ -319,18 +320,11 @@ class Window(QMainWindow):
     def _restore(self) -> None:
         self.resize(*SIZE)
         self.restoreGeometry(self._settings.bytes_of("window"))
-        if not self.docks.restore(self._settings.bytes_of("panels/draw")):
-            self.docks.set_first_sizes()
+        self._modes.restore()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._fit_width()
-
-    def _fit_width(self) -> None:
-        """A narrow window has a drawer, and a button for it, in place of the left dock."""
-        drawn = self._mode == "draw"
-        narrow = drawn and self.docks.fit_width(self.width())
-        self.mode_bar.left_button.setVisible(narrow)
+        self._modes.fit_width(self.width())
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):
@@ -356,8 +350,8 @@ class Window(QMainWindow):
         self.comparing.stop()
         self.safety.close()
         self._settings.store("window", self.saveGeometry())
-        if self._mode == "draw":
-            self._settings.store("panels/draw", self.docks.save())
+        if self.mode == "draw":
+            self._modes.keep()
         self._settings.sync()
         self._stop_key.listen(False)
         self.run_pane.shut()

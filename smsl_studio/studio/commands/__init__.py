@@ -11,7 +11,8 @@ from smsl_studio.studio.commands.files import file_actions
 from smsl_studio.studio.commands.help import help_actions
 from smsl_studio.studio.commands.run import run_actions
 from smsl_studio.studio.commands.samples import sample_actions
-from smsl_studio.studio.commands.shell import Shell, Transport
+from smsl_studio.studio.commands.shell import Shell, Supervising, Transport
+from smsl_studio.studio.commands.supervise import supervise_actions
 from smsl_studio.studio.commands.view import view_actions
 from smsl_studio.studio.compare.comparing import Comparing
 from smsl_studio.studio.drawing import Drawing
@@ -35,6 +36,7 @@ def all_actions(
     run: Transport,
     windows: Windows,
     comparing: Comparing,
+    supervise: Supervising,
 ) -> tuple[Action, ...]:
     """Every row, menu by menu."""
     return (
@@ -45,5 +47,6 @@ def all_actions(
         *blueprint_actions(drawing, findings, shell),
         *compare_actions(comparing),
         *run_actions(run, windows, shell),
+        *supervise_actions(supervise, shell),
         *help_actions(shell),
     )

@@ -9,12 +9,17 @@ from smsl_studio.studio.windows import Windows
 
 def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action, ...]:
     def play() -> None:
-        shell.set_mode("run")
+        watch()
         run.play()
 
     def step() -> None:
-        shell.set_mode("run")
+        watch()
         run.step()
+
+    def watch() -> None:
+        """Who supervises goes on supervising; anybody else sees the run."""
+        if shell.mode != "supervise":
+            shell.set_mode("run")
 
     settings = windows.settings
 

@@ -29,7 +29,7 @@ DRAW_TOOLS = (
 )
 SEARCH = 248
 """Pixels of the search field; it gives way where the bar is narrow."""
-MODES = ("mode_draw", "mode_run")
+MODES = ("mode_draw", "mode_run", "mode_supervise")
 
 
 class ModeBar(QToolBar):
@@ -62,6 +62,7 @@ class ModeBar(QToolBar):
         self.stop.hide()
         self._draw_tools = self._make_draw_tools(actions)
         self._middle = QStackedWidget()
+        self._rows: dict[str, QWidget] = {}
         self._middle.addWidget(self._draw_tools)
         inner = QWidget()
         layout = QHBoxLayout(inner)
@@ -92,9 +93,10 @@ class ModeBar(QToolBar):
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(0)
 
-    def add_transport(self, transport: QWidget) -> None:
-        """The row that Run mode shows in the bar's place."""
-        self._middle.addWidget(transport)
+    def add_row(self, mode: str, row: QWidget) -> None:
+        """What a mode shows in place of the drawing tools."""
+        self._rows[mode] = row
+        self._middle.addWidget(row)
 
     def show_stop(self, shown: bool) -> None:
         """Stop stays visible beside the drawing tools while a run exists."""
@@ -102,9 +104,8 @@ class ModeBar(QToolBar):
         self.run.setVisible(not shown)
 
     def show_mode(self, mode: str) -> None:
-        running = mode == "run" and self._middle.count() > 1
-        self._middle.setCurrentIndex(1 if running else 0)
-        self.setFixedHeight(MODE_BAR_RUN if running else MODE_BAR)
+        self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
+        self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
 
     def below(self, name: str) -> QPoint:
         """The point of the screen below an action's button."""

@@ -80,8 +80,8 @@ class StatusLine(QStatusBar):
         self._show_parts()
 
     def show_mode(self, mode: str) -> None:
-        """Run mode speaks of the run."""
-        self._running = mode == "run"
+        """Run and Supervise speak of the run."""
+        self._running = mode in ("run", "supervise")
         self._show_parts()
 
     @property

@@ -6,12 +6,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from smsl_studio.studio.controls import Elided, label, rule
+from smsl_studio.studio.controls import label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens
 
 NARROW = 620
+LONGEST = 170
 """Pixels from which the buttons have their words."""
 
 
@@ -30,9 +31,7 @@ class SuperviseBar(QWidget):
         self._tokens = tokens
         self._pauses = False
         self._kind = ""
-        self._goal, self._person = Elided(), Elided()
-        for part in (self._goal, self._person):
-            part.setProperty("role", "strong")
+        self._goal, self._person = label("", "strong"), label("", "strong")
         self._said = [label("Goal", "small"), label("Supervisor", "small")]
         self.phase = QLabel()
         self.phase.setProperty("role", "phase")
@@ -56,10 +55,10 @@ class SuperviseBar(QWidget):
         across.setContentsMargins(0, 0, 0, 0)
         across.setSpacing(8)
         across.addWidget(self._said[0])
-        across.addWidget(self._goal, 2)
+        across.addWidget(self._goal)
         across.addSpacing(4)
         across.addWidget(self._said[1])
-        across.addWidget(self._person, 2)
+        across.addWidget(self._person)
         across.addStretch(1)
         across.addWidget(self.phase)
         for button in (self.reset, self.end):
@@ -82,11 +81,13 @@ class SuperviseBar(QWidget):
             self.phase.setProperty("kind", kind)
             self.phase.style().unpolish(self.phase)
             self.phase.style().polish(self.phase)
-        for part, said in ((self._goal, goal), (self._person, person)):
-            part.setText(said)
+        pairs = ((self._goal, goal), (self._person, person))
+        for before, (part, said) in zip(self._said, pairs, strict=True):
             part.setToolTip(said)
-        self._said[0].setVisible(bool(goal))
-        self._goal.setVisible(bool(goal))
+            metrics = part.fontMetrics()
+            part.setText(metrics.elidedText(said, Qt.TextElideMode.ElideMiddle, LONGEST))
+            part.setVisible(bool(said))
+            before.setVisible(bool(said))
         latched = phase == "stopped" and exists
         self.reset.setVisible(latched)
         self.end.setVisible(latched)

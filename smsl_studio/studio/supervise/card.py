@@ -179,7 +179,7 @@ class CardButton(QAbstractButton):
         for at in range(3):
             filled = at < RISKS.get(self.card.risk, 0)
             _triangle(painter, left + 5 + at * 10, y, ink if filled else None, t)
-        word = self.card.risk or "no risk said"
+        word = self.card.risk or "not rated"
         plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
         left += 33 + max(plain.width(word), plain.width("medium")) + 10
         cost = f"cost {self.card.cost}"
@@ -212,7 +212,7 @@ def card_words(card: Card, chosen: bool = False) -> str:
     words.append(f"stays in {card.target}" if card.stays else f"to {card.target}")
     words += ["chosen"] if chosen else []
     words.append(BADGES.get(card.standing, "on the route" if card.on_route else "possible"))
-    words.append(f"risk {card.risk}" if card.risk else "no risk said")
+    words.append(f"risk {card.risk}" if card.risk else "risk not rated")
     words += [f"cost {card.cost}", ACTORS.get(card.actor, card.actor)]
     if card.needs != "Nothing":
         words.append(f"needs {card.needs}")

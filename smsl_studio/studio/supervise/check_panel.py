@@ -31,6 +31,7 @@ class CheckPanel(QWidget):
         self._written.setProperty("role", "mono")
         self._verdict = QLabel()
         self._verdict.setProperty("role", "phase")
+        self._verdict.setFixedHeight(24)
         self.table = FactsTable(tokens, quality="Source and quality")
         self._outside = _OutsideLines(tokens)
         self._empty = label("Starts with the run. What an operation returns is not evidence.",

@@ -111,7 +111,7 @@ class SupervisePane(QWidget):
     def accept(self) -> None:
         """Ask for the state that was located, where one was."""
         status = self._run.status
-        if status is not None and status.phase == "taken_over" and len(status.candidates) == 1:
+        if status is not None and self.is_located():
             self._ask(decisions.accept(status))
 
     def set_full_map(self, on: bool) -> None:
@@ -124,6 +124,48 @@ class SupervisePane(QWidget):
         self._chosen_branch = name
         self._drop()
         self.refresh()
+
+    # What the actions ask.
+
+    def run_exists(self) -> bool:
+        return self._run.exists
+
+    def is_located(self) -> bool:
+        status = self._run.status
+        taken = status is not None and status.phase == "taken_over"
+        return taken and status is not None and len(status.candidates) == 1
+
+    def is_stopped(self) -> bool:
+        return self._run.exists and self._run.phase == "stopped"
+
+    def is_held(self) -> bool:
+        return self._run.exists and self._run.phase in ("stopped", "fault_hold", "no_route")
+
+    def is_mapped(self) -> bool:
+        return self._run.exists and self._run.status is not None and self._run.status.full_map
+
+    def choose_first(self) -> None:
+        """Lead the keys to the first card."""
+        if self.board.cards:
+            self.board.cards[0].setFocus()
+
+    def ask_veto(self) -> None:
+        self.step_in.ask_veto()
+
+    def ask_prune(self) -> None:
+        self.step_in.ask_prune()
+
+    def ask_hand(self) -> None:
+        self.step_in.ask_hand()
+
+    def ask_reset(self) -> None:
+        self._ask(decisions.offered(decisions.RESET_OFFER))
+
+    def ask_end(self) -> None:
+        self._ask(decisions.offered(decisions.END_OFFER))
+
+    def turn_map(self) -> None:
+        self.set_full_map(not self.is_mapped())
 
     # Building.
 
@@ -196,8 +238,8 @@ class SupervisePane(QWidget):
         bar.play_wanted.connect(lambda: run.play() if run.exists else self.begin_wanted.emit())
         bar.pause_wanted.connect(run.pause)
         bar.stop_wanted.connect(run.stop)
-        bar.reset_wanted.connect(lambda: self._ask(decisions.offered(decisions.RESET_OFFER)))
-        bar.end_wanted.connect(lambda: self._ask(decisions.offered(decisions.END_OFFER)))
+        bar.reset_wanted.connect(self.ask_reset)
+        bar.end_wanted.connect(self.ask_end)
 
     # What is shown.
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
@@ -51,6 +53,8 @@ class Spot(QWidget):
     ) -> None:
         """Show a state at most ``most`` pixels wide; ``words`` stand below it, strong and soft."""
         self._wide = min(full_width(face, self._ink), most)
+        # Arrows arrive where an initial state has its own: that mark belongs to the map.
+        face = replace(face, initial=False)
         self._face, self._look, (self._strong, self._soft) = face, look, words
         facts = [f"{branch.fact_name(digit)}: {chip.text}" for digit, chip in enumerate(face.chips)]
         title = [face.title] if face.title else []

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
-from smsl_studio.studio.controls import Elided, label
+from smsl_studio.studio.controls import label
 from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.supervise.asking import Asking
 from smsl_studio.studio.supervise.buttons import StepInButton
@@ -31,8 +31,8 @@ class StepIn(QWidget):
         self.asking = Asking()
         self._status: DispatchStatus | None = None
         self._subject: Address | None = None
-        self._on = Elided()
-        self._on.setProperty("role", "second")
+        self._on = label("", "second")
+        self._on.setMinimumWidth(40)
         self.veto = StepInButton("Veto once", "V", "close", tokens)
         self.prune = StepInButton("Prune…", "P", "scissors", tokens)
         self.hand = StepInButton("Take over", "T", "hand", tokens, "automation is locked out")
@@ -45,7 +45,7 @@ class StepIn(QWidget):
         first = QHBoxLayout()
         first.addWidget(label("Step in", "heading"))
         first.addStretch(1)
-        first.addWidget(self._on, 3)
+        first.addWidget(self._on)
         both = QHBoxLayout()
         both.setSpacing(8)
         both.addWidget(self.veto)
@@ -83,7 +83,9 @@ class StepIn(QWidget):
         """Follow the run; ``subject`` is the operation that a veto or a prune is about."""
         self._status = status if exists else None
         self._subject = subject if exists else None
-        self._on.setText(f"on {subject.operation}" if self._subject and subject else "")
+        whole = f"on {subject.operation}" if self._subject and subject else ""
+        metrics = self._on.fontMetrics()
+        self._on.setText(metrics.elidedText(whole, Qt.TextElideMode.ElideMiddle, self.width() - 90))
         self._on.setToolTip(str(self._subject or ""))
         for button, why in (
             (self.veto, self._no_veto()),
