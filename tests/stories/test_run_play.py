@@ -18,7 +18,7 @@ HANOI = SAMPLES / "hanoi-corrected.json"
 def test_play_reaches_the_goal_and_shows_the_way(sit: Sit) -> None:
     person = sit(HFSM)
     run = AtRun(person)
-    assert run.phase == "Ready"
+    assert run.phase == "No run"
     person.click(run.pane.transport.play)
     run.until_phase("Goal reached")
     assert run.active() == {"SB1": "State111", "SB2": "State1"}
@@ -136,7 +136,7 @@ def test_another_file_is_not_shown_with_the_run_of_the_last(sit: Sit) -> None:
     person.click(run.pane.transport.play)
     run.until_phase("Goal reached")
     assert person.window.files.open_copy(HANOI)
-    assert run.phase == "Ready"
+    assert run.phase == "No run"
     assert not run.facts()
     assert not run.pane.timeline.lanes
     assert not run.pane.events.count()
