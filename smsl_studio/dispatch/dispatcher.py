@@ -69,6 +69,7 @@ class Dispatcher(Commands):
         self._attended = not automatic if attended is None else attended
         self._reviewer = Reviewer(supervisor)
         self._visits = visits
+        self._leaving = False
         self._driver: Driver | None = None
         self._ended: RunFinished | None = None
         self._status: DispatchStatus | None = None
@@ -108,6 +109,8 @@ class Dispatcher(Commands):
             commands, self._waiting = self._waiting, []
             if commands:
                 obey(driver, commands)
+            if self._leaving and driver.ended is None:
+                driver.leave()
             if driver.ended is None:
                 driver.go_on()
         except HostError as error:
@@ -126,6 +129,10 @@ class Dispatcher(Commands):
         except HostError as error:
             return self._host_gone(error)
         return ()
+
+    def leave(self) -> None:
+        """Whoever attended the run is gone: from the next tick on it ends where it waits."""
+        self._leaving = True
 
     def close(self) -> None:
         """Free the host; calling it twice is harmless."""

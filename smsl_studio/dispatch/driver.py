@@ -183,6 +183,21 @@ class Driver:
         word = "holds" if len(goals) == 1 else "hold"
         self.finish("goal_reached", f"{', '.join(map(str, goals))} {word}.")
 
+    def leave(self) -> None:
+        """Nobody attends the run any more: where it waits for somebody, it is over."""
+        self.attended = False
+        held, phase = self.state.held, self.phase
+        if held is not None and phase in ("no_route", "fault_hold"):
+            self.finish(held.kind, held.reason)
+        elif phase == "stopped":
+            self.finish("stopped", self.sentence)
+        elif phase == "ready" and holds(self.run.configuration, self.course.goals):
+            self.state.by_hand = False
+            self._arrived()
+        elif phase in ("ready", "paused", "waiting", "taken_over"):
+            words = phase.replace("_", " ").replace("ready", "run by hand")
+            self.finish("held", f"The run is {words}, and nobody is there to go on with it.")
+
     # what commands need -------------------------------------------------------------------------
 
     def next_edge(self) -> Address | None:
