@@ -19,6 +19,7 @@ BENCHES = (
     "load",
     "inspect",
     "dispatch",
+    "replan",
     "start",
     "canvas",
     "source",
@@ -30,6 +31,7 @@ BENCHES = (
     "journal",
     "compare",
     "record",
+    "reaction",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

@@ -53,8 +53,8 @@ class _Lone:
     def __init__(self, branch: StateBranch, stepper: Stepper) -> None:
         self._branch = branch
         self._graph = graph_of(branch)
-        self._trees: dict[frozenset[str], tuple[GoalTree, Mapping[Address, float]]] = {}
-        self._steps: dict[tuple[int, float], JointStep] = {}
+        self._trees: dict[frozenset[str], tuple[GoalTree, Mapping[int, float]]] = {}
+        self._steps: dict[tuple[int, float | None], JointStep] = {}
         self._never = frozenset((*self._unbound(stepper), *self._into_failure()))
         self._declared = _declared(branch, self._graph)
         self._asking = tuple(self._with_requires())
@@ -62,16 +62,27 @@ class _Lone:
     def way(
         self, stepper: Stepper, start: Configuration, goals: Collection[str]
     ) -> tuple[JointStep, ...] | None:
-        tree = self._tree(stepper, start, frozenset(goals))
-        edges = tree.route(self._graph.index[start[self._branch.name]])
-        return None if edges is None else tuple(self._step(stepper, edge) for edge in edges)
+        name, graph = self._branch.name, self._graph
+        numbered = ((self._number(a), cost) for a, cost in stepper.terms.costs.items())
+        costs = {number: cost for number, cost in numbered if number is not None}
+        tree = self._tree(stepper, start, frozenset(goals), costs)
+        edges = tree.route(graph.index[start[name]])
+        if edges is None:
+            return None
+        return tuple(self._step(stepper, edge, costs.get(edge)) for edge in edges)
 
-    def _tree(self, stepper: Stepper, start: Configuration, goals: frozenset[str]) -> GoalTree:
+    def _tree(
+        self,
+        stepper: Stepper,
+        start: Configuration,
+        goals: frozenset[str],
+        costs: Mapping[int, float],
+    ) -> GoalTree:
+        """The tree for some goals under the terms of now; ``costs`` are those not as declared."""
         graph, terms = self._graph, stepper.terms
         closed = set(self._never)
         closed.update(e for a in terms.shut if (e := self._number(a)) is not None)
         closed.update(e for e in self._asking if not self._granted(stepper, start, e))
-        own = {a: cost for a, cost in terms.costs.items() if a.branch == self._branch.name}
         tree, priced = self._trees.pop(goals, (None, {}))
         if tree is None:
             numbers = [graph.index[goal] for goal in goals if goal in graph.index]
@@ -80,32 +91,30 @@ class _Lone:
             tree.open(edge)
         for edge in closed - tree.closed:
             tree.close(edge)
-        if own != priced:
-            changed = {
-                address: own.get(address)
-                for address in dict.fromkeys((*priced, *own))
-                if own.get(address) != priced.get(address)
-            }
-            tree.reprice(dict(self._costs(changed)))
-        self._trees[goals] = tree, own
+        if costs != priced:
+            tree.reprice(
+                {
+                    edge: costs[edge] if edge in costs else self._cost(edge)
+                    for edge in dict.fromkeys((*priced, *costs))
+                    if costs.get(edge) != priced.get(edge)
+                }
+            )
+        self._trees[goals] = tree, costs
         if len(self._trees) > MOST:
             del self._trees[next(iter(self._trees))]
         return tree
 
-    def _costs(self, changed: Mapping[Address, float | None]) -> Iterator[tuple[int, float]]:
-        for address, cost in changed.items():
-            edge = self._number(address)
-            if edge is not None:
-                declared = self._branch.cost(address.state, address.operation)
-                yield edge, declared if cost is None else cost
+    def _cost(self, edge: int) -> float:
+        return 1.0 if self._declared is None else self._declared[edge]
 
-    def _step(self, stepper: Stepper, number: int) -> JointStep:
-        """The joint step of an edge that moves nothing but its own SB."""
-        edge = stepper.edges.get(self._address(number))
-        assert edge is not None
-        kept = self._steps.get((number, edge.cost))
+    def _step(self, stepper: Stepper, number: int, cost: float | None) -> JointStep:
+        """The joint step of an edge that moves nothing but its own SB; ``cost`` where it is not
+        the declared one."""
+        kept = self._steps.get((number, cost))
         if kept is None:
-            kept = self._steps[number, edge.cost] = _alone(edge)
+            edge = stepper.edges.get(self._address(number))
+            assert edge is not None
+            kept = self._steps[number, cost] = _alone(edge)
         return kept
 
     def _address(self, number: int) -> Address:
