@@ -121,14 +121,19 @@ class Dispatcher(Commands):
         return self._drain()
 
     def watch(self) -> tuple[Event, ...]:
-        """Whether the host is still there, for a run that stands still: nothing moves."""
-        if self._driver is None or self.finished:
+        """For a run that stands still, nothing moves: whether the host is still there, and what
+        sensors elsewhere say meanwhile."""
+        driver = self._driver
+        if driver is None or self.finished:
             return ()
         try:
             self.host.check()
         except HostError as error:
             return self._host_gone(error)
-        return ()
+        if driver.run.opened.remote is None:
+            return ()
+        driver.run.emit(*driver.run.senses.listen())
+        return self._drain()
 
     def leave(self) -> None:
         """Whoever attended the run is gone: from the next tick on it ends where it waits."""

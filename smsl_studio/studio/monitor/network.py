@@ -20,7 +20,9 @@ def network_rows(
     """A row for the world, the broker, each node and each kind of refused message."""
     own = [sensor for sensor in sensors if not sensor.remote]
     rows = [Row("Nodes", kind="section")]
-    if world:
+    if not world:
+        rows.append(Row(NOBODY, pale=True))
+    else:
         words = (
             f"{len(own)} {'sensor' if len(own) == 1 else 'sensors'}, {_rates(own)}" if own else ""
         )

@@ -117,7 +117,7 @@ class _Cells(QStyledItemDelegate):
             painter.fillRect(room, tokens.sunk)
         painter.fillRect(QRectF(room.left(), room.bottom() - 1, room.width(), 1), tokens.line)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        inner = room.adjusted(INSET.get(column, 6), 0, -6, 0)
+        inner = room.adjusted(INSET.get(column, 0), 0, -6, 0)
         if row.kind == GROUP:
             self._group(painter, inner, row, column)
         elif column == VALUE and words:

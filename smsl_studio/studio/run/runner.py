@@ -143,7 +143,10 @@ class Runner(QThread):
 
     def _loop(self, dispatcher: Dispatcher, recording: Recording, heard: list[Event]) -> None:
         """Tick until closed. ``heard`` are the events that the window was not told of yet."""
-        pace = _Pace(dispatcher.time, self._speed)
+        opened = dispatcher.opened
+        # Sensors elsewhere speak in wall time, and have to be waited for.
+        most = 1.0 if opened is not None and opened.remote is not None else math.inf
+        pace = _Pace(dispatcher.time, min(self._speed, most))
         reported, slowest, told = -math.inf, 0.0, None
         while not self._closing:
             still = dispatcher.finished or dispatcher.phase == "paused"
@@ -158,8 +161,8 @@ class Runner(QThread):
                 # Nothing asks the world anything now, and its process may end all the same.
                 recording.tell(self._heeded(dispatcher.watch()))
                 continue
-            if obeyed or pace.speed != self._speed:
-                pace = _Pace(dispatcher.time, self._speed)
+            if obeyed or pace.speed != min(self._speed, most):
+                pace = _Pace(dispatcher.time, min(self._speed, most))
             if not self._closing and pace.ahead(dispatcher.time) <= 0:
                 began = monotonic()
                 recording.tell(self._heeded(dispatcher.tick()))
