@@ -24,9 +24,11 @@ RAISED = 0.03
 """How far (m) above the table a held ring's lower side is when it counts as lifted."""
 
 
-def gripper_opens(table: Table, seconds: float = 1.0) -> Fault:
-    """The fingers open as soon as a ring is lifted, and stay open for a while."""
+def gripper_opens(table: Table, after: float = 0.6, seconds: float = 0.3) -> Fault:
+    """The fingers open so long (s) after a ring was lifted, and stay open for a while."""
     yield from _until_lifted(table)
+    for _ in range(_ticks(table, after)):
+        yield
     for _ in range(_ticks(table, seconds)):
         table.world.robot.open()
         yield

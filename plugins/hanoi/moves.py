@@ -25,8 +25,8 @@ Motion = Generator[None, None, None]
 DOWN: Array = np.diag([1.0, -1.0, -1.0])
 """The tool looking down, its fingers closing along y."""
 
-TRAVEL, CAREFUL = 0.6, 0.35
-"""The greatest speeds (m/s): on the way, and where rings are lifted or lowered."""
+TRAVEL, CAREFUL, GENTLE = 0.6, 0.35, 0.15
+"""The greatest speeds (m/s): on the way, where rings are lifted or lowered, and on short ways."""
 
 CLEAR = PEG_TOP + 0.02
 """The height (m) of a carried ring's lower side on its way over the pegs."""
@@ -36,6 +36,12 @@ TIPS = 0.010
 
 SQUEEZE = 0.006
 """How far inside the ring's radius (m) the fingers are sent when they close."""
+
+YIELDS = 0.005
+"""How far (m) a ring is pushed up in the fingers before it counts as blocked."""
+
+BESIDE = 0.03
+"""How far (m) beside a ring the tool may be and come down on it straight."""
 
 CLOSING, OPENING = 36, 24
 """Ticks that the fingers take."""
@@ -74,8 +80,13 @@ def _pick(table: Table, disk: Disk) -> Motion:
     world = table.world
     centre = centre_of(world, disk)
     grasp = np.add(centre, (0.0, 0.0, TIPS - disk.thickness / 2))
+    here = tool(world)
+    # Right over the ring there is no way round, and a turn back in mid-way would be taken at speed.
     world.robot.open()
-    yield from travel(world, [above(tool(world)), above(centre), grasp], TRAVEL)
+    if np.hypot(*(centre - here)[:2]) < BESIDE:
+        yield from travel(world, [grasp], GENTLE)
+    else:
+        yield from travel(world, [above(here), above(centre), grasp], TRAVEL)
     world.robot.grip(disk.radius - SQUEEZE)
     yield from wait(CLOSING)
 
@@ -91,7 +102,11 @@ def lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
 
 
 def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
-    """Bring the ring's own middle over the peg, lower it onto the stack and let go."""
+    """Bring the ring's own middle over the peg, lower it onto the stack and let go.
+
+    A ring that gives way in the fingers has met something that is no stack: it is raised again,
+    and stays in the hand.
+    """
     world = table.world
     shift = tool(world) - centre_of(world, disk)
     over = np.array([*PEGS[peg], CLEAR + disk.thickness / 2]) + shift
@@ -102,9 +117,12 @@ def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
     shift = tool(world) - centre_of(world, disk)
     height = sum(other.thickness for other in table.on_peg(peg)) + 0.001
     down = np.array([*PEGS[peg], height + disk.thickness / 2]) + shift
-    yield from travel(world, [down], CAREFUL)
-    world.robot.open()
-    yield from wait(OPENING)
+    for _ in travel(world, [down], CAREFUL):
+        if (shift - tool(world) + centre_of(world, disk))[2] > YIELDS:
+            yield from travel(world, [above(tool(world))], CAREFUL)
+            return False
+        yield
+    yield from let_go(world)
     yield from travel(world, [above(tool(world))], CAREFUL)
     return True
 

@@ -63,6 +63,55 @@ def hanoi(disks: int) -> Blueprint:
     return read_blueprint(parse_json(text, f"hanoi-{disks}.json"))
 
 
+LOST = {"h": "held, not yet put down", "x": "dropped: on no peg, or on a smaller disk"}
+"""What a disk's fact says where it is on no peg as it should be."""
+
+
+def recovering_moves(facts: Facts) -> Iterator[tuple[str, Facts]]:
+    """The moves of the game, and from where a disk is lost those that bring it back.
+
+    ``Op_recover2c`` brings disk 2 to peg c, where no smaller disk is in the way.
+    """
+    lost = [disk for disk, peg in enumerate(facts) if peg in LOST]
+    if not lost:
+        yield from hanoi_moves(facts)
+    for disk in lost:
+        for peg in PEGS:
+            if peg not in facts[:disk]:
+                yield f"Op_recover{disk + 1}{peg}", (*facts[:disk], peg, *facts[disk + 1 :])
+
+
+def hanoi_failures_values(disks: int, branch: str = "SB1") -> Values:
+    """The Towers of Hanoi where one disk at a time may be lost: held (h) or dropped (x).
+
+    The lost disk's value is a failure value; the states in which none is lost come first.
+    """
+    good = list(hanoi_values(disks, branch)[branch])[1:]
+    towers = [tuple(state.removeprefix("State_")) for state in good]
+    lost = [
+        facts
+        for disk in range(disks)
+        for value in LOST
+        for facts in dict.fromkeys((*t[:disk], value, *t[disk + 1 :]) for t in towers)
+    ]
+    values = branch_values(branch, [*towers, *lost], recovering_moves)
+    table: dict[str, Any] = values[branch]
+    table["HEADER"] = {"INITIAL": good[0], "ACTIVATING": good[-1], "NUM_FACTS": disks}
+    pegs = {peg: f"on peg {peg}" for peg in PEGS}
+    facts = {
+        str(disk): {"name": f"Disk {disk + 1}", "values": pegs | LOST, "failure": list(LOST)}
+        for disk in range(disks)
+    }
+    header = table.pop("HEADER")
+    return {branch: {"HEADER": header, "_facts": facts, **table}}
+
+
+def hanoi_failures(disks: int) -> Blueprint:
+    """Hanoi with failure states as a blueprint; UsageError as ``hanoi`` has it."""
+    text = write_json(hanoi_failures_values(disks))
+    return read_blueprint(parse_json(text, f"hanoi-{disks}-failures.json"))
+
+
 def switch_moves(facts: Facts) -> Iterator[tuple[str, Facts]]:
     """Every switch may be turned, one at a time; ``Op_2`` turns switch 2."""
     for digit, value in enumerate(facts):
