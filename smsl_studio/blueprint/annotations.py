@@ -88,6 +88,10 @@ class OperationNote(_Note):
     duration: Annotated[float, Ge(0)] | None = None
     timeout: Annotated[float, Gt(0)] | None = None
     stop: Literal["abort", "hold", "finish"] | None = None
+    resumes: bool | None = None
+    """Whether it goes on after a pause held it; None: as its library function declares."""
+    touches: tuple[Annotated[int, Ge(0)], ...] = ()
+    """Digits of its SB that are unknown after it was cancelled, besides those its edge changes."""
     repeatable: bool = False
     requires: dict[str, str] = field(default_factory=dict)
     """Facts of any SB that must hold first: ``{"SB/digit": value}``."""

@@ -55,6 +55,8 @@ WORDS: dict[str, dict[str, str]] = {
         "duration": "How many seconds it takes.",
         "timeout": "Seconds after which it counts as failed.",
         "stop": "What a stop does to it: abort, hold or finish.",
+        "resumes": "Whether it goes on after a pause held it.",
+        "touches": "Facts that are unknown after it was cancelled, besides those it changes.",
         "repeatable": "Whether it may be tried again after a failure.",
         "requires": 'Facts of any SB that must hold first: "SB/digit": value.',
         "subs": "drive moves the sub-SBs first; load brings their facts about itself.",

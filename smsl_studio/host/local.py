@@ -249,7 +249,14 @@ def _bounds(bindings: Bindings) -> dict[Address, Bound]:
     same: dict[Bound, Bound] = {}
     found: dict[Address, Bound] = {}
     for edge, function in bindings.operations.items():
-        bound = Bound(function.name, function.exact, function.stop, function.timeout)
+        bound = Bound(
+            function.name,
+            function.exact,
+            function.stop,
+            function.timeout,
+            function.resumes,
+            function.touches,
+        )
         found[edge] = same.setdefault(bound, bound)
     return found
 

@@ -25,6 +25,7 @@ from smsl_studio.library.bound import (
     BoundOperation,
     BoundSensor,
     leaf_facts,
+    noted_touches,
 )
 from smsl_studio.library.loading import Loaded, Plugin
 from smsl_studio.library.operation_library import TABLE, OperationEntry, SensorEntry
@@ -150,9 +151,31 @@ class _Binder:
         plugin, entry = code
         note = branch.operation_note(edge.state, edge.operation)
         stop, timeout = note.stop or entry.stop, note.timeout or entry.timeout
+        resumes = entry.resumes if note.resumes is None else note.resumes
         return BoundOperation(
-            entry.name, entry.function, arguments, exact, stop, timeout, plugin.location
+            entry.name,
+            entry.function,
+            arguments,
+            exact,
+            stop,
+            timeout,
+            plugin.location,
+            resumes,
+            (*noted_touches(branch, note), *self._touched(branch, entry, arguments)),
         )
+
+    def _touched(
+        self, branch: StateBranch, entry: OperationEntry, arguments: Mapping[str, Any]
+    ) -> Iterator[FactKey]:
+        """The facts that a function says it may leave anywhere; PluginError for what is none."""
+        for pattern in entry.touches:
+            text = pattern.fill(arguments)
+            name, _, number = text.rpartition("/")
+            found = self.blueprint.branches.get(name or branch.name)
+            at = int(number) if number.isascii() and number.isdecimal() else 0
+            if found is None or not 0 < at <= found.num_facts:
+                raise PluginError(f"{entry.name} touches {text}, which is no fact")
+            yield found.name, at - 1
 
     def sensors(self) -> Iterator[BoundSensor]:
         for branch, digit in leaf_facts(self.blueprint):

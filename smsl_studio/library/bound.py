@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.annotations import OperationNote
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import Place
@@ -17,6 +18,7 @@ class BoundOperation:
     """The code of one edge, ready to be called as ``function(world, **arguments)``.
 
     ``exact``: bound to exactly this ``State/Operation``. ``location``: the folder of the code.
+    ``resumes`` and ``touches`` as in ``host.protocol.Bound``.
     """
 
     name: str
@@ -26,6 +28,8 @@ class BoundOperation:
     stop: str
     timeout: float
     location: str = ""
+    resumes: bool = True
+    touches: tuple[FactKey, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,3 +80,8 @@ def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:
         for digit in range(branch.num_facts if branch.table else 0):
             if digit not in branch.subs:
                 yield branch, digit
+
+
+def noted_touches(branch: StateBranch, note: OperationNote) -> tuple[FactKey, ...]:
+    """The facts that an annotation says an operation may leave anywhere when it is cancelled."""
+    return tuple((branch.name, digit) for digit in note.touches if digit < branch.num_facts)

@@ -25,7 +25,7 @@ Every plugin fills a library of its own; ``binding`` reads them. Times are simul
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, TypeVar
@@ -68,6 +68,8 @@ class OperationEntry:
     signature: Signature
     stop: str
     timeout: float
+    resumes: bool = True
+    touches: tuple[Pattern, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,12 +164,21 @@ class OperationLibrary:
         return keep
 
     def operation(
-        self, name: str = "", stop: str = "hold", timeout: float = 20.0
+        self,
+        name: str = "",
+        stop: str = "hold",
+        timeout: float = 20.0,
+        *,
+        resumes: bool = True,
+        touches: Sequence[str] = (),
     ) -> Callable[[FunctionT], FunctionT]:
         """The decorated generator function carries out the operations that ``name`` matches.
 
         Each ``yield`` lets the world go on for one tick; returning False says that it failed.
-        Without a name it is only used where a blueprint or a binding file names it.
+        Without a name it is only used where a blueprint or a binding file names it. ``resumes``
+        False: a pause cancels it. ``touches`` are the facts it may leave anywhere when it is
+        cancelled, besides those that its edge changes: ``"{n}"`` of the edge's SB or ``"SB/{n}"``,
+        counted from 1, by its own parameters.
         """
         _one_of(stop, STOP_MODES, "stop")
         _positive(timeout, "timeout")
@@ -182,9 +193,12 @@ class OperationLibrary:
             pattern = read_pattern(name, signature.types) if name else None
             if pattern is not None:
                 _must_name_all(pattern, signature)
+            facts = tuple(read_pattern(text, signature.types) for text in touches)
+            for fact in facts:
+                _must_know_all(fact, signature)
             called = f"{self.name}.{function.__name__}"
             self.operations.append(
-                OperationEntry(function, called, pattern, signature, stop, timeout)
+                OperationEntry(function, called, pattern, signature, stop, timeout, resumes, facts)
             )
             return function
 
@@ -206,6 +220,11 @@ class OperationLibrary:
             return function
 
         return keep
+
+
+def _must_know_all(pattern: Pattern, signature: Signature) -> None:
+    for name in sorted(set(pattern.parameters) - set(signature.types)):
+        raise PluginError(f"{pattern.text!r} has {{{name}}}, the function has no {name!r}")
 
 
 def _must_name_all(pattern: Pattern, signature: Signature) -> None:

@@ -12,7 +12,13 @@ from collections.abc import Generator, Iterator, Mapping
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.library.bound import Bindings, BoundOperation, BoundSensor, leaf_facts
+from smsl_studio.library.bound import (
+    Bindings,
+    BoundOperation,
+    BoundSensor,
+    leaf_facts,
+    noted_touches,
+)
 from smsl_studio.library.table_faults import befallen
 from smsl_studio.world.table import TableWorld
 
@@ -95,6 +101,8 @@ class _TableOperations(Mapping[Address, BoundOperation]):
             False,
             note.stop or "hold",
             note.timeout or TIMEOUT,
+            resumes=note.resumes is not False,
+            touches=noted_touches(branch, note),
         )
 
     def __iter__(self) -> Iterator[Address]:

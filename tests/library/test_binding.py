@@ -38,8 +38,12 @@ def register(library):
     def anything(world, anything: str):
         yield
 
-    @library.operation("Op_plain", stop="abort", timeout=3.0)
+    @library.operation("Op_plain", stop="abort", timeout=3.0, resumes=False)
     def plain(world):
+        yield
+
+    @library.operation("Push_{n}", touches=("{n}", "SB2/1"))
+    def push(world, n: int):
         yield
 
     @library.operation()
@@ -124,6 +128,28 @@ def test_stop_and_timeout_come_from_the_function_and_the_note(loaded: Loaded) ->
     noted = _bind(loaded, _operations={"Op_plain": {"stop": "finish", "timeout": 9.0}})
     bound = noted.operations[plain]
     assert (bound.stop, bound.timeout) == ("finish", 9.0)
+
+
+def _pushed(loaded: Loaded, *names: str, **notes: Any) -> Bindings:
+    values = _values(**notes)
+    values["SB1"][A] |= dict.fromkeys(names, B)
+    return bind(blueprint_of(values), loaded, "w", None)
+
+
+def test_what_a_pause_and_a_cancel_do_comes_from_the_function_and_the_note(loaded: Loaded) -> None:
+    plain, push = Address("SB1", A, "Op_plain"), Address("SB1", A, "Push_1")
+    found = _pushed(loaded, "Push_1").operations
+    assert (found[plain].resumes, found[plain].touches) == (False, ())
+    assert (found[push].resumes, found[push].touches) == (True, (("SB1", 0), ("SB2", 0)))
+    note = {"Op_plain": {"resumes": True, "touches": [0]}}
+    bound = _pushed(loaded, _operations=note).operations[plain]
+    assert (bound.resumes, bound.touches) == (True, (("SB1", 0),))
+
+
+def test_touching_what_is_no_fact_is_a_fault(loaded: Loaded) -> None:
+    bindings = _pushed(loaded, "Push_9")
+    assert Address("SB1", A, "Push_9") not in bindings.operations
+    assert "p.push touches 9, which is no fact" in [fault.sentence for fault in bindings.faults]
 
 
 def test_exact_comes_before_name_before_pattern(loaded: Loaded, tmp_path: Path) -> None:
