@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -11,9 +11,14 @@ from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import Action, JointStep
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
+from smsl_studio.dispatch.people.desk import no_words, who_words
+from smsl_studio.dispatch.people.needed import in_checks
+from smsl_studio.dispatch.people.questions import operation_task
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.host.protocol import Bound, Outcome, Tick
+from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
 
 ENDED = {
@@ -31,6 +36,7 @@ class Stage(Enum):
 
     NEXT = "next"
     RUNNING = "running"
+    ASKING = "asking"
     SETTLING = "settling"
     DONE = "done"
     FAILED = "failed"
@@ -38,17 +44,20 @@ class Stage(Enum):
 
 @dataclass(frozen=True)
 class Failure:
-    """Why a joint step ended early. ``risky`` says that the operation itself is to blame."""
+    """Why a joint step ended early. ``risky`` says that the operation itself is to blame,
+    ``unanswered`` that people were asked and did not say what it needed."""
 
     edge: Edge
     reason: str
     risky: bool
     pending: bool
+    unanswered: bool = False
 
 
 class Carrier:
     """One joint step on its way. ``advance`` takes it one tick on; nothing here decides what
-    comes after it."""
+    comes after it. ``wants`` are the questions that people must answer while it is ``ASKING``; it
+    goes on when it is told how they were ``answered``."""
 
     def __init__(self, run: Run, step: JointStep) -> None:
         self.step = step
@@ -56,11 +65,13 @@ class Carrier:
         self.failure: Failure | None = None
         self.since = run.time
         self.check: CheckResult | None = None
+        self.wants: tuple[Question, ...] = ()
         self._run = run
         self._index = 0
         self._until = 0.0
         self._fault = ""
-        self._blame = True
+        self._blame = self._answerable = True
+        self._unanswered = False
 
     @property
     def action(self) -> Action:
@@ -68,13 +79,13 @@ class Carrier:
 
     @property
     def bound(self) -> Bound:
-        """The function of the current action."""
-        return self._run.opened.bound[self.action.edge.address]
+        """What carries out the current action."""
+        return self._run.bound[self.action.edge.address]
 
     @property
     def moving(self) -> bool:
-        """Whether a library function runs or the world settles after one."""
-        return self.stage in (Stage.RUNNING, Stage.SETTLING)
+        """Whether a function runs or a person acts, or the world settles after it."""
+        return self.stage in (Stage.RUNNING, Stage.ASKING, Stage.SETTLING)
 
     @property
     def remaining(self) -> tuple[Edge, ...]:
@@ -90,7 +101,9 @@ class Carrier:
     @property
     def can_freeze(self) -> bool:
         """Whether a pause may hold it where it is, to go on with it later."""
-        return self.stage is Stage.SETTLING or (self.bound.stop == "hold" and self.bound.resumes)
+        return self.stage in (Stage.ASKING, Stage.SETTLING) or (
+            self.bound.stop == "hold" and self.bound.resumes
+        )
 
     @property
     def uncommitted(self) -> tuple[Address, ...]:
@@ -108,7 +121,7 @@ class Carrier:
             for edge in action.begins:
                 if edge.address in open_edges:
                     found |= _changed(run.blueprint[edge.branch], edge)
-                    bound = run.opened.bound.get(edge.address)
+                    bound = run.bound.get(edge.address)
                     found |= set(bound.touches) if bound and edge.function else set()
         return tuple(sorted(found))
 
@@ -130,6 +143,10 @@ class Carrier:
             self._cancel(mode, "cancelled", reason)
             self._fault, self._blame = reason, False
             self._settle()
+        elif self.stage is Stage.ASKING:
+            self._end_asking(reason)
+            self._fault, self._blame = reason, False
+            self._settle()
         elif self.stage is Stage.NEXT:
             self._fail(reason, risky=False, pending=bool(self._run.transit))
 
@@ -140,8 +157,17 @@ class Carrier:
         if self.stage is Stage.RUNNING:
             stop = self.bound.stop
             self._cancel("hold" if stop == "finish" else stop, "cancelled", reason)
+        elif self.stage is Stage.ASKING:
+            self._end_asking(reason)
         self.stage = Stage.FAILED
         return touched
+
+    def _end_asking(self, reason: str) -> None:
+        """Nobody needs to answer any more; a person who was acting is not, as far as we know."""
+        if self.wants[0].kind == "operation":
+            self._ended("cancelled", reason)
+            self._run.emit(*self._run.senses.doubt(self.touched, UNSURE))
+        self.wants = ()
 
     def _cancel(self, mode: str, outcome: str, message: str) -> None:
         """End the function; what it may have touched is unknown until it is sensed anew."""
@@ -169,13 +195,67 @@ class Carrier:
                     function=function,
                 )
             )
+        if run.people_say:
+            run.emit(*run.senses.forget(self._changing()))
+        self.since, self._answerable = run.time, True
+        if run.by_person(action.edge):
+            self._want(operation_task(run.blueprint, action.edge.address))
+            return
         run.host.begin(action.edge.address)
-        self.stage, self.since = Stage.RUNNING, run.time
+        self.stage = Stage.RUNNING
+
+    def _changing(self) -> set[FactKey]:
+        """The facts that the current action is to change, or may."""
+        run, action = self._run, self.action
+        found = set(self.bound.touches)
+        for name, state in {**action.moved, **action.committed}.items():
+            branch = run.blueprint[name]
+            pairs = zip(branch.facts(run.believed[name]), branch.facts(state), strict=False)
+            found |= {(name, digit) for digit, (old, new) in enumerate(pairs) if old != new}
+        return found
+
+    def _want(self, *questions: Question) -> None:
+        self.wants, self.stage = questions, Stage.ASKING
+
+    def answered(self, closed: Sequence[Closed]) -> None:
+        """People have answered what it wants, or will not: it goes on from there."""
+        wants, self.wants = self.wants, ()
+        no = no_words(closed)
+        if wants[0].kind == "operation":
+            self._person_ended(closed[0] if closed else None, no)
+        elif no:
+            self._fail(no, risky=False, unanswered=True)
+        else:
+            self._decide()
+
+    def unanswered(self, reason: str) -> None:
+        """Nobody is there to answer what it wants."""
+        kind, self.wants = self.wants[0].kind, ()
+        if kind == "operation":
+            self._ended("cancelled", reason)
+        self._fail(reason, risky=False, unanswered=True)
+
+    def _person_ended(self, closed: Closed | None, no: str) -> None:
+        """A person has done it, could not, or nobody said so: as with a function, that decides
+        nothing but failure."""
+        run, edge = self._run, self.action.edge
+        if closed is not None and closed.yes:
+            if run.opened.world == TABLE:
+                # Nobody can touch a table that stands in memory: what was done is written down.
+                run.host.begin(edge.address)
+                self.stage = Stage.RUNNING
+                return
+            self._ended("returned", f"done by {who_words(closed)}")
+        else:
+            told = closed is not None and closed.outcome == ANSWERED
+            self._ended("failed" if told else "timed_out", no)
+            self._fault, self._blame, self._unanswered = no, told, not told
+        self._settle()
 
     def _function(self, edge: Edge) -> str:
         if not edge.function:
             return ""
-        return self._run.opened.bound[edge.address].function
+        return self._run.bound[edge.address].function
 
     def _running(self) -> None:
         tick, changes = self._run.senses.tick()
@@ -207,12 +287,19 @@ class Carrier:
         run, action = self._run, self.action
         run.look()
         if self._fault:
-            self._fail(self._fault, risky=self._blame)
+            self._fail(self._fault, risky=self._blame, unanswered=self._unanswered)
             return
         run.pending.update(action.moved)
         run.transit = action.after
-        for branch, state in {**action.moved, **action.committed}.items():
-            self.check = run.check(branch, state, action.after)
+        targets = {**action.moved, **action.committed}
+        checks = [run.check(branch, state, action.after) for branch, state in targets.items()]
+        asked = in_checks(run, checks) if self._answerable else ()
+        if asked and all(check.truth is not False for check in checks):
+            self._answerable = False
+            self._want(*asked)
+            return
+        for check in checks:
+            self.check = check
             self._told(self.check)
             if self.check.truth is not True:
                 self._fail(check_words(run.blueprint, self.check), risky=True)
@@ -243,11 +330,13 @@ class Carrier:
             )
         )
 
-    def _fail(self, reason: str, risky: bool, pending: bool | None = None) -> None:
+    def _fail(
+        self, reason: str, risky: bool, pending: bool | None = None, unanswered: bool = False
+    ) -> None:
         """Pending from the moment a crossing starts until it commits."""
         if pending is None:
             pending = bool(self.action.transit)
-        self.failure = Failure(self.action.edge, reason, risky, pending)
+        self.failure = Failure(self.action.edge, reason, risky, pending, unanswered)
         self.stage = Stage.FAILED
 
 

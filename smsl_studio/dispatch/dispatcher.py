@@ -7,15 +7,16 @@ clock or a file or starts a thread.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.driver import Driver
 from smsl_studio.dispatch.looking import look, look_at_nothing, phase_at_end
-from smsl_studio.dispatch.start import begin_run, start_events
+from smsl_studio.dispatch.start import begin_run
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.dispatch.supervision.commands import Commands
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
@@ -41,6 +42,11 @@ class Dispatcher(Commands):
     ``supervisor`` is asked before every operation, last of all guards. ``visits`` is how often the
     automatic route may begin one edge from one configuration before the run holds.
 
+    ``levels`` say who acts, senses, inspects and supervises (by default as the blueprint has it).
+    ``someone`` says whether anybody will answer what people are asked; where it is not given, that
+    is whoever attends the run. ``findings`` are words of inspection that a person must accept
+    before anything moves; empty where nobody has to.
+
     Commands are taken while the run is open; the record of a finished one is closed.
     """
 
@@ -58,6 +64,9 @@ class Dispatcher(Commands):
         attended: bool | None = None,
         supervisor: Supervisor | None = None,
         visits: int = VISITS,
+        levels: Levels | None = None,
+        someone: Callable[[], bool] | None = None,
+        findings: str = "",
     ) -> None:
         super().__init__()
         self.host = host
@@ -69,6 +78,7 @@ class Dispatcher(Commands):
         self._attended = not automatic if attended is None else attended
         self._reviewer = Reviewer(supervisor)
         self._visits = visits
+        self._levels, self._someone, self._findings = levels, someone, findings
         self._leaving = False
         self._driver: Driver | None = None
         self._ended: RunFinished | None = None
@@ -82,8 +92,10 @@ class Dispatcher(Commands):
         WorldError and PluginError where the world cannot be built at all.
         """
         try:
-            run, goals = begin_run(self._blueprint, self.host, self._start, self._goals)
-            course = Course(run.hierarchy, goals, run.opened.bound, self._avoid)
+            run, goals = begin_run(
+                self._blueprint, self.host, self._start, self._goals, self._levels
+            )
+            course = Course(run.hierarchy, goals, run.bound, self._avoid)
             self._driver = Driver(
                 run,
                 course,
@@ -92,8 +104,11 @@ class Dispatcher(Commands):
                 reviewer=self._reviewer,
                 loops=LoopGuard(self._visits),
                 attended=self._attended,
+                someone=self._someone,
+                seed=self._seed,
+                findings=self._findings,
             )
-            run.emit(*start_events(run, self._seed, goals))
+            self._driver.starting.go_on()
         except RunRefused as refused:
             return self._end("refused", f"{refused.sentence}. {refused.advice}".strip())
         except HostError as error:
@@ -199,6 +214,7 @@ class Dispatcher(Commands):
         )
         if self._driver is not None:
             self._driver.carrier = None
+            self._driver.desk.withdraw()
         return (*self._drain(), *before, self._ended)
 
     def _drain(self) -> tuple[Event, ...]:

@@ -6,15 +6,20 @@ carrier, which carries out one joint step. What commands make of it is ``supervi
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.carrier import Carrier, Stage
+from smsl_studio.dispatch.carrier import Carrier, Failure, Stage
 from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.guards import refusals
 from smsl_studio.dispatch.outlook import Outlook
+from smsl_studio.dispatch.people.admitting import admit
+from smsl_studio.dispatch.people.board import Closed
+from smsl_studio.dispatch.people.desk import Desk
+from smsl_studio.dispatch.people.needed import in_checks
+from smsl_studio.dispatch.people.starting import Starting
 from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.recovery import stands
 from smsl_studio.dispatch.run import Run
@@ -22,11 +27,10 @@ from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.trouble import Hold, Trouble
-from smsl_studio.errors import PlanningError
+from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.runlog.events import (
     GoalReached,
     Held,
-    OperationRefused,
     Paused,
     RoutePlanned,
     RunFinished,
@@ -35,7 +39,9 @@ from smsl_studio.runlog.events import (
 
 class Driver:
     """One opened run. ``ended`` is None until it is over; ``sentence`` says why it ended or does
-    not go on. ``attended`` says whether someone is there to decide when it holds."""
+    not go on. ``attended`` says whether someone is there to decide when it holds, ``someone``
+    whether anybody will answer what people are asked (where it is not given: whoever attends).
+    ``findings`` are words that a person must accept before anything moves, if any."""
 
     def __init__(
         self,
@@ -47,9 +53,14 @@ class Driver:
         reviewer: Reviewer,
         loops: LoopGuard,
         attended: bool,
+        someone: Callable[[], bool] | None = None,
+        seed: int = 0,
+        findings: str = "",
     ) -> None:
         self.run, self.course, self.state, self.trouble = run, course, state, trouble
         self.reviewer, self.loops, self.attended = reviewer, loops, attended
+        self.desk = Desk(run, someone or (lambda: self.attended))
+        self.starting = Starting(self, seed, course.goals, findings)
         self.outlook = Outlook(run, course)
         self.carrier: Carrier | None = None
         self.ended: RunFinished | None = None
@@ -59,7 +70,7 @@ class Driver:
 
     @property
     def phase(self) -> str:
-        return self.state.phase(self.carrier is not None)
+        return self.state.phase(self.carrier is not None, asking=self.desk.busy)
 
     # one tick -----------------------------------------------------------------------------------
 
@@ -69,12 +80,42 @@ class Driver:
         if phase == "paused":
             self.run.emit(*self.run.senses.listen())
             return
-        if self.carrier is not None:
+        if self.desk.busy and not self._outlived():
+            self._wait(watched=phase == "waiting")
+        elif self.carrier is not None:
             self._carry(self.carrier)
+        elif not self.starting.over and phase in ("running", "ready"):
+            self._start()
         elif phase == "running":
             self._propose()
         else:
-            self._live(watched=phase in ("ready", "waiting"))
+            self._live(watched=phase == "ready")
+
+    def _start(self) -> None:
+        """The start goes on where something came between it and the answers it needs."""
+        try:
+            self.starting.go_on()
+        except RunRefused as refused:
+            self.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
+
+    def _wait(self, watched: bool) -> None:
+        """Go on with what people answered; until they have, the world lives and time passes."""
+        if self.desk.settled():
+            return
+        if self.carrier is None:
+            self._live(watched)
+        else:
+            _, changes = self.run.senses.tick()
+            self.run.emit(*changes)
+        self.desk.pass_time()
+        self.desk.settled()
+
+    def _outlived(self) -> bool:
+        """Whether what people are asked for is no longer carried out; then they are not."""
+        if self.carrier is None or self.carrier.stage is Stage.ASKING:
+            return False
+        self.desk.withdraw()
+        return True
 
     def _live(self, watched: bool) -> None:
         """The world lives while a person thinks; integrity is watched (clause 9) where the run
@@ -101,23 +142,8 @@ class Driver:
             self._arrived()
             return
         step = self._next()
-        if step is None:
-            return
-        reasons = refusals(run, step)
-        if reasons:
-            course.drop_plan()
-            run.emit(OperationRefused(t=run.time, address=str(step.asked), reasons=reasons))
-            self.hold(Hold(f"{step.asked} cannot begin: {reasons[0]}", reasons))
-            return
-        circling = self.loops.why_not(run.configuration, step.asked.address)
-        if circling:
-            course.drop_plan()
-            self.hold(Hold(circling))
-        elif self.reviewer.lets_begin(self, step):
-            self.loops.count(run.configuration, step.asked.address)
-            self.begin(step)
-        else:
-            course.drop_plan()
+        if step is not None:
+            admit(self, step)
 
     def _next(self) -> JointStep | None:
         """The next step of the route; None where the run holds instead."""
@@ -146,9 +172,17 @@ class Driver:
     def _carry(self, carrier: Carrier) -> None:
         if carrier.failure is None:
             carrier.advance(self.course.shut)
+        self._after(carrier)
+
+    def _after(self, carrier: Carrier) -> None:
+        """What becomes of a step that has gone on, by a tick or by an answer."""
+        if carrier.stage is Stage.ASKING:
+            nobody = self.desk.ask(carrier.wants, partial(self._answered, carrier))
+            if nobody:
+                carrier.unanswered(nobody)
         if carrier.failure is not None:
             self.carrier = None
-            self.hold(self.trouble.failed(carrier.step, carrier.failure))
+            self._failed(carrier.step, carrier.failure)
         elif carrier.stage is Stage.DONE:
             self.carrier = None
             if self.run.broken():
@@ -163,6 +197,22 @@ class Driver:
                 self.state.once = False
                 if not self.state.by_hand:
                     self.now_paused()
+
+    def _answered(self, carrier: Carrier, closed: tuple[Closed, ...]) -> None:
+        carrier.answered(closed)
+        self._after(carrier)
+
+    def _failed(self, step: JointStep, failure: Failure) -> None:
+        """Relocalise, once people have said what only they know of the scene."""
+
+        def relocalise() -> None:
+            hold = self.trouble.failed(step, failure)
+            self.hold(hold or (Hold(failure.reason) if failure.unanswered else None))
+
+        if failure.unanswered:
+            relocalise()
+        else:
+            self.informed(relocalise)
 
     def _tell_goals(self) -> None:
         """Goals count as reached in their order."""
@@ -208,7 +258,7 @@ class Driver:
 
     def now_paused(self) -> None:
         """Nothing moves from now on, and simulated time stands still."""
-        self.state.pause(carrying=self.carrier is not None)
+        self.state.pause(carrying=self.carrier is not None or self.desk.busy)
         self.run.emit(Paused(t=self.run.time))
 
     def recheck(self) -> None:
@@ -217,14 +267,29 @@ class Driver:
         if self.carrier is not None:
             return
         self.loops.forget()
+        if self.desk.busy:
+            return
         if held is not None:
             self.course.lift_vetoes()
             self.release()
-            self.hold(self.trouble.relocalise())
+            self.informed(lambda: self.hold(self.trouble.relocalise()))
             return
         run.look()
         if not stands(run, run.configuration):
+            self.informed(self._read_again)
+
+    def _read_again(self) -> None:
+        if not stands(self.run, self.run.configuration):
             self.hold(self.trouble.relocalise())
+
+    def informed(self, then: Callable[[], None]) -> None:
+        """Do it once people were asked for those facts of the active states that are unknown and
+        theirs to say; at once where there are none, or nobody is there."""
+        run = self.run
+        run.look()
+        facts = in_checks(run, run.checks(run.configuration))
+        if not facts or self.desk.ask(facts, lambda _: then()):
+            then()
 
     def cut(self, reason: str) -> tuple[FactKey, ...]:
         """Brake, and end what is carried out; the facts it may have touched."""
@@ -235,6 +300,7 @@ class Driver:
         if carrier is not None:
             touched = carrier.cut(reason)
         self.carrier = None
+        self.desk.withdraw()
         run.drop_pending()
         self.course.drop_plan()
         self.release()
@@ -244,6 +310,8 @@ class Driver:
         """What was proposed is so no longer: the next proposal is made anew."""
         self.course.drop_plan()
         self.reviewer.forget()
+        if self.carrier is None:
+            self.desk.withdraw()
 
     # waiting and ending -------------------------------------------------------------------------
 
@@ -252,6 +320,7 @@ class Driver:
         if hold is None:
             return
         state = self.state
+        self.desk.withdraw()
         state.held, self.sentence = hold, hold.reason
         state.once = state.pausing = state.paused = False
         details = tuple(hold.details)
@@ -267,6 +336,7 @@ class Driver:
     def finish(self, reason: str, sentence: str) -> None:
         """The run is over; the last event, which is told at the end of the tick, says why."""
         run = self.run
+        self.desk.withdraw()
         self.sentence, self.carrier = sentence, None
         configuration: Mapping[str, str] = dict(run.configuration)
         self.ended = RunFinished(

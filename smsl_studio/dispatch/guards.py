@@ -6,7 +6,7 @@ stepper; here are the questions to the scene. The supervisor is asked last (``re
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
@@ -24,12 +24,10 @@ def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
     return tuple(dict.fromkeys([*_sources(run, step), *_required(run, step)]))
 
 
-def asked(
-    run: Run, course: Course, address: Address, objection: Callable[[Run, JointStep], str]
-) -> JointStep | tuple[str, ...]:
-    """The joint step of an operation that a person asks for, or every reason against it.
+def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, ...]:
+    """The joint step of an operation that a person asks for, or every reason why there is none.
 
-    ``objection`` is asked last, where there is no other: the empty text agrees.
+    What the scene, the supervisor and people say to it is asked next.
     """
     try:
         edge = course.edge(run.blueprint.resolve(address))
@@ -41,12 +39,7 @@ def asked(
     if active != edge.source:
         return (f"{edge.branch} is in {active}, not in {edge.source}",)
     step = course.asked(run.configuration, edge)
-    if isinstance(step, Unavailable):
-        return step.reasons
-    reasons = refusals(run, step)
-    if not reasons and (no := objection(run, step)):
-        reasons = (no,)
-    return reasons or step
+    return step.reasons if isinstance(step, Unavailable) else step
 
 
 def _sources(run: Run, step: JointStep) -> Iterator[str]:

@@ -6,14 +6,13 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, SHARED
+from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.guards import needs, refusals
+from smsl_studio.dispatch.people.needed import of_step
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.status import Possible
-
-ACTORS = {"human": HUMAN, "shared": SHARED, "robot": AUTOMATIC, None: AUTOMATIC}
 
 
 class Outlook:
@@ -75,7 +74,7 @@ class Outlook:
         step = course.asked(run.configuration, edge)
         unavailable = isinstance(step, Unavailable)
         note = run.blueprint[edge.branch].operation_note(edge.source, edge.name)
-        reasons = step.reasons if isinstance(step, Unavailable) else refusals(run, step)
+        reasons = step.reasons if isinstance(step, Unavailable) else self._refusals(step)
         return Possible(
             address=edge.address,
             target=edge.target,
@@ -88,5 +87,10 @@ class Outlook:
             vetoed=edge.address in course.vetoed,
             needs=tuple(needs(run, edge)),
             risk=note.risk or "",
-            level=ACTORS[note.actor],
+            level=run.levels.operation(edge.address),
         )
+
+    def _refusals(self, step: JointStep) -> tuple[str, ...]:
+        """Why a step may not begin; what people will be asked first is no reason."""
+        reasons = refusals(self._run, step)
+        return () if reasons and of_step(self._run, step) else reasons

@@ -13,6 +13,10 @@ from smsl_studio.blueprint.check import (
     state_check,
 )
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.dispatch.people.bound import with_people
+from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
 from smsl_studio.host.protocol import Host, Opened
 from smsl_studio.runlog.events import Event
@@ -24,16 +28,30 @@ class Run:
     ``configuration`` is committed. ``pending`` are the SBs that stand elsewhere, not committed;
     ``transit`` are the base digits in transit. Flags are computed, never stored. ``since`` is when
     each SB entered its state (simulated s), ``previous`` the edge that led there, where one did.
+    ``levels`` say who acts and who senses; ``bound`` is what carries out each edge under them,
+    ``people_act`` the SBs in which people carry out or confirm anything; ``people_say`` is whether
+    any fact is theirs to say.
     """
 
     def __init__(
-        self, hierarchy: Hierarchy, host: Host, opened: Opened, start: Mapping[str, str]
+        self,
+        hierarchy: Hierarchy,
+        host: Host,
+        opened: Opened,
+        start: Mapping[str, str],
+        levels: Levels | None = None,
     ) -> None:
         self.hierarchy = hierarchy
         self.blueprint = hierarchy.blueprint
         self.host = host
         self.opened = opened
-        self.senses = Senses(host, opened)
+        self.levels = levels or Levels(self.blueprint)
+        acting = (branch.name for branch in self.blueprint if self.levels.people_do(branch.name))
+        self.people_act = frozenset(acting)
+        self.bound = with_people(opened.bound, self.blueprint, self.levels)
+        rules = leveled_rules(self.blueprint, opened, self.levels)
+        self.people_say = any(rule.people for rule in rules.values())
+        self.senses = Senses(host, opened, rules)
         self.configuration = dict(start)
         self.pending: dict[str, str] = {}
         self.transit: frozenset[FactKey] = frozenset()
@@ -50,6 +68,10 @@ class Run:
     def believed(self) -> dict[str, str]:
         """Where every SB stands, committed or pending."""
         return {**self.configuration, **self.pending}
+
+    def by_person(self, edge: Edge) -> bool:
+        """Whether a person carries out what an edge's own function would do."""
+        return edge.function and self.levels.operation(edge.address) == HUMAN
 
     def emit(self, *events: Event) -> None:
         self.events.extend(events)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
 from smsl_studio.host.protocol import Host, Opened, Tick
+from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.bus import FactBus
 from smsl_studio.monitor.facts import FactMonitor, SourceState
 from smsl_studio.monitor.sample import Sample
@@ -27,15 +28,15 @@ class Senses:
 
     Whatever is sensed comes over ``bus``: what the host's sensors say, what sensors elsewhere say
     (``Opened.remote``), and what anybody else publishes there. Those elsewhere age on the
-    monotonic clock, all others on that of the run.
+    monotonic clock, all others on that of the run. ``rules`` say how facts are made of it.
     """
 
-    def __init__(self, host: Host, opened: Opened) -> None:
+    def __init__(self, host: Host, opened: Opened, rules: Mapping[FactKey, FactRule]) -> None:
         self._host = host
         self._remote = opened.remote
         self.bus = FactBus()
         self._inbox = self.bus.subscribe()
-        self._monitor = FactMonitor(opened.sensors, opened.rules)
+        self._monitor = FactMonitor(opened.sensors, rules)
         self._told: dict[FactKey, str | None] = {}
         self._doubts: dict[FactKey, _Doubt] = {}
         self.time = 0.0
@@ -69,6 +70,13 @@ class Senses:
         self._monitor.answer(branch, digit, value, who, self.time)
         self._doubts.pop((branch, digit), None)
         return self._take(())
+
+    def forget(self, facts: Iterable[FactKey]) -> tuple[FactChanged, ...]:
+        """What people said of these facts counts no longer: they must be asked anew."""
+        said = set(self._monitor.answered()) & set(facts)
+        for branch, digit in said:
+            self._monitor.answer(branch, digit, None, "", self.time)
+        return self._take(()) if said else ()
 
     def doubt(self, facts: Iterable[FactKey], reason: str) -> tuple[FactChanged, ...]:
         """What was known of these facts counts no longer, until it is sensed anew; what changed.

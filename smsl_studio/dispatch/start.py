@@ -6,17 +6,22 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.goals import goals_of
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.protocol import Host
-from smsl_studio.runlog.events import Event, RunStarted, StateChecked
+from smsl_studio.runlog.events import Event, FactChanged, RunStarted, StateChecked
 
 
 def begin_run(
-    blueprint: Blueprint, host: Host, start: Mapping[str, str], goals: Sequence[Address]
+    blueprint: Blueprint,
+    host: Host,
+    start: Mapping[str, str],
+    goals: Sequence[Address],
+    levels: Levels | None = None,
 ) -> tuple[Run, tuple[Address, ...]]:
     """Open the host where the run starts; the run and its goals in order. RunRefused says why not.
 
@@ -33,12 +38,14 @@ def begin_run(
             f"{opened.world} is hardware and this blueprint has no inspection record",
             advice="Run it in a simulated world first.",
         )
-    return Run(hierarchy, host, opened, configuration), ordered
+    return Run(hierarchy, host, opened, configuration, levels), ordered
 
 
-def start_events(run: Run, seed: int, goals: Sequence[Address]) -> tuple[Event, ...]:
-    """The first events of a run; RunRefused where a state check is not true on sensed facts."""
-    changes = run.senses.look()
+def start_events(
+    run: Run, seed: int, goals: Sequence[Address], changes: Sequence[FactChanged]
+) -> tuple[Event, ...]:
+    """The first events of a run whose sensors were read, which brought ``changes``; RunRefused
+    where a state check is not true on sensed facts."""
     checks = run.checks(run.configuration)
     failed = [check_words(run.blueprint, check) for check in checks if check.truth is not True]
     if failed:

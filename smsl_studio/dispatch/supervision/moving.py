@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.guards import asked
+from smsl_studio.dispatch.people.admitting import admit
 from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.runlog.events import OperationRefused, Resumed
 
@@ -14,23 +15,22 @@ if TYPE_CHECKING:
 
 
 def ask(driver: Driver, command: Command) -> str:
-    """Carry out one operation; refused with every reason, before anything moves."""
+    """Carry out one operation, once people have agreed where they must; refused with every
+    reason, before anything moves."""
     run, address = driver.run, command.address
     assert address is not None
     reasons: tuple[str, ...]
     if driver.carrier is not None:
         reasons = (f"{driver.carrier.step.asked} is being carried out",)
+    elif not driver.starting.over:
+        reasons = ("the run has not begun yet",)
     elif driver.phase == "running":
         reasons = ("the run is automatic, pause it first",)
     else:
         run.look()
-        answer = asked(run, driver.course, address, driver.reviewer.objection)
+        answer = asked(run, driver.course, address)
         if isinstance(answer, JointStep):
-            driver.course.drop_plan()
-            driver.state.paused |= driver.state.held is not None and not driver.state.by_hand
-            driver.loops.forget()
-            driver.begin(answer)
-            return ""
+            return admit(driver, answer, chosen=True)
         reasons = answer
     run.emit(OperationRefused(t=run.time, address=str(address), reasons=reasons))
     return "; ".join(reasons)

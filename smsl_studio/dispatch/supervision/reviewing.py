@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.people.admitting import supervised
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.supervisor import (
     ALLOW,
@@ -50,7 +51,7 @@ class Reviewer:
         verdict = self._review(supervisor, run, step)
         if verdict.decision == ALLOW:
             return True
-        self._obey(driver, verdict, supervisor.name, address)
+        self._obey(driver, verdict, supervisor.name, step)
         if verdict.decision in (PAUSE, ASK):
             self._doubtful = here
         return False
@@ -76,15 +77,17 @@ class Reviewer:
     def _review(self, supervisor: Supervisor, run: Run, step: JointStep) -> Verdict:
         return supervisor.review(proposal(run, step))
 
-    def _obey(self, driver: Driver, verdict: Verdict, name: str, address: Address) -> None:
-        run, reason = driver.run, verdict.reason
+    def _obey(self, driver: Driver, verdict: Verdict, name: str, step: JointStep) -> None:
+        run, reason, address = driver.run, verdict.reason, step.asked.address
         said = {"by": name, "address": str(address), "reason": reason}
         run.emit(Commanded(t=run.time, command=verdict.decision, **said))
         if verdict.decision == PAUSE:
             driver.now_paused()
             return
         if verdict.decision == ASK:
-            driver.hold(Hold(f"{name} asks about {address}: {reason}"))
+            why = f"{name} asks: {reason}"
+            if supervised(driver, step, why):
+                driver.hold(Hold(f"{name} asks about {address}: {reason}"))
             return
         words = f"{name} says no" + (f": {reason}" if reason else "")
         run.emit(OperationRefused(t=run.time, address=str(address), reasons=(words,)))

@@ -28,36 +28,35 @@ class RunState:
     ``by_hand``: it waits to be asked. ``paused``: a person paused it. ``pausing``: it will be
     paused when the running operation has ended. ``once``: one operation, then wait again.
     ``frozen``: paused in the middle of a joint step. ``held``: why it cannot go on by itself.
-    ``asking``: people are asked (the names of their tasks). ``taken_over``, ``stopped``: who did
-    it. ``offered``: the configuration that giving back found. ``touched``: the facts that a stop
-    may have left anywhere. ``too_late``: the edge for which a veto came too late.
+    ``taken_over``, ``stopped``: who did it. ``offered``: the configuration that giving back
+    found. ``touched``: the facts that a stop may have left anywhere. ``too_late``: the edge for
+    which a veto came too late.
     """
 
     def __init__(self, by_hand: bool) -> None:
         self.by_hand = by_hand
         self.paused = self.pausing = self.once = self.frozen = False
         self.held: Hold | None = None
-        self.asking: tuple[str, ...] = ()
         self.taken_over = self.stopped = ""
         self.offered: Mapping[str, str] | None = None
         self.touched: tuple[FactKey, ...] = ()
         self.too_late: Address | None = None
         self.full_map = False
 
-    def phase(self, carrying: bool) -> str:
-        """One of ``RUN_STATES`` between ``ready`` and ``stopped``."""
+    def phase(self, carrying: bool, asking: bool = False) -> str:
+        """One of ``RUN_STATES`` between ``ready`` and ``stopped``; ``asking``: people are asked."""
         if self.stopped:
             return "stopped"
         if self.taken_over:
             return "taken_over"
+        if asking and not self.frozen:
+            return "waiting"
         if carrying and not self.frozen:
             return "running"
         if self.held is not None:
             return "no_route" if self.held.kind == "no_route" else "fault_hold"
         if self.paused or self.frozen:
             return "paused"
-        if self.asking:
-            return "waiting"
         return "ready" if self.by_hand and not self.once else "running"
 
     @property
@@ -77,4 +76,4 @@ class RunState:
     def latch(self) -> None:
         """Nothing that was going on or wanted goes on by itself."""
         self.resume()
-        self.held, self.asking, self.offered, self.too_late = None, (), None, None
+        self.held, self.offered, self.too_late = None, None, None

@@ -48,8 +48,9 @@ def full_map(driver: Driver, command: Command) -> str:
 
 
 def answer(driver: Driver, command: Command) -> str:
-    """A person answers a task."""
-    return f"there is no open task {command.value!r}"
+    """A person answers a task, in a role; the desk says why it does not count."""
+    said = command.parameters
+    return driver.desk.answer(command.value, said["option"], said["role"], command.by)
 
 
 def _words(error: StudioError) -> str:

@@ -1,0 +1,61 @@
+"""What carries out each edge: the library functions of a world, and people in place of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.host.protocol import Bound
+
+BY_HAND = Bound("", exact=False, stop="hold", timeout=math.inf)
+"""A person carries it out: no function runs, and its task has its own time."""
+
+
+def with_people(
+    bound: Mapping[Address, Bound], blueprint: Blueprint, levels: Levels
+) -> Mapping[Address, Bound]:
+    """What carries out each edge, as the levels have it; the same where people do nothing."""
+    branches = [branch.name for branch in blueprint if levels.people_do(branch.name)]
+    return _WithPeople(bound, blueprint, levels, branches) if branches else bound
+
+
+class _WithPeople(Mapping[Address, Bound]):
+    """Asked edge by edge: files have up to 177,144 of them."""
+
+    def __init__(
+        self,
+        bound: Mapping[Address, Bound],
+        blueprint: Blueprint,
+        levels: Levels,
+        branches: list[str],
+    ) -> None:
+        self._bound, self._blueprint, self._levels = bound, blueprint, levels
+        self._branches = branches
+
+    def __getitem__(self, edge: Address) -> Bound:
+        if not self._human(edge):
+            return self._bound[edge]
+        found = self._bound.get(edge)
+        if found is None:
+            return BY_HAND
+        return replace(BY_HAND, exact=found.exact, touches=found.touches)
+
+    def __contains__(self, edge: object) -> bool:
+        return edge in self._bound or (isinstance(edge, Address) and self._human(edge))
+
+    def __iter__(self) -> Iterator[Address]:
+        yield from self._bound
+        for name in self._branches:
+            for edge in self._blueprint[name].edges():
+                if edge.address not in self._bound and self._human(edge.address):
+                    yield edge.address
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def _human(self, edge: Address) -> bool:
+        return edge.branch in self._branches and self._levels.operation(edge) == HUMAN

@@ -1,0 +1,140 @@
+"""The desk: where a run puts its questions to people, and goes on with what they answered."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from smsl_studio.blueprint.address import split_fact
+from smsl_studio.dispatch.people.board import (
+    ANSWERED,
+    DISAGREED,
+    TIMED_OUT,
+    Closed,
+    Question,
+    TaskBoard,
+)
+from smsl_studio.dispatch.people.task import Task
+from smsl_studio.dispatch.run import Run
+from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed
+
+NOBODY = "nobody is there to answer"
+Then = Callable[[tuple[Closed, ...]], None]
+"""What the run does with the answers: all of them, or up to the first that lets it not go on."""
+
+
+class Desk:
+    """One errand at a time: some questions that are asked together, and what comes of them.
+
+    ``someone`` says whether anybody is there to answer. Nothing here decides: whoever asked is
+    called with how the tasks ended, once all are, or one of them is no yes; then the others are
+    withdrawn, because their answers could change nothing.
+    """
+
+    def __init__(self, run: Run, someone: Callable[[], bool]) -> None:
+        self._run = run
+        self._someone = someone
+        self._board = TaskBoard()
+        self._names: tuple[str, ...] = ()
+        self._then: Then | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the run waits for people."""
+        return self._then is not None
+
+    @property
+    def tasks(self) -> tuple[Task, ...]:
+        """The open tasks, oldest first."""
+        return self._board.tasks
+
+    @property
+    def sentence(self) -> str:
+        """What the run waits for, for people; empty where it does not."""
+        open_ones = self._board.tasks
+        if not open_ones:
+            return ""
+        more = f" (and {len(open_ones) - 1} more)" if len(open_ones) > 1 else ""
+        return f"Waiting for an answer{more}: {open_ones[0].question}"
+
+    def ask(self, questions: Sequence[Question], then: Then) -> str:
+        """Put questions to people; why that is no use, empty where they were put."""
+        if not self._someone():
+            return f"{NOBODY}: {questions[0].question}"
+        self.withdraw()
+        names = []
+        for question in questions:
+            task, events = self._board.open(question, self._run.time)
+            self._run.emit(*events)
+            names.append(task.name)
+        self._names, self._then = tuple(names), then
+        return ""
+
+    def answer(self, task: str, option: str, role: str, by: str) -> str:
+        """Somebody answers; why it does not count, empty where it does."""
+        now = self._run.time
+        events = self._board.answer(task, option, by=by, role=role, now=now)
+        self._tell(events)
+        return next(one.refused for one in events if isinstance(one, TaskAnswered))
+
+    def pass_time(self) -> None:
+        """Time has gone on: other roles are asked, deadlines pass."""
+        self._tell(self._board.tick(self._run.time))
+
+    def settled(self) -> bool:
+        """Whether the answers are in; whoever asked has gone on with them then."""
+        closed = [one for name in self._names if (one := self._board.closed(name)) is not None]
+        if self._then is None or (
+            len(closed) < len(self._names) and all(one.yes for one in closed)
+        ):
+            return False
+        then, self._then, self._names = self._then, None, ()
+        self._run.emit(*self._board.withdraw(self._run.time))
+        then(tuple(closed))
+        return True
+
+    def withdraw(self) -> None:
+        """The run has moved on; nobody is called."""
+        self._then, self._names = None, ()
+        self._run.emit(*self._board.withdraw(self._run.time))
+
+    def _tell(self, events: Sequence[Event]) -> None:
+        self._run.emit(*events)
+        for event in events:
+            if isinstance(event, TaskClosed):
+                self._learn(event)
+
+    def _learn(self, event: TaskClosed) -> None:
+        """What people say of a fact is known from that moment on, also while others are asked."""
+        closed = self._board.closed(event.task)
+        if closed is None or closed.task.kind != "fact" or not closed.yes or not closed.answer:
+            return
+        fact = split_fact(closed.task.address)
+        assert fact is not None, "a fact's task has its address"
+        who = ", ".join(event.answers)
+        self._run.emit(*self._run.senses.answer(*fact, closed.answer.value, who))
+
+
+def no_words(closed: Sequence[Closed]) -> str:
+    """Why the answers do not let the run go on; empty where they do."""
+    return next((_why(one) for one in closed if not one.yes), "")
+
+
+def who_words(closed: Closed) -> str:
+    """Who answered a task."""
+    return " and ".join(one.by for one in closed.task.answered) or "nobody"
+
+
+def _why(closed: Closed) -> str:
+    task = closed.task
+    if closed.outcome == ANSWERED and closed.answer is not None:
+        return f"{who_words(closed)} answered {closed.answer.words!r} to: {task.question}"
+    if closed.outcome == TIMED_OUT:
+        within = task.deadline - task.opened
+        return (
+            f"nobody answered within {within:g} s: {task.question}"
+            if not task.answered
+            else (f"only {who_words(closed)} answered within {within:g} s: {task.question}")
+        )
+    if closed.outcome == DISAGREED:
+        return f"{who_words(closed)} did not answer the same to: {task.question}"
+    return f"the question was withdrawn: {task.question}"

@@ -1,0 +1,60 @@
+"""Which facts people must be asked for: needed now, unknown, and theirs to say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from smsl_studio.blueprint.check import IN_TRANSIT, CheckResult, FactKey, Term, sub_below
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.blueprint.levels import AUTOMATIC
+from smsl_studio.dispatch.guards import needs
+from smsl_studio.dispatch.people.board import Question
+from smsl_studio.dispatch.people.questions import fact_task
+from smsl_studio.dispatch.run import Run
+
+
+def in_checks(run: Run, checks: Iterable[CheckResult]) -> tuple[Question, ...]:
+    """The facts that keep state checks from being known. A check that is false already stays so,
+    whatever people say, so nobody is asked for its sake."""
+    if not run.people_say:
+        return ()
+    terms = (term for check in checks if check.truth is None for term in check.unknown)
+    return _questions(run, terms)
+
+
+def of_step(run: Run, step: JointStep) -> tuple[Question, ...]:
+    """The facts that a step's guards need: sources' state checks, and what its edges require."""
+    if not run.people_say:
+        return ()
+    branches = dict.fromkeys(edge.branch for edge in step.edges)
+    sources = {name: next(e.source for e in step.edges if e.branch == name) for name in branches}
+    standing = (n for n, state in sources.items() if state == run.configuration[n])
+    checks = [run.check(name, sources[name]) for name in standing]
+    if any(check.truth is False for check in checks):
+        return ()
+    required = [term for edge in step.edges for term in needs(run, edge)]
+    if any(term.truth is False for term in required):
+        return ()
+    terms = (*(term for check in checks for term in check.unknown), *required)
+    return _questions(run, (term for term in terms if term.truth is None))
+
+
+def _questions(run: Run, terms: Iterable[Term]) -> tuple[Question, ...]:
+    found = dict(one for term in terms for one in _theirs(run, term))
+    return tuple(fact_task(run.blueprint, key, reason) for key, reason in found.items())
+
+
+def _theirs(run: Run, term: Term) -> Iterator[tuple[FactKey, str]]:
+    """The unknown facts behind a term that people may say, each with why it is unknown."""
+    name, digit = term.fact
+    if digit < 0 or term.reason == IN_TRANSIT:
+        return
+    branch = run.blueprint[name]
+    sub = sub_below(run.blueprint, branch, digit)
+    if sub is not None:
+        for inner in run.check(sub.name, sub.activating).unknown:
+            yield from _theirs(run, inner)
+    elif run.levels.fact(name, digit) != AUTOMATIC:
+        reading = run.senses.scene.get(name, digit)
+        if reading is not None and reading.value is None:
+            yield term.fact, reading.reason
