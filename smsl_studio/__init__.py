@@ -24,13 +24,25 @@ if TYPE_CHECKING:
         open_run,
         plan_route,
         read,
+        read_script,
         refusals,
         run,
         sweep,
         worlds,
     )
 
-__all__ = ["Run", "inspect", "open_run", "plan_route", "read", "refusals", "run", "sweep", "worlds"]
+__all__ = [
+    "Run",
+    "inspect",
+    "open_run",
+    "plan_route",
+    "read",
+    "read_script",
+    "refusals",
+    "run",
+    "sweep",
+    "worlds",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -18,7 +18,7 @@ def read_argument(file: str) -> Blueprint:
     """The blueprint in a file, or on standard input."""
     if file != "-":
         return read(file)
-    return read_bytes(_standard_input(), STDIN)
+    return read_bytes(standard_input(), STDIN)
 
 
 def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
@@ -33,7 +33,8 @@ def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
             yield blueprint
 
 
-def _standard_input() -> bytes:
+def standard_input() -> bytes:
+    """All bytes of standard input; ReadError where there is none."""
     try:
         if sys.stdin is not None:
             stream = getattr(sys.stdin, "buffer", None)

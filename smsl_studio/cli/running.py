@@ -7,13 +7,19 @@ import contextlib
 import signal
 import threading
 from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import Parser, add_format, add_seed_and_host, add_world
 from smsl_studio.cli.output import Output, note, one_line
-from smsl_studio.cli.reading import read_argument
+from smsl_studio.cli.reading import STDIN, read_argument, standard_input
 from smsl_studio.cli.story import line_of
 from smsl_studio.errors import UsageError
 from smsl_studio.runlog.events import Event
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint
+    from smsl_studio.front.script.script import Script
 
 UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; simulation only"
 
@@ -25,6 +31,11 @@ def add_arguments(parser: Parser) -> None:
     _several(parser, "--start", "SB/State", "where to begin; one an SB (default: INITIAL)")
     _several(parser, "--avoid", "ADDRESS", "an operation not to use")
     add_seed_and_host(parser)
+    parser.add_argument(
+        "--script",
+        metavar="FILE",
+        help="supervise it by a script: commands, chosen operations and faults at their moments",
+    )
     parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
     parser.add_argument(
         "--speed", default="max", metavar="X|max", help="times real time; max is as fast as it goes"
@@ -47,6 +58,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
     speed = _speed(options.speed)
     blueprint = read_argument(options.file)
+    script = _script(options.script, options.file, blueprint)
     told: list[str] = []
 
     def tell(event: Event) -> None:
@@ -66,12 +78,15 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             speed=speed,
             avoid=options.avoid,
             on_mismatch=options.on_mismatch,
+            script=script,
             log=options.log,
             on_event=tell,
             stop_when=stop,
             broker=options.broker,
             site=options.site,
         )
+    for act in done.left:
+        note(one_line(f"{act.place}: its moment never came: {act}"))
     if options.format == "json" and done.reason != "goal_reached":
         note(f"{done.reason}: {done.sentence}")
     return 0 if done.reason == "goal_reached" else 1
@@ -99,6 +114,22 @@ def stop_asked() -> Iterator[Callable[[], bool]]:
     finally:
         for number, handler in kept.items():
             signal.signal(number, handler)
+
+
+def _script(file: str | None, blueprint_file: str, blueprint: Blueprint) -> Script | None:
+    """The script of a run; - is standard input, unless the blueprint stands there."""
+    from smsl_studio.front.script.reading import read_script, script_of
+
+    if file is None:
+        return None
+    if file != "-":
+        return read_script(Path(file), blueprint)
+    if blueprint_file == "-":
+        raise UsageError(
+            "the blueprint and the script cannot both be standard input",
+            advice="Name a file for one of them.",
+        )
+    return script_of(standard_input(), STDIN, blueprint)
 
 
 def _several(parser: Parser, name: str, metavar: str, words: str) -> None:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from smsl_studio.front.reading import inspect, read, refusals
     from smsl_studio.front.routes import plan_route
     from smsl_studio.front.running import Run, open_run, run, worlds
+    from smsl_studio.front.script.reading import read_script
     from smsl_studio.front.suiting import worlds_for
     from smsl_studio.front.sweeping import sweep
     from smsl_studio.front.trying import try_edge
@@ -22,6 +23,7 @@ __all__ = [
     "open_run",
     "plan_route",
     "read",
+    "read_script",
     "refusals",
     "run",
     "sweep",
@@ -32,6 +34,7 @@ __all__ = [
 
 _HOMES = {
     "read": "reading",
+    "read_script": "script.reading",
     "inspect": "reading",
     "refusals": "reading",
     "plan_route": "routes",

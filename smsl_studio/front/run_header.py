@@ -12,6 +12,7 @@ from typing import Any
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.script.script import Script
 from smsl_studio.front.version import version
 from smsl_studio.library.loading import Loaded
 from smsl_studio.seal.digest import sha256_hex
@@ -57,8 +58,16 @@ def asked_for(
     goals: Iterable[object] = (),
     avoid: Iterable[object] = (),
     on_mismatch: str = "hold",
+    by_hand: bool = False,
+    script: Script | None = None,
+    levels: Mapping[str, str] | None = None,
+    supervisor: str = "",
 ) -> Mapping[str, Json]:
-    """How a run was to be, as its header says it: what was chosen, addresses as text."""
+    """How a run was to be, as its header says it: what was chosen, addresses as text.
+
+    ``levels`` are those set before the run, by whom or whatever; ``supervisor`` names who
+    supervises, empty where nobody does but a script.
+    """
     return {
         "seed": seed,
         "host": host,
@@ -66,6 +75,10 @@ def asked_for(
         "goals": list(map(str, goals)),
         "avoid": list(map(str, avoid)),
         "on_mismatch": on_mismatch,
+        "by_hand": by_hand,
+        "levels": dict(levels or (script.levels if script else {})),
+        "script": {"file": script.file, "digest": script.digest} if script else None,
+        "supervisor": supervisor,
     }
 
 

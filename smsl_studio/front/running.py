@@ -15,6 +15,8 @@ from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.reading import refusals
 from smsl_studio.front.recording import Recording, start_log
 from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.script.acting import Acting
+from smsl_studio.front.script.script import Act, Script
 from smsl_studio.host.describing import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
@@ -32,11 +34,15 @@ Several = Written | Iterable[Written] | None
 
 @dataclass(frozen=True)
 class Run:
-    """A run that is over: why it ended, in one word and one sentence, and everything it said."""
+    """A run that is over: why it ended, in one word and one sentence, and everything it said.
+
+    ``left`` are the acts of its script whose moment never came.
+    """
 
     reason: str
     sentence: str
     events: tuple[Event, ...]
+    left: tuple[Act, ...] = ()
 
 
 def open_run(
@@ -92,6 +98,7 @@ def run(
     speed: float | None = None,
     avoid: Iterable[Written] = (),
     on_mismatch: str = "hold",
+    script: Script | None = None,
     log: Path | str | None = None,
     on_event: Callable[[Event], None] | None = None,
     stop_when: Callable[[], bool] | None = None,
@@ -102,6 +109,8 @@ def run(
     """Run a blueprint headless to its end, and tell what happened.
 
     ``speed`` paces it against wall time (1.0: as fast as real), None runs as fast as it goes.
+    ``script`` (see ``read_script``) supervises it; while it has something to say it attends the
+    run, and where it has no more a hold is the end, as in every run that nobody attends.
     ``log`` is written line by line as the run goes; ``on_event`` hears each event after that.
     ``stop_when`` is asked before every tick. ``broker`` (HOST:PORT) and ``site`` say where sensors
     are heard that are elsewhere; with such sensors ``speed`` is at most 1. AddressError,
@@ -119,7 +128,7 @@ def run(
         if on_event is not None:
             on_event(event)
 
-    recording = Recording(hear)
+    recording, acting = Recording(hear), Acting(script) if script and script.acts else None
     dispatcher: Dispatcher | None = None
     refusal: RunRefused | None = None
     try:
@@ -132,6 +141,7 @@ def run(
             host=host,
             avoid=shut,
             on_mismatch=on_mismatch,
+            attended=True if acting else None,
             plugin_paths=plugin_paths,
             loaded=loaded,
             broker=broker,
@@ -142,14 +152,19 @@ def run(
     try:
         if log is not None:
             asked = asked_for(
-                seed=seed, host=host, start=starts, goals=goals, avoid=shut, on_mismatch=on_mismatch
+                seed=seed,
+                host=host,
+                start=starts,
+                goals=goals,
+                avoid=shut,
+                on_mismatch=on_mismatch,
+                script=script,
             )
             recording.log = start_log(Path(log), blueprint, world, loaded, asked)
         if refusal is not None:
             recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
         if dispatcher is not None:
-            recording.tell(dispatcher.open())
-            _loop(dispatcher, recording, speed, stop_when)
+            _loop(dispatcher, recording, speed, stop_when, acting)
     except (SaveError, WorldError) as error:
         failed = "failed" if recording.told else "refused"
         recording.end(failed, str(error), dispatcher)
@@ -159,7 +174,7 @@ def run(
         recording.close()
     last = events[-1]
     assert isinstance(last, RunFinished), "the last event of a run is run_finished"
-    return Run(last.reason, last.sentence, tuple(events))
+    return Run(last.reason, last.sentence, tuple(events), acting.left if acting else ())
 
 
 def make_host(
@@ -205,21 +220,31 @@ def _loop(
     recording: Recording,
     speed: float | None,
     stop_when: Callable[[], bool] | None,
+    acting: Acting | None,
 ) -> None:
-    if dispatcher.opened is not None and dispatcher.opened.remote is not None:
-        # Sensors elsewhere speak in wall time, and have to be waited for.
-        speed = min(speed or 1.0, 1.0)
-    began = time.monotonic()
     stopping = False
 
     def asked() -> bool:
         return stop_when is not None and stop_when()
 
+    def tell(events: tuple[Event, ...]) -> None:
+        recording.tell(events)
+        if acting is not None:
+            acting.hear(events)
+
+    tell(dispatcher.open())
+    if dispatcher.opened is not None and dispatcher.opened.remote is not None:
+        # Sensors elsewhere speak in wall time, and have to be waited for.
+        speed = min(speed or 1.0, 1.0)
+    began = time.monotonic()
     while not dispatcher.finished:
         if not stopping and asked():
             dispatcher.stop()
+            dispatcher.leave()
             stopping = True
-        recording.tell(dispatcher.tick())
+        elif acting is not None and not stopping:
+            acting.before(dispatcher)
+        tell(dispatcher.tick())
         while speed is not None and not asked():
             ahead = dispatcher.time / speed - (time.monotonic() - began)
             if ahead < BLINK:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 from pathlib import Path
 from typing import Any
@@ -155,6 +156,37 @@ def test_a_record_is_never_written_over(shell: Shell, tmp_path: Path) -> None:
     assert (answer.status, answer.out) == (2, "")
     assert "Give the log a new file" in answer.err
     assert log.read_bytes() == first
+
+
+def test_a_script_supervises_the_run(
+    shell: Shell, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines = [
+        {"when": "SB1/State100", "do": "prune", "address": "State100/Operation100B", "reason": "x"},
+        {"at": 99, "do": "stop"},
+    ]
+    script = tmp_path / "script.jsonl"
+    script.write_text("\n".join(json.dumps(line) for line in lines))
+    answer = shell("run", sample("hfsm"), *TABLE, "--script", str(script))
+    assert _end(answer) == (0, "goal_reached")
+    assert "SB1/State100/Operation100A" in _carried_out(answer)
+    assert answer.err.splitlines()[1:] == [f"{script}:2:1: its moment never came: stop"]
+    monkeypatch.setattr("sys.stdin", io.StringIO(script.read_text()))
+    assert shell("run", sample("hfsm"), *TABLE, "--script", "-").out == answer.out
+
+
+def test_a_wrong_script_is_refused_before_anything_runs(shell: Shell, tmp_path: Path) -> None:
+    script = tmp_path / "script.jsonl"
+    script.write_text('{"do": "pause"}\n{"do": "paus"}\n{"do": "ask", "address": "State9/Op"}\n')
+    log = tmp_path / "log"
+    more = ("--script", str(script), "--log", str(log))
+    answer = shell("run", sample("hfsm"), *TABLE, *more)
+    assert (answer.status, answer.out) == (2, "")
+    assert f"{script}:2:8: 'paus' is no command\nDid you mean pause?\n" in answer.err
+    assert f"{script}:3:26: " in answer.err
+    assert not log.exists()
+    assert shell("run", "-", *TABLE, "--script", "-").status == 2
+    assert shell("run", sample("hfsm"), *TABLE, "--script", "none").status == 2
 
 
 def test_the_text_tells_the_same_story(shell: Shell) -> None:

@@ -165,7 +165,7 @@ def _given(
         if key in _MOMENT:
             continue
         check = word.check_of(key)
-        if check is None:
+        if check is None or not key.isidentifier() or key == "self":
             known = (*word.needs, *word.may)
             near = did_you_mean(key[:80], (*known, *_MOMENT))
             takes = f"It takes {', '.join(known)}." if known else "It takes nothing."

@@ -30,7 +30,7 @@ class Trigger:
     times: int = 1
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Act:
     """One line of a script: ``do`` is a word of ``words.COMMANDS``, ``given`` what stands with it,
     addresses written out. ``by`` is who does it."""
