@@ -119,8 +119,9 @@ class Figure:
     def label_size(self, edge: int) -> tuple[float, float]:
         if not self.shows_labels:
             return 0.0, 0.0
-        marks = (MARK if self.picture.kind(edge) else 0.0) + (MARK if edge in self.signed else 0.0)
-        return width(self.label(edge), LABEL) + marks + 8.0, 15.0
+        picture = self.picture
+        signs = bool(picture.kind(edge)) + bool(picture.guards(edge)) + (edge in self.signed)
+        return width(self.label(edge), LABEL) + MARK * signs + 8.0, 15.0
 
     def bounds(self) -> Rect:
         """left, top, right, bottom of everything that is drawn."""

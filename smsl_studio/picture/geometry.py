@@ -6,7 +6,7 @@ ones are routed edge by edge when one comes into view.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -62,6 +62,10 @@ class Geometry:
         w, h = self._label_size(edge)
         x, y = shape.at(shape.length / 2)
         return x - w / 2, y - h / 2, x + w / 2, y + h / 2
+
+    def covered(self, edge: int, rects: Sequence[labels.Rect]) -> list[int]:
+        """How many pieces of other lines each rectangle covers; 0 in a large picture."""
+        return self._lines.covered(edge, rects)
 
     def forget(self, states: Iterable[int]) -> list[int]:
         """Drop the lines at states that moved; returns the edges concerned.

@@ -6,10 +6,11 @@ from collections.abc import Iterator, Mapping
 
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import LABEL, MARK, Figure
+from smsl_studio.picture.guards import needs_words
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import EdgeShape, Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
-from smsl_studio.picture.strokes import box, number, polygon, polyline, text
+from smsl_studio.picture.strokes import arch, box, number, polygon, polyline, text
 from smsl_studio.picture.words import safe
 
 HEAD = 8.0
@@ -51,8 +52,8 @@ def _line(figure: Figure, edge: int, colours: Colours, sign: str) -> Iterator[st
     colour = inks(sign, colours).line if sign else colours["edge"]
     wide = 2.2 if sign else 1.5 if figure.level is Level.FULL else 1.2
     head = HEAD + (1.0 if sign else 0.0) - (0.0 if figure.level is Level.FULL else 1.0)
-    name = figure.picture.operations[edge]
-    yield f"<g><title>{safe(name)}</title>"
+    name, needs = figure.picture.operations[edge], needs_words(figure.picture.guards(edge))
+    yield f"<g><title>{safe(f'{name} {needs}' if needs else name)}</title>"
     body = shape.cut(0.0, max(shape.length - head + 2.0, 0.0))
     yield polyline(body, colour, wide, DASHES.get(sign, ""))
     yield polygon(_head(shape, head), colour)
@@ -103,6 +104,12 @@ def _label(
     if kind:
         yield from sub_mark_at((x + 4.5, middle), kind, colours)
         x += MARK
+    needs = figure.picture.guards(edge)
+    if needs:
+        yield f"<g><title>{safe(needs_words(needs))}</title>"
+        yield from guard_at((x + 4.5, middle), colours)
+        yield "</g>"
+        x += MARK
     colour = inks(sign, colours).line if sign else colours["tx2"]
     centre = (x + right - 4.0) / 2
     yield text((centre, middle + 3.9), figure.label(edge), LABEL, colour, 500)
@@ -119,3 +126,10 @@ def sub_mark_at(at: Point, kind: str, colours: Colours) -> Iterator[str]:
         return
     up = -1.0 if kind == "rise" else 1.0
     yield polygon([(x, y + 4 * up), (x + 4.2, y - 3.6 * up), (x - 4.2, y - 3.6 * up)], ink)
+
+
+def guard_at(at: Point, colours: Colours) -> Iterator[str]:
+    """A lock, 9 wide: the operation needs other facts first."""
+    x, y = at
+    yield arch((x, y - 0.8), 2.4, 3.4, colours["tx2"], 1.3)
+    yield box((x - 4.0, y - 0.8, 8.0, 5.6), 1.4, colours["tx2"])

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import Figure
-from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, sub_mark_at
+from smsl_studio.picture.guards import MEANING
+from smsl_studio.picture.lines import NO_SIGNS, draw_labels, draw_lines, guard_at, sub_mark_at
 from smsl_studio.picture.nodes import draw_node
 from smsl_studio.picture.strokes import box, number, text
 from smsl_studio.picture.words import elided, width
@@ -85,6 +86,8 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
         words.append(("bar", f"expanded by a sub-SB: {elided(subs, NOTE, LEAST)}"))
     if figure.shows_labels:
         kinds = {picture.kind(edge) for edge in range(len(picture.operations))}
+        if any(picture.guards(edge) for edge in range(len(picture.operations))):
+            words.append(("guard", MEANING))
         for kind, meaning in (
             ("rise", "turns a sub-SB's fact on"),
             ("fall", "turns it off"),
@@ -99,6 +102,8 @@ def _legend(figure: Figure, colours: Colours) -> Iterator[tuple[str, float]]:
 def _row(mark: str, words: str, colours: Colours) -> Iterator[str]:
     if mark == "bar":
         yield box((0.0, 7.0, 13.0, 2.0), 1.0, colours["acc"])
+    elif mark == "guard":
+        yield from guard_at((6.0, 8.0), colours)
     elif mark:
         yield from sub_mark_at((6.0, 8.0), mark, colours)
     yield text((20.0 if mark else 0.0, 12.0), words, NOTE, colours["tx2"], 400, "start")

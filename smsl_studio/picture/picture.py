@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
 from smsl_studio.picture.sub_marks import sub_mark
 
@@ -120,6 +121,18 @@ class Picture:
         if found is None:
             found = self._kinds[edge] = self._kind_of(edge)
         return found
+
+    def guards(self, edge: int) -> tuple[Guard, ...]:
+        """The facts an edge requires before it starts."""
+        if not self.guarded:
+            return ()
+        state = self.names[self.source[edge]]
+        return guards_of(self.blueprint, self.branch, state, self.operations[edge])
+
+    @cached_property
+    def guarded(self) -> bool:
+        """Whether any operation here requires anything."""
+        return has_guards(self.branch)
 
     def _kind_of(self, edge: int) -> str:
         if not self.branch.subs or self.target[edge] < 0:

@@ -55,6 +55,17 @@ def circle(at: Point, radius: float, fill: str, line: str = "") -> str:
     return f'<circle cx="{x}" cy="{y}" r="{number(radius)}" fill="{fill}"{stroke}/>'
 
 
+def arch(at: Point, radius: float, height: float, colour: str, width: float) -> str:
+    """An upright arch over the middle of its feet."""
+    x, y = at
+    left, right, top = number(x - radius), number(x + radius), number(y - height + radius)
+    r, foot, stroke = number(radius), number(y), number(width)
+    return (
+        f'<path d="M{left} {foot}L{left} {top}A{r} {r} 0 0 1 {right} {top}L{right} {foot}" '
+        f'fill="none" stroke="{colour}" stroke-width="{stroke}"/>'
+    )
+
+
 def text(
     at: Point,
     words: str,

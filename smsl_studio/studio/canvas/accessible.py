@@ -5,11 +5,25 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.guards import needs_words
+from smsl_studio.studio.canvas.guard_sign import WORDS
 
 if TYPE_CHECKING:
     from smsl_studio.studio.canvas.canvas import Canvas
 
 FINDING = {"E": "error", "W": "warning", "I": "note"}
+
+
+def edge_tip(canvas: Canvas, edge: int) -> str:
+    """An operation for the pointer: its name, where it leads, what it needs and how that stands."""
+    sheet = canvas.sheet
+    assert sheet is not None
+    picture, address = sheet.picture, sheet.picture.address(edge)
+    target = picture.branch.table[address.state][address.operation]
+    told = canvas.marks.guards.get(address, ("", ""))[1]
+    needs = told or needs_words(picture.guards(edge))
+    lines = [address.operation, f"{address.state} to {target}", needs[:1].upper() + needs[1:]]
+    return "\n".join(line for line in lines if line)
 
 
 def words_for(canvas: Canvas, address: Address) -> str:
@@ -31,6 +45,9 @@ def words_for(canvas: Canvas, address: Address) -> str:
             words.append("running")
         if look.finding:
             words.append(FINDING.get(look.finding, "finding"))
+        how = sheet.looks.guard(edge)
+        needs = needs_words(sheet.picture.guards(edge))
+        words += [said for said in (needs, WORDS.get(how, "")) if said]
         return ", ".join(words)
     state = sheet.picture.node(address)
     if state < 0:

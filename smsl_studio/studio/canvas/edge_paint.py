@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from smsl_studio.picture.shape import EdgeShape, Floats
 from smsl_studio.studio.canvas.change_signs import change_colours, change_dashes, draw_change
+from smsl_studio.studio.canvas.guard_sign import draw_guard
 from smsl_studio.studio.canvas.ink import (
     NO_BRUSH,
     NO_PEN,
@@ -63,19 +64,21 @@ PLAIN = EdgeLook()
 
 @dataclass(frozen=True)
 class EdgeText:
-    """An edge's label: its words, its sub-SB mark, and whether it is set in the code font."""
+    """An edge's label: its words, its marks, and whether it is set in the code font."""
 
     text: str
     kind: str = ""
     mono: bool = False
     sign: str = ""
     """The sign of a comparison that stands in front of it."""
+    guard: str = ""
+    """How what it requires stands (see ``guard_sign``); empty where it requires nothing."""
 
 
 def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
     """The size of a label with its mark, in mark pixels."""
     type_ = ink.mono_label if text.mono else ink.label
-    marks = MARK_WIDTH * (bool(text.kind) + bool(text.sign))
+    marks = MARK_WIDTH * (bool(text.kind) + bool(text.sign) + bool(text.guard))
     width = type_.width(text.text) + marks + 8.0
     return width, LABEL_HEIGHT if not text.mono else 14.0
 
@@ -236,6 +239,9 @@ def paint_label(
         x += MARK_WIDTH
     if text.kind:
         draw_sub_mark(painter, x + 4.5, centre.y(), text.kind, tokens.acc, tokens.canvas)
+        x += MARK_WIDTH
+    if text.guard:
+        draw_guard(painter, x + 4.5, centre.y(), text.guard, tokens)
         x += MARK_WIDTH
     type_ = ink.mono_label if text.mono else ink.label
     type_.draw_from(painter, x, centre.y(), text.text, colour)

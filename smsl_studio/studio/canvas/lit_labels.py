@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from smsl_studio.picture import labels
@@ -87,7 +87,19 @@ def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]
             taken.append(label.rect)
             found.append(label)
     found.reverse()
-    return found
+    return [*_guards(sheet, taken), *found]
+
+
+def _guards(sheet: Sheet, taken: list[Rect]) -> Iterator[LitLabel]:
+    """In a run the rest has no names; what it needs is told all the same, where there is room."""
+    looks = sheet.looks
+    if not looks.marks.dimmed or sheet.level < Level.COMPACT:
+        return
+    for edge in looks.guarded_edges[:MOST]:
+        rect = None if looks.is_lit(edge) else sheet.geometry.label(edge)
+        if rect is not None and not any(labels.meet(rect, other) for other in taken):
+            taken.append(rect)
+            yield LitLabel(edge, sheet.text(edge), rect)
 
 
 def _says_more(look: EdgeLook) -> bool:
@@ -112,7 +124,10 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
     if look.pruned or look.held_back or look.risky:
         if look.pruned:
             text = replace(text, text=f"{text.text} pruned")
-        return _first(sheet, edge, text, _near_sign(sheet, text, shape), taken, False)
+        rects = _near_sign(sheet, text, shape)
+        crossed = sheet.geometry.covered(edge, rects)
+        rects = [rect for _, rect in sorted(zip(crossed, rects, strict=True), key=lambda p: p[0])]
+        return _first(sheet, edge, text, rects, taken, False)
     if sheet.compact and look.change:
         return _first(sheet, edge, text, _clear_of_names(sheet, edge, text, shape), taken, True)
     if sheet.compact and (look.trail or look.planned or look.possible):

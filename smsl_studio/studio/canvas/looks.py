@@ -20,6 +20,7 @@ class Looks:
         self.hovered_state, self.hovered_edge = -1, -1
         self._nodes: dict[int, NodeLook] = {}
         self._edges: dict[int, EdgeLook] = {}
+        self._guards: dict[int, str] = {}
         self._read(marks)
 
     @property
@@ -46,9 +47,19 @@ class Looks:
         found = self._edges.get(edge) or EdgeLook(dimmed=self.marks.dimmed)
         return replace(found, hovered=True) if edge == self.hovered_edge else found
 
+    @property
+    def guarded_edges(self) -> list[int]:
+        """Edges of which it is known how what they require stands."""
+        return list(self._guards)
+
+    def guard(self, edge: int) -> str:
+        """How what an edge requires stands; empty where nothing says."""
+        return self._guards.get(edge, "")
+
     def change(self, marks: Marks) -> tuple[set[int], set[int]]:
         """Take other marks; returns the states and edges whose look is another now."""
         nodes, edges, dimmed = self._nodes, self._edges, self.marks.dimmed
+        guards = self._guards
         self.marks = marks
         self._read(marks)
         if dimmed != marks.dimmed:
@@ -59,11 +70,14 @@ class Looks:
         changed = {
             e for e in edges.keys() | self._edges.keys() if edges.get(e) != self._edges.get(e)
         }
-        return states, changed
+        both = guards.keys() | self._guards.keys()
+        return states, changed | {e for e in both if guards.get(e) != self._guards.get(e)}
 
     def _read(self, marks: Marks) -> None:
         nodes: dict[int, dict[str, object]] = {}
         edges: dict[int, dict[str, object]] = {}
+        named = ((self._picture.edge(address), how) for address, (how, _) in marks.guards.items())
+        self._guards = {edge: how for edge, how in named if edge >= 0}
         self._read_run(marks, nodes, edges)
         for address in marks.selection:
             self._note(address, "selected", True, nodes, edges)

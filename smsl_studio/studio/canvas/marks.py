@@ -18,7 +18,8 @@ class Marks:
     letter (E, W, I) of an address. ``facts`` give what was sensed of a state's digit: ``agrees``,
     ``differs``, ``unknown`` or ``transit``. ``goals`` are named below their node. ``dimmed`` says
     that everything no mark speaks of steps back, as in a run. ``changes`` give the sign of what a
-    comparison tells of an address: ``+`` added, ``-`` removed, ``~`` changed.
+    comparison tells of an address: ``+`` added, ``-`` removed, ``~`` changed. ``guards`` say how
+    what an operation requires stands: ``true``, ``false`` or ``unknown``, and in words.
     """
 
     selection: tuple[Address, ...] = ()
@@ -37,5 +38,6 @@ class Marks:
     findings: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
     facts: Mapping[tuple[str, int], str] = field(default_factory=lambda: MappingProxyType({}))
     changes: Mapping[Address, str] = field(default_factory=lambda: MappingProxyType({}))
+    guards: Mapping[Address, tuple[str, str]] = field(default_factory=lambda: MappingProxyType({}))
     goals: frozenset[str] = frozenset()
     dimmed: bool = False

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,7 @@ from smsl_studio.picture.routing import Style, meets
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.canvas import edge_paint, node_paint
 from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size
+from smsl_studio.studio.canvas.guard_sign import DECLARED
 from smsl_studio.studio.canvas.ink import Ink
 from smsl_studio.studio.canvas.looks import Looks
 from smsl_studio.studio.canvas.marks import Marks
@@ -198,11 +200,16 @@ class Sheet:
         found = self._texts.get(edge)
         if found is None:
             label = self.picture.label(edge)
-            found = EdgeText(label, self.picture.kind(edge))
+            guard = DECLARED if self.picture.guards(edge) else ""
+            found = EdgeText(label, self.picture.kind(edge), guard=guard)
             self._texts[edge] = found
         sign = self.looks.edge(edge).change
         mono = self.compact and len(found.text) <= 4
-        return EdgeText(found.text, found.kind, mono, sign) if mono or sign else found
+        # How a guard stands makes its sign no wider: labels stay where they are.
+        guard = self.looks.guard(edge) if found.guard else ""
+        if mono or sign or guard:
+            return replace(found, mono=mono, sign=sign, guard=guard or found.guard)
+        return found
 
     def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
         text = self.text(edge)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas import keys
+from smsl_studio.studio.canvas.accessible import edge_tip
 from smsl_studio.studio.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.canvas.gestures import (
     Band,
@@ -254,10 +255,7 @@ class Hand:
             face = sheet.picture.face(state)
             tip = face.name if not face.title else f"{face.name}\n{face.title}"
         elif edge >= 0:
-            picture = sheet.picture
-            source = picture.names[picture.source[edge]]
-            target = picture.branch.table[source][picture.operations[edge]]
-            tip = f"{picture.operations[edge]}\n{source} to {target}"
+            tip = edge_tip(self._canvas, edge)
         if self._canvas.viewport().toolTip() != tip:
             self._canvas.viewport().setToolTip(tip)
 

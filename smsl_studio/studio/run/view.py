@@ -11,6 +11,7 @@ from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.run.facts_table import FactRow
+from smsl_studio.studio.run.guard_view import held_back, standings
 from smsl_studio.studio.run.possible_list import PossibleRow
 from smsl_studio.studio.run.story import Story
 
@@ -94,6 +95,7 @@ def marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Stor
     planned = tuple(a for a in status.route if a.branch == branch and a != running and not ended)
     shown = running or next(iter(planned), None)
     following = [blueprint[branch].table[shown.state][shown.operation]] if shown else []
+    guards = standings(blueprint, branch, status)
     return Marks(
         active=active,
         running=(running, progress(blueprint, status, story)) if running else None,
@@ -104,6 +106,8 @@ def marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Stor
         next_states=frozenset(following) - {active},
         pruned=_shut(branch, status, story.pruned) - _at(branch, story.risky),
         risky=_at(branch, story.risky),
+        held_back=held_back(guards, status),
+        guards=guards,
         possible=frozenset(p.address for p in status.possible if p.address.branch == branch),
         goals=frozenset(goal.state for goal in status.goals if goal.branch == branch),
         facts=_sensed(blueprint[branch], active, status),

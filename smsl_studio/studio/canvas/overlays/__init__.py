@@ -70,6 +70,8 @@ class Overlays:
         if sheet is not None and sheet.picture.branch.subs:
             edges = range(min(len(sheet.picture.operations), 5000))
             kinds = {sheet.picture.kind(e) for e in edges} - {""}
+        if sheet is not None and sheet.picture.guarded:
+            kinds |= {"guard"}
         if sheet is not None:
             self.legend.show_branch(sheet.picture.branch, kinds)
         self.show_empty()

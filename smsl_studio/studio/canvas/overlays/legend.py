@@ -7,6 +7,8 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.picture.guards import MEANING
+from smsl_studio.studio.canvas.guard_sign import DECLARED, draw_guard
 from smsl_studio.studio.canvas.ink import (
     NO_PEN,
     Type,
@@ -23,7 +25,8 @@ RUN_ROW = 22
 
 
 class Legend(QWidget):
-    """Explains rise, fall and mixed with the name of the fact where there is one sub-SB."""
+    """Explains rise, fall and mixed, with the name of the fact where there is one sub-SB, and the
+    lock of what needs other facts first."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
@@ -44,6 +47,7 @@ class Legend(QWidget):
             "fall": "turns it off",
             "mixed": "changes it together with others",
         }
+        words["guard"] = MEANING
         self._words = tuple((kind, text) for kind, text in words.items() if kind in kinds)
         self.setAccessibleName("; ".join(text for _, text in self._words))
         self.resize(self.sizeHint())
@@ -62,7 +66,10 @@ class Legend(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for i, (kind, text) in enumerate(self._words):
             y = i * ROW + ROW / 2
-            draw_sub_mark(painter, 6.0, y, kind, self.tokens.acc, self.tokens.canvas)
+            if kind == "guard":
+                draw_guard(painter, 6.0, y, DECLARED, self.tokens)
+            else:
+                draw_sub_mark(painter, 6.0, y, kind, self.tokens.acc, self.tokens.canvas)
             self._type.draw_from(painter, 18.0, y, text, self.tokens.tx2)
         painter.end()
 
