@@ -235,6 +235,8 @@ class Driver:
 
     def leave(self) -> None:
         """Nobody attends the run any more: where it waits for somebody, it is over."""
+        if self.phase == "waiting":
+            self.desk.settled()
         self.attended = False
         held, phase = self.state.held, self.phase
         if held is not None and phase in ("no_route", "fault_hold"):

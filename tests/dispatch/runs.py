@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -62,12 +62,12 @@ class Story:
         self.dispatcher = Dispatcher(blueprint, self.host, **choices)
         self.events: list[Event] = list(self.dispatcher.open())
 
-    def tick(self, count: int = 1) -> Story:
+    def tick(self, count: int = 1) -> Self:
         for _ in range(count):
             self.events += self.dispatcher.tick()
         return self
 
-    def run(self, most: int = 5000) -> Story:
+    def run(self, most: int = 5000) -> Self:
         """Until it is over or waits for a person."""
         self.tick()
         while self.phase == "running" and most:
@@ -76,7 +76,7 @@ class Story:
         assert most, "the run does not end"
         return self
 
-    def ask(self, *texts: str) -> Story:
+    def ask(self, *texts: str) -> Self:
         """Ask for operations, one after the other, out of the states that are active then."""
         for text in texts:
             parts = Address.split(text)
