@@ -16,7 +16,7 @@ from smsl_studio.studio.theme import STATUS_LINE
 from smsl_studio.studio.words import counted
 
 ENDING = "Not a medical device"
-LONG = 200
+LONG = 120
 """Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
 
 

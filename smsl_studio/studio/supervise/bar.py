@@ -91,8 +91,9 @@ class SuperviseBar(QWidget):
         latched = phase == "stopped" and exists
         self.reset.setVisible(latched)
         self.end.setVisible(latched)
-        self.step.setVisible(not latched)
-        self.play.setVisible(not latched)
+        # What would only be refused is not offered: step in is where one gives back.
+        for button in (self.step, self.play):
+            button.setVisible(not latched and phase != "taken_over")
         self._pauses = exists and phase in ("running", "opening", "waiting")
         if self._pauses:
             self.play.set_words("Pause", "F6", "pause")

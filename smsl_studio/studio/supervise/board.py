@@ -16,7 +16,7 @@ from smsl_studio.studio.supervise.columns import Columns, columns
 from smsl_studio.studio.supervise.legend import Legend
 from smsl_studio.studio.supervise.partial import Card, PartialView
 from smsl_studio.studio.supervise.spot import Spot
-from smsl_studio.studio.supervise.wires import draw_way, draw_wire, fan
+from smsl_studio.studio.supervise.wires import LIT, draw_way, draw_wire, fan
 from smsl_studio.studio.theme import Tokens, text_font
 
 PITCH = 64
@@ -350,8 +350,7 @@ class _Inner(QWidget):
         x, most = self.columns.current
         right, middle = x + most / 2 + self._current.wide / 2 + 5, self._middle()
         leave = fan(len(self.cards))
-        lit = ("waits", "running", "next")
-        order = sorted(range(len(self.cards)), key=lambda at: self.cards[at].card.standing in lit)
+        order = sorted(range(len(self.cards)), key=lambda at: self.cards[at].card.standing in LIT)
         arriving = self._arrivals()
         for at in order:
             button, card = self.cards[at], self.cards[at].card

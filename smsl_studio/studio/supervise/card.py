@@ -11,6 +11,7 @@ from smsl_studio.studio.icons import ACTOR_ICON, draw
 from smsl_studio.studio.supervise.partial import (
     NEXT,
     NUMBERED,
+    PAUSED,
     POSSIBLE,
     PRUNED,
     REFUSED,
@@ -29,6 +30,7 @@ INSET = 3
 RISKS = {"low": 1, "medium": 2, "high": 3}
 BADGES = {
     RUNNING: "running",
+    PAUSED: "paused",
     WAITS: "waits for you",
     UNKNOWN: "unknown fact",
     PRUNED: "pruned",
@@ -97,7 +99,7 @@ class CardButton(QAbstractButton):
         t, standing = self._tokens, self.card.standing
         dashes: tuple[float, ...] = ()
         fill, line, wide = t.surf, t.nl, 1.2
-        if standing in (WAITS, RUNNING):
+        if standing in (WAITS, RUNNING, PAUSED):
             fill, line, wide = t.accs, t.acc, 1.6
         elif standing == NEXT:
             line, wide, dashes = t.acc, 1.6, (4.0, 3.0)
@@ -131,6 +133,7 @@ class CardButton(QAbstractButton):
         place = QRectF(box.right() - 8 - wide, box.top() + 7, wide, 19)
         fill, line, ink, dashes = {
             RUNNING: (t.acc, t.acc, t.onacc, ()),
+            PAUSED: (t.surf, t.acc, t.acc, ()),
             WAITS: (t.acc, t.acc, t.onacc, ()),
             UNKNOWN: (t.unks, t.unk, t.unk, (3.0, 2.0)),
             RISKY: (t.risks, t.risk, t.risk, ()),
@@ -181,13 +184,13 @@ class CardButton(QAbstractButton):
             _triangle(painter, left + 5 + at * 10, y, ink if filled else None, t)
         word = self.card.risk or "not rated"
         plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
-        left += 33 + max(plain.width(word), plain.width("medium")) + 10
+        left += 33 + max(plain.width(word), plain.width("medium")) + 8
         cost = f"cost {self.card.cost}"
         plain.draw_from(painter, left, y, cost, t.tx2)
-        left += max(plain.width(cost), plain.width("cost 0.0")) + 10
+        left += max(plain.width(cost), plain.width("cost 0.0")) + 8
         icon = ACTOR_ICON.get(self.card.actor, "robot")
         draw(painter, icon, QRectF(left, y - 7, 13, 13), t.tx2, t.surf)
-        left += 18
+        left += 17
         words = self.card.needs
         if self.card.standing == REFUSED and not self.card.unmet and self.card.reasons:
             words = self.card.reasons[0]
@@ -195,7 +198,7 @@ class CardButton(QAbstractButton):
         painter.setFont(plain.font)
         painter.setPen(ink)
         right = Qt.TextElideMode.ElideRight
-        shown = plain.metrics.elidedText(words, right, box.right() - 10 - left)
+        shown = plain.metrics.elidedText(words, right, box.right() - 6 - left)
         painter.drawText(QPointF(left, y + plain.rise), shown)
 
 

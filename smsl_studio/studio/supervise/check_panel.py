@@ -98,7 +98,7 @@ class CheckPanel(QWidget):
         lines: tuple[Outside, ...] = ()
         if found is not None and blueprint is not None and status is not None and view is not None:
             lines = outside_facts(blueprint, status, view)
-            self._state.setText(found.state)
+            self._state.setText(f"{found.state}, awaited" if found.awaited else found.state)
             self._written.setText(found.written)
             tip = f"{found.written}\n{found.terms}"
             for part in (self._state, self._written, self._verdict):

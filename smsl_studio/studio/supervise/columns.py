@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 LEFT, RIGHT = 18.0, 26.0
-CARD = (236.0, 265.0, 380.0)
+CARD = (248.0, 265.0, 380.0)
 """The width of a card where it is narrow, as designed, and at most."""
 LEAST = (96.0, 56.0, 48.0)
 """The gaps: to the active state, to the cards, to their targets."""

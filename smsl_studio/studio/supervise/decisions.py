@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus, Offer
-from smsl_studio.studio.supervise.partial import PRUNED, RISKY, VETOED, WAITS, Card
-from smsl_studio.studio.words import capital
+from smsl_studio.studio.supervise.partial import PAUSED, PRUNED, RISKY, RUNNING, VETOED, WAITS, Card
+from smsl_studio.studio.words import capital, counted
 
 ASK, VETO, PRUNE, RESTORE, TAKE_OVER, GIVE_BACK, ACCEPT = (
     "ask", "veto", "prune", "restore", "take_over", "give_back", "accept",
@@ -51,7 +51,7 @@ def choose(card: Card) -> Decision:
         to = f"It stays in {target}." if card.stays else f"It leads to {target}."
         detail = f"{to} Cost {card.cost}." + (f" Risk {card.risk}." if card.risk else "")
         return Decision(ASK, f"Carry out {name} now?", f"Carry out {name}", card.address, detail)
-    if card.standing == "running":
+    if card.standing in (RUNNING, PAUSED):
         return Decision("", f"{name} is being carried out.", "", card.address)
     why = " ".join(map(capital, card.reasons)) or "It may not be asked for now."
     return Decision("", f"{name} is not possible now.", "", card.address, why)
@@ -104,13 +104,15 @@ def offered(offer: Offer) -> Decision:
     return Decision(offer.command, f"{named}?", named, address, capital(offer.sentence))
 
 
+ELSEWHERE = ("give_back", "accept", "stop")
+"""What has a button of its own beside the offers."""
 RESET_OFFER = Offer("reset", "", "It unlatches the stop, to paused; nothing moves until you say so")
 END_OFFER = Offer("end", "", "It ends the run for good; its record is closed")
 
 
 def offers(status: DispatchStatus) -> tuple[Offer, ...]:
     """What may be done about a run that holds or is stopped; there is always a way out."""
-    found = list(status.offers)
+    found = [offer for offer in status.offers if offer.command not in ELSEWHERE]
     known = {offer.command for offer in found}
     if status.phase == "stopped" and "reset" not in known:
         found.insert(0, RESET_OFFER)
@@ -135,8 +137,7 @@ def detour_words(blueprint: Blueprint, status: DispatchStatus) -> str:
     if left > 0:
         said += f", and {left} more"
     longer = len(status.detour) - len(status.route)
-    length = (
-        "Same length" if not longer else f"{abs(longer)} {'longer' if longer > 0 else 'shorter'}"
-    )
+    more = "longer" if longer > 0 else "shorter"
+    length = f"{counted(abs(longer), 'operation')} {more}" if longer else "Same length"
     cost = sum(blueprint[one.branch].cost(one.state, one.operation) for one in status.detour)
     return f"{said}. {length}, cost {cost:.1f}."

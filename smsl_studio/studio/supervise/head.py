@@ -16,7 +16,8 @@ from smsl_studio.studio.supervise.board import draw_dots
 from smsl_studio.studio.supervise.columns import Columns
 from smsl_studio.studio.theme import Tokens, text_font
 
-HIGH = 64
+HIGH, LOW = 64, 40
+"""With the names of the columns, and without."""
 TOP = 40
 
 
@@ -31,6 +32,7 @@ class Head(QWidget):
         super().__init__(parent)
         self._tokens = tokens
         self._columns: Columns | None = None
+        self._previous = False
         self._names: tuple[str, ...] = ()
         self._shown = self._live = ""
         self.setFixedHeight(HIGH)
@@ -63,10 +65,10 @@ class Head(QWidget):
         self._dress_map()
         self.update()
 
-    def show_columns(self, columns: Columns | None) -> None:
+    def show_columns(self, columns: Columns | None, previous: bool) -> None:
         """Name the columns where they stand; None: there are none."""
-        if columns != self._columns:
-            self._columns = columns
+        if (columns, previous) != (self._columns, self._previous):
+            self._columns, self._previous = columns, previous
             self.update()
 
     def show_branches(self, names: Sequence[str], shown: str, live: str) -> None:
@@ -149,7 +151,7 @@ class Head(QWidget):
             long = "Permitted operations: risk, cost, who acts, needs"
             cards = long if kind.width(long) < found.cards[1] + 60 else "Permitted operations"
             for (x, wide), words in (
-                (found.previous, "Previous"),
+                (found.previous, "Previous" if self._previous else ""),
                 (found.current, "Current"),
                 (found.cards, cards),
                 (found.neighbours, "Neighbours"),

@@ -8,12 +8,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.status import DispatchStatus, Offer
-from smsl_studio.studio.controls import label
+from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.people.room import Room
 from smsl_studio.studio.run.phases import LATCHED, phase_words
 from smsl_studio.studio.supervise.decisions import Decision, offered, offers
 from smsl_studio.studio.words import capital
 
+BUTTON = 132
 MOST = 180
 """Pixels of the reasons before they scroll."""
 
@@ -71,6 +72,8 @@ class HoldCard(QFrame):
         words, kind = phase_words(status.phase)
         self._heading.setText(words + (f" by {status.by}" if status.by else ""))
         sentence = capital(status.sentence)
+        if sentence == f"{self._heading.text()}.":
+            sentence = ""
         self._sentence.setText(sentence)
         self._sentence.setVisible(bool(sentence))
         self._details.setText("\n".join(status.details))
@@ -93,11 +96,24 @@ class HoldCard(QFrame):
                 old.setParent(None)
                 old.deleteLater()
         for offer in self._shown:
-            decision = offered(offer)
-            button = QPushButton(decision.verb)
-            button.setToolTip(decision.detail)
-            button.clicked.connect(lambda _=False, one=decision: self._want(one))
-            self._buttons.addWidget(button)
+            self._buttons.addWidget(self._row(offered(offer)))
+
+    def _row(self, decision: Decision) -> QWidget:
+        """The button, and what it does beside it."""
+        line = QWidget()
+        button = QPushButton(decision.verb)
+        metrics = button.fontMetrics()
+        middle = Qt.TextElideMode.ElideMiddle
+        button.setText(metrics.elidedText(decision.verb, middle, BUTTON - 28))
+        button.setFixedWidth(BUTTON)
+        button.setAccessibleName(decision.verb)
+        button.setToolTip(f"{decision.verb}: {decision.detail}")
+        button.clicked.connect(lambda _=False: self._want(decision))
+        words = label(decision.detail, "hint")
+        across = row(button)
+        across.addWidget(words, 1)
+        line.setLayout(across)
+        return line
 
     def _want(self, decision: Decision) -> None:
         self.wanted.emit(decision)

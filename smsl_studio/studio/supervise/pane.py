@@ -29,7 +29,7 @@ from smsl_studio.studio.supervise.board import Board
 from smsl_studio.studio.supervise.check_panel import CheckPanel
 from smsl_studio.studio.supervise.decisions import Decision
 from smsl_studio.studio.supervise.facts import sensed_marks
-from smsl_studio.studio.supervise.head import Head
+from smsl_studio.studio.supervise.head import HIGH, LOW, Head
 from smsl_studio.studio.supervise.hold_card import HoldCard
 from smsl_studio.studio.supervise.notice import Notice
 from smsl_studio.studio.supervise.partial import PartialView, partial_view, shown_branch
@@ -56,7 +56,7 @@ class SupervisePane(QWidget):
     ) -> None:
         super().__init__(parent)
         self._run = run
-        self._chosen_branch = ""
+        self._chosen_branch = self._branch = ""
         self._view: PartialView | None = None
         self._picked: Address | None = None
         self.setAccessibleName("Supervise")
@@ -118,6 +118,8 @@ class SupervisePane(QWidget):
         """Show the whole of the SB; that it was looked at stands in the run's record."""
         if self._run.exists:
             self._run.full_map(on)
+            if on:
+                self.full_map.show_branch(self._branch)
 
     def show_branch(self, name: str) -> None:
         """Show this SB from now on, whatever happens elsewhere."""
@@ -226,7 +228,7 @@ class SupervisePane(QWidget):
         run.events_told.connect(self._tell)
         run.refused.connect(lambda error: self.notice.say(f"{error.sentence} {error.advice}"))
         self.board.card_chosen.connect(self.pick)
-        self.board.columns_moved.connect(self._place_heads)
+        self.board.columns_moved.connect(lambda _: self._place_heads())
         self.full_map.chosen.connect(self.pick)
         self.head.branch_wanted.connect(self.show_branch)
         self.head.map_wanted.connect(self.set_full_map)
@@ -250,7 +252,8 @@ class SupervisePane(QWidget):
         branch = ""
         self._view = None
         if status is not None and blueprint is not None:
-            branch = shown_branch(blueprint, status, self._chosen_branch)
+            branch = shown_branch(status, self._chosen_branch, self._branch)
+            self._branch = branch
             self._view = partial_view(blueprint, status, branch)
         if self._view is None or self._view.card(self._picked) is None:
             self._picked = None
@@ -265,7 +268,8 @@ class SupervisePane(QWidget):
         )
         sensed = sensed_marks(blueprint, status, branch) if blueprint and status else ()
         self.board.show_view(blueprint, self._view if board else None, self._picked, sensed)
-        self.head.show_columns(self.board.columns if board and not mapped else None)
+        self._place_heads()
+        self.head.setFixedHeight(LOW if mapped else HIGH)
         names = list(status.configuration) if status is not None and not mapped else []
         live = status.running.branch if status is not None and status.running else ""
         self.head.show_branches(names if run.exists else [], branch, live)
@@ -277,9 +281,10 @@ class SupervisePane(QWidget):
         self.hold.show_status(status, run.exists)
         self.step_in.show_status(blueprint, status, run.exists, self.subject)
 
-    def _place_heads(self, columns: object) -> None:
-        if self.pages.currentWidget() is self.board:
-            self.head.show_columns(self.board.columns)
+    def _place_heads(self) -> None:
+        shown = self.pages.currentWidget() is self.board
+        came = self._view is not None and self._view.via is not None
+        self.head.show_columns(self.board.columns if shown else None, came)
 
     def _show_bar(self, status: DispatchStatus | None) -> None:
         run = self._run

@@ -15,8 +15,9 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.picture.sub_marks import sub_mark
 
-RUNNING, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE = (
-    "running", "waits", "unknown", "pruned", "risky", "vetoed", "refused", "next", "possible",
+RUNNING, PAUSED, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE = (
+    "running", "paused", "waits", "unknown", "pruned", "risky", "vetoed", "refused", "next",
+    "possible",
 )  # fmt: skip
 ACTORS = {"human": "human", "shared": "shared", "robot": "robot", "automatic": "robot"}
 NUMBERED = 9
@@ -97,10 +98,13 @@ class Outside:
     blocks: tuple[str, ...]
 
 
-def shown_branch(blueprint: Blueprint, status: DispatchStatus, chosen: str = "") -> str:
-    """The SB to show: the chosen one, else where something happens, or will next."""
-    happening = (status.running, status.carrying, *status.route[:1], *status.goals[:1])
-    wanted = (chosen, _asked_about(status), *(a.branch for a in happening if a is not None))
+def shown_branch(status: DispatchStatus, chosen: str = "", before: str = "") -> str:
+    """The SB to show: the chosen one, else where something happens or will next, else the one
+    that was shown before."""
+    happening = (status.running, status.carrying, *status.route[:1])
+    names = (one.branch for one in happening if one is not None)
+    goals = (goal.branch for goal in status.goals)
+    wanted = (chosen, _asked_about(status), *names, before, *goals)
     known = [name for name in wanted if name in status.configuration]
     return known[0] if known else next(iter(status.configuration), "")
 
@@ -188,14 +192,14 @@ def _card(
         needs=needs,
         standing=_standing(status, address, item),
         unmet=unmet,
-        reasons=item.reasons if item else (),
+        reasons=_reasons(status, item),
         on_route=bool(item and item.on_route),
     )
 
 
 def _standing(status: DispatchStatus, address: Address, item: Possible | None) -> str:
     if address in (status.running, status.carrying):
-        return RUNNING
+        return PAUSED if status.phase == "paused" else RUNNING
     if any(task.address == str(address) for task in status.tasks):
         return WAITS
     if item is None:
@@ -206,10 +210,22 @@ def _standing(status: DispatchStatus, address: Address, item: Possible | None) -
         return RISKY
     if item.vetoed:
         return VETOED
+    if status.running is not None or status.carrying is not None:
+        return REFUSED
     if not item.permitted:
         unknown = any(term.truth is None for term in item.needs)
         return UNKNOWN if unknown else REFUSED
     return NEXT if item.on_route and item.address in status.route[:1] else POSSIBLE
+
+
+def _reasons(status: DispatchStatus, item: Possible | None) -> tuple[str, ...]:
+    """Why an operation may not be asked for; while another one moves, that is why."""
+    moving = status.running or status.carrying
+    if item is None or moving == item.address:
+        return ()
+    if moving is not None and not (item.pruned or item.risky):
+        return (f"one operation at a time, {moving.operation} is under way",)
+    return item.reasons
 
 
 def _needs(

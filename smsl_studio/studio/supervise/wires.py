@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 from smsl_studio.studio.canvas.ink import faded, pen
 from smsl_studio.studio.supervise.partial import (
     NEXT,
+    PAUSED,
     PRUNED,
     REFUSED,
     RISKY,
@@ -19,7 +20,7 @@ from smsl_studio.studio.supervise.partial import (
 from smsl_studio.studio.theme import Tokens
 
 HEAD = 8.0
-LIT = (WAITS, RUNNING, NEXT)
+LIT = (WAITS, RUNNING, PAUSED, NEXT)
 FAN = 5.0
 """Pixels between two wires where they leave the state."""
 
@@ -27,7 +28,7 @@ FAN = 5.0
 def wire_pen(standing: str, tokens: Tokens) -> QPen:
     """How the wire of an operation is drawn; dashes say the same as colours."""
     t = tokens
-    if standing in (WAITS, RUNNING):
+    if standing in (WAITS, RUNNING, PAUSED):
         return pen(t.acc, 2.2)
     if standing == NEXT:
         return pen(t.acc, 1.8, (4.0, 4.0))

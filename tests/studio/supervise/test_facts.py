@@ -1,0 +1,83 @@
+"""The state check of Supervise: what is believed beside what is sensed, and the written form."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from smsl_studio.blueprint.check import Scene, state_check
+from smsl_studio.studio.supervise.facts import check_view, sensed_marks
+from tests.studio.supervise.statuses import at, sample, scene, status
+
+SAMPLE = sample("registration-digitization.json")
+HERE = {"REGISTRATION": "State110", "DIGITIZATION": "State1"}
+
+
+def _scene(
+    landmarks: str | None = "1", registered: str | None = "0", all_: str | None = "1"
+) -> Scene:
+    return scene(REGISTRATION_0=landmarks, REGISTRATION_2=registered, DIGITIZATION_0=all_)
+
+
+@pytest.mark.parametrize(
+    ("found", "verdict", "qualities"),
+    [
+        (_scene(), "True", ["agrees", "agrees", "agrees"]),
+        (_scene(registered="1"), "Not true", ["agrees", "agrees", "differs"]),
+        (_scene(landmarks=None), "Unknown", ["unknown", "agrees", "agrees"]),
+        (_scene(all_=None), "Unknown", ["agrees", "unknown", "agrees"]),
+        (_scene(all_="0"), "Not true", ["agrees", "differs", "agrees"]),
+    ],
+)
+def test_the_verdict_and_each_fact(found: Scene, verdict: str, qualities: list[str]) -> None:
+    view = check_view(SAMPLE, status(HERE, scene=found), "REGISTRATION")
+    assert view is not None
+    assert (view.state, view.verdict) == ("State110", verdict)
+    assert [row.quality for row in view.rows] == qualities
+    assert [row.believed for row in view.rows] == ["1", "1", "0"]
+
+
+def test_a_fact_that_a_sub_sb_expands_says_where_that_stands() -> None:
+    view = check_view(SAMPLE, status(HERE, scene=_scene()), "REGISTRATION")
+    assert view is not None
+    sub = view.rows[1]
+    assert (sub.words, sub.sub, sub.age) == ("DIGITIZATION in State1", True, 0.02)
+
+
+def test_unknown_says_why_and_is_never_shown_as_a_value() -> None:
+    view = check_view(SAMPLE, status(HERE, scene=_scene(landmarks=None)), "REGISTRATION")
+    assert view is not None
+    assert (view.rows[0].sensed, view.rows[0].words) == (None, "no reading for 1.2 s")
+
+
+def test_the_paper_s_form_with_every_term() -> None:
+    view = check_view(SAMPLE, status(HERE, scene=_scene(registered="1")), "REGISTRATION")
+    assert view is not None
+    assert view.written == "C_State110 := lambda s: [f1(s), f2(s), f3(s)]"
+    assert "f3(s): false, Registered reads 1, not 0" in view.terms.splitlines()
+
+
+def test_what_moves_is_awaited_and_not_yet_known() -> None:
+    running = at("REGISTRATION/State110/Registered")
+    here = _scene()
+    check = state_check(SAMPLE, "REGISTRATION", "State111", here, HERE)
+    moving = status(HERE, phase="running", running=running, scene=here, check=check)
+    view = check_view(SAMPLE, moving, "REGISTRATION")
+    assert view is not None
+    assert (view.state, view.verdict, view.awaited) == ("State111", "Not yet known", True)
+    assert (view.rows[2].quality, view.rows[2].words) == ("transit", "moving, expects 1")
+    assert sensed_marks(SAMPLE, moving, "REGISTRATION") == ()
+
+
+def test_of_a_lost_world_nothing_is_known() -> None:
+    view = check_view(SAMPLE, status(HERE, scene=_scene()), "REGISTRATION", lost=True)
+    assert view is not None
+    assert view.verdict == "Unknown"
+    assert {row.sensed for row in view.rows if not row.sub} == {None}
+
+
+def test_what_is_sensed_otherwise_is_marked_on_the_state() -> None:
+    found = status(HERE, scene=_scene(landmarks=None, registered="1"))
+    assert sensed_marks(SAMPLE, found, "REGISTRATION") == ((0, "unknown"), (2, "differs"))
+    assert sensed_marks(SAMPLE, replace(found, configuration={}), "REGISTRATION") == ()
