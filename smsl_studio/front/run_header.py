@@ -76,7 +76,7 @@ def asked_for(
         "avoid": list(map(str, avoid)),
         "on_mismatch": on_mismatch,
         "by_hand": by_hand,
-        "levels": dict(levels or (script.levels if script else {})),
+        "levels": dict(levels or {}),
         "script": {"file": script.file, "digest": script.digest} if script else None,
         "supervisor": supervisor,
     }

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
+from smsl_studio.front.accepting import to_accept
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.reading import refusals
@@ -57,6 +60,8 @@ def open_run(
     on_mismatch: str = "hold",
     automatic: bool = True,
     attended: bool | None = None,
+    levels: Mapping[str, str] | None = None,
+    supervisor: Supervisor | None = None,
     plugin_paths: Sequence[Path] = (),
     loaded: Loaded | None = None,
     broker: str = "",
@@ -64,14 +69,16 @@ def open_run(
 ) -> Dispatcher:
     """A dispatcher that is ready to ``open``; the caller ticks it and closes it.
 
-    Several starts or goals may be given, one an SB. AddressError and UsageError for what makes no
-    sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
+    Several starts or goals may be given, one an SB. ``levels`` are set before this run and win
+    over what the blueprint declares (see ``blueprint.levels``). AddressError and UsageError for
+    what makes no sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
     """
     _one_of(host, HOSTS, "host")
     _one_of(on_mismatch, ("hold", "adopt"), "on_mismatch")
     starts = {at.branch: at.state for at in states_at(blueprint, start, "start")}
     goals = states_at(blueprint, goal, "goal")
     shut = operations_at(blueprint, avoid)
+    chosen = Levels(blueprint, levels or {})
     _refuse_nonsense(blueprint)
     made = make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded)
     return Dispatcher(
@@ -84,6 +91,9 @@ def open_run(
         on_mismatch=on_mismatch,
         automatic=automatic,
         attended=attended,
+        levels=chosen,
+        supervisor=supervisor,
+        findings=to_accept(blueprint, chosen),
     )
 
 
@@ -99,6 +109,8 @@ def run(
     avoid: Iterable[Written] = (),
     on_mismatch: str = "hold",
     script: Script | None = None,
+    levels: Mapping[str, str] | None = None,
+    supervisor: Supervisor | None = None,
     log: Path | str | None = None,
     on_event: Callable[[Event], None] | None = None,
     stop_when: Callable[[], bool] | None = None,
@@ -110,7 +122,8 @@ def run(
 
     ``speed`` paces it against wall time (1.0: as fast as real), None runs as fast as it goes.
     ``script`` (see ``read_script``) supervises it; while it has something to say it attends the
-    run, and where it has no more a hold is the end, as in every run that nobody attends.
+    run, and where it has no more a hold is the end, as in every run that nobody attends. What
+    ``levels`` sets before the run (see ``open_run``), a script's own lines may set otherwise.
     ``log`` is written line by line as the run goes; ``on_event`` hears each event after that.
     ``stop_when`` is asked before every tick. ``broker`` (HOST:PORT) and ``site`` say where sensors
     are heard that are elsewhere; with such sensors ``speed`` is at most 1. AddressError,
@@ -128,6 +141,7 @@ def run(
         if on_event is not None:
             on_event(event)
 
+    chosen = {**(levels or {}), **(script.levels if script else {})}
     recording, acting = Recording(hear), Acting(script) if script and script.acts else None
     dispatcher: Dispatcher | None = None
     refusal: RunRefused | None = None
@@ -142,6 +156,8 @@ def run(
             avoid=shut,
             on_mismatch=on_mismatch,
             attended=True if acting else None,
+            levels=chosen,
+            supervisor=supervisor,
             plugin_paths=plugin_paths,
             loaded=loaded,
             broker=broker,
@@ -159,6 +175,8 @@ def run(
                 avoid=shut,
                 on_mismatch=on_mismatch,
                 script=script,
+                levels=chosen,
+                supervisor=supervisor.name if supervisor else "",
             )
             recording.log = start_log(Path(log), blueprint, world, loaded, asked)
         if refusal is not None:

@@ -222,6 +222,31 @@ def test_the_other_sample_scripts_do_what_they_say() -> None:
         assert (run.reason, run.left) == ("goal_reached", ())
 
 
+PEOPLE = (
+    {"do": "level", "of": "SB1/Op_1c", "level": "human"},
+    {"do": "level", "of": "inspection", "level": "human"},
+    {"do": "answer", "kind": "start", "option": "start", "by": "Ada"},
+)
+
+
+def test_a_script_sets_levels_and_answers_what_people_are_asked() -> None:
+    done = {"do": "answer", "kind": "operation", "option": "done", "after": 2, "times": "every"}
+    run = _run(*PEOPLE, {**done, "by": "Bo"})
+    assert run.reason == "goal_reached"
+    closed = [event.as_json() for event in run.events if event.event == "task_closed"]
+    said = {"Ada": "start"}, {"Bo": "done"}, {"Bo": "done"}
+    assert [one["answers"] for one in closed] == list(said)
+    assert [round(one["t"], 2) for one in closed] == [0.0, 2.0, 4.3]
+
+
+def test_who_is_asked_and_not_answered_by_the_script_holds_the_run() -> None:
+    run = _run(*PEOPLE)
+    assert (run.reason, run.left) == ("held", ())
+    wrong = _run(*PEOPLE[:2], {"do": "answer", "kind": "start", "option": "maybe"})
+    assert (wrong.reason, _told(wrong)) == ("held", ["0.00 answer script refused"])
+    assert _run(*PEOPLE[:2], {"at": 1, "do": "answer", "option": "start"}).left == ()
+
+
 def test_a_script_is_named_in_the_header_of_the_log(tmp_path: Any) -> None:
     from smsl_studio.runlog.reading import read_log
 
