@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -67,6 +67,40 @@ def test_the_newest_of_each_source_waits(came: list[tuple[str, int, int]]) -> No
         bus.publish([_sample(source, sequence, boot)])
     newest = {source: max(one[1:] for one in came if one[0] == source) for source, *_ in came}
     assert {one.source: one.order for one in inbox.take()} == newest
+
+
+class _WatchedLock:
+    """A lock that counts how often it was taken."""
+
+    def __init__(self) -> None:
+        self.taken = 0
+        self._lock = threading.Lock()
+
+    def __enter__(self) -> None:
+        self._lock.acquire()
+        self.taken += 1
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
+
+
+def test_whatever_threads_share_is_behind_the_lock() -> None:
+    bus = FactBus()
+    lock = _WatchedLock()
+    bus.lock = lock  # type: ignore[assignment]
+    inbox = bus.subscribe()
+    uses: list[Callable[[], object]] = [
+        bus.subscribe,
+        lambda: bus.publish([_sample()]),
+        inbox.take,
+        lambda: bus.counts,
+        lambda: bus.replaced(("SB1", 0), "eye"),
+        inbox.close,
+    ]
+    for use in uses:
+        before = lock.taken
+        use()
+        assert lock.taken == before + 1
 
 
 def test_any_thread_may_publish() -> None:
