@@ -24,6 +24,7 @@ BENCHES = (
     "canvas",
     "source",
     "physics",
+    "faults",
     "saving",
     "edits",
     "fuzz",

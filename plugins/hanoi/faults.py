@@ -73,15 +73,16 @@ def wrong_order(table: Table) -> Fault:
     if len(table.disks) < 3:
         raise WorldError("besides the ring in the hand there must be two, this table has fewer")
     yield from _until_lifted(table)
-    towers = [table.on_peg(peg) for peg in PEGS]
-    tops = sorted((tower[-1] for tower in towers if tower), key=lambda disk: disk.number)
+    towers = [(peg, table.on_peg(peg)) for peg in PEGS]
+    tops = sorted((tower[-1] for _, tower in towers if tower), key=lambda disk: disk.number)
     if len(tops) > 1:
         _put_on(table, tops[1], tops[0])
         return
-    upper, lower = tops[0], towers[[bool(tower) for tower in towers].index(True)][-2]
-    place, _ = table.world.pose(lower.name)
-    table.world.place(lower.name, table.world.pose(upper.name)[0])
-    table.world.place(upper.name, place)
+    peg, (*under, lower, upper) = next(found for found in towers if found[1])
+    floor = sum(disk.thickness for disk in under) + upper.thickness / 2
+    for number, disk in enumerate((upper, lower)):
+        height = floor + number * (upper.thickness + 0.0005) + 0.0005
+        table.world.place(disk.name, (*PEGS[peg], height))
 
 
 def disk_pushed(table: Table, disk: int) -> None:
