@@ -72,6 +72,7 @@ class Carrier:
         self._fault = ""
         self._blame = self._answerable = True
         self._unanswered = False
+        self._by = ""
 
     @property
     def action(self) -> Action:
@@ -197,7 +198,7 @@ class Carrier:
             )
         if run.people_say:
             run.emit(*run.senses.forget(self._changing()))
-        self.since, self._answerable = run.time, True
+        self.since, self._answerable, self._by = run.time, True, ""
         if run.by_person(action.edge):
             self._want(operation_task(run.blueprint, action.edge.address))
             return
@@ -240,12 +241,13 @@ class Carrier:
         nothing but failure."""
         run, edge = self._run, self.action.edge
         if closed is not None and closed.yes:
+            self._by = f"done by {who_words(closed)}"
             if run.opened.world == TABLE:
                 # Nobody can touch a table that stands in memory: what was done is written down.
                 run.host.begin(edge.address)
                 self.stage = Stage.RUNNING
                 return
-            self._ended("returned", f"done by {who_words(closed)}")
+            self._ended("returned", self._by)
         else:
             told = closed is not None and closed.outcome == ANSWERED
             self._ended("failed" if told else "timed_out", no)
@@ -267,7 +269,7 @@ class Carrier:
             self._fault = f"{self.action.edge} took longer than its {limit:g} s"
             self._cancel("abort", "timed_out", self._fault)
         else:
-            self._ended(ENDED[tick.outcome], tick.message)
+            self._ended(ENDED[tick.outcome], tick.message or self._by)
             self._fault = _fault(self.action.edge, tick)
         self._settle()
 

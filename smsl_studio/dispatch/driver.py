@@ -246,7 +246,9 @@ class Driver:
         elif phase == "ready" and holds(self.run.configuration, self.course.goals):
             self.state.by_hand = False
             self._arrived()
-        elif phase in ("ready", "paused", "waiting", "taken_over"):
+        elif phase == "waiting":
+            self.finish("held", f"The run is waiting, and {self.desk.nobody}.")
+        elif phase in ("ready", "paused", "taken_over"):
             words = phase.replace("_", " ").replace("ready", "run by hand")
             self.finish("held", f"The run is {words}, and nobody is there to go on with it.")
 

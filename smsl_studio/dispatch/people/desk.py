@@ -56,10 +56,15 @@ class Desk:
         more = f" (and {len(open_ones) - 1} more)" if len(open_ones) > 1 else ""
         return f"Waiting for an answer{more}: {open_ones[0].question}"
 
+    @property
+    def nobody(self) -> str:
+        """Why an open question stays so, where nobody is there."""
+        return " ".join((NOBODY, *(_quoted(task.question) for task in self._board.tasks[:1])))
+
     def ask(self, questions: Sequence[Question], then: Then) -> str:
         """Put questions to people; why that is no use, empty where they were put."""
         if not self._someone():
-            return f"{NOBODY}: {questions[0].question}"
+            return f"{NOBODY} {_quoted(questions[0].question)}"
         self.withdraw()
         names = []
         for question in questions:
@@ -126,15 +131,16 @@ def who_words(closed: Closed) -> str:
 
 def _why(closed: Closed) -> str:
     task = closed.task
+    question, who = _quoted(task.question), who_words(closed)
     if closed.outcome == ANSWERED and closed.answer is not None:
-        return f"{who_words(closed)} answered {closed.answer.words!r} to: {task.question}"
+        return f"{who} answered {_quoted(closed.answer.words)} to {question}"
     if closed.outcome == TIMED_OUT:
-        within = task.deadline - task.opened
-        return (
-            f"nobody answered within {within:g} s: {task.question}"
-            if not task.answered
-            else (f"only {who_words(closed)} answered within {within:g} s: {task.question}")
-        )
+        some = f"only {who}" if task.answered else "nobody"
+        return f"{some} answered {question} within {task.deadline - task.opened:g} s"
     if closed.outcome == DISAGREED:
-        return f"{who_words(closed)} did not answer the same to: {task.question}"
-    return f"the question was withdrawn: {task.question}"
+        return f"{who} did not give the same answer to {question}"
+    return f"{question} was withdrawn"
+
+
+def _quoted(words: str) -> str:
+    return f'"{words}"'
