@@ -46,6 +46,7 @@ from smsl_studio.studio.panels.history import History
 from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
+from smsl_studio.studio.people.people import People
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
@@ -96,6 +97,11 @@ class Window(QMainWindow):
         self.history = History(session, tokens)
         self.body = Body()
         self.supervise = SupervisePane(session, self.run_pane.run, tokens)
+        self.people = People(
+            session, self.run_pane.run, self.run_pane.levels, self._windows.persons, tokens, self
+        )
+        self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)
+        self.people.hear(self.supervise)
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
@@ -124,6 +130,7 @@ class Window(QMainWindow):
         table = all_actions(
             self, self.session, self.files, self.drawing, self.clipping, self.findings, self.docks,
             self.run_pane, self._windows, self.comparing, self.supervise,
+            self.people, self.open_task,
         )  # fmt: skip
         self.actions_table = Actions(table, self, self.tokens, self.settle)
 
@@ -134,7 +141,7 @@ class Window(QMainWindow):
             "new": ("Open sample", partial(fill_samples, self.files)),
         }
         self.menu_row = MenuRow(actions, tokens, submenus)
-        self.setMenuWidget(self.safety.below(self.menu_row))
+        self.setMenuWidget(self.people.below(self.safety.below(self.menu_row)))
         self.mode_bar = ModeBar(actions, tokens)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
         self.status_line = StatusLine()
@@ -192,6 +199,8 @@ class Window(QMainWindow):
         self.run_pane.moved.connect(self.outline.set_run)
         self.run_pane.moved.connect(self._light_source)
         self.supervise.begin_wanted.connect(self.run_pane.play)
+        self.people.task_wanted.connect(self.open_task)
+        self.people.changed.connect(actions.refresh)
 
     # What the actions ask of the shell.
 
@@ -220,8 +229,9 @@ class Window(QMainWindow):
         self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
-        others = (self.run_pane, self.supervise, self.comparing, self.safety, self.actions_table)
-        for part in (self.canvas, *panels, *frame, *others):
+        runs = (self.run_pane, self.supervise, self.people)
+        others = (self.comparing, self.safety, self.actions_table)
+        for part in (self.canvas, *panels, *frame, *runs, *others):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
 
@@ -236,6 +246,11 @@ class Window(QMainWindow):
     def warn(self, words: str) -> None:
         """Say something that went wrong."""
         self.toast.warn(words)
+
+    def open_task(self) -> None:
+        """Show what people are asked, with the keys on it and no answer chosen."""
+        self.set_mode("supervise")
+        self.people.card.take_focus()
 
     def open_palette(self) -> None:
         box = self.mode_bar.search

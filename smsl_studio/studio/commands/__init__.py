@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands.blueprint import blueprint_actions
@@ -9,6 +11,7 @@ from smsl_studio.studio.commands.compare import compare_actions
 from smsl_studio.studio.commands.edit import edit_actions
 from smsl_studio.studio.commands.files import file_actions
 from smsl_studio.studio.commands.help import help_actions
+from smsl_studio.studio.commands.people import Asking, people_actions
 from smsl_studio.studio.commands.run import run_actions
 from smsl_studio.studio.commands.samples import sample_actions
 from smsl_studio.studio.commands.shell import Shell, Supervising, Transport
@@ -37,6 +40,8 @@ def all_actions(
     windows: Windows,
     comparing: Comparing,
     supervise: Supervising,
+    people: Asking,
+    open_task: Callable[[], object],
 ) -> tuple[Action, ...]:
     """Every row, menu by menu."""
     return (
@@ -48,5 +53,6 @@ def all_actions(
         *compare_actions(comparing),
         *run_actions(run, windows, shell),
         *supervise_actions(supervise, shell),
+        *people_actions(people, open_task),
         *help_actions(shell),
     )

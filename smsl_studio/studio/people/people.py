@@ -6,6 +6,8 @@ across the window for the other modes, and two dialogs.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QVBoxLayout, QWidget
@@ -25,6 +27,8 @@ from smsl_studio.studio.theme import Tokens
 class People(QObject):
     """Card, bar, continuum and dialogs of one window."""
 
+    changed = Signal()
+    """Whether people are asked anything is another than it was."""
     task_wanted = Signal()
     """The open task shall be shown, whatever is shown now."""
 
@@ -43,8 +47,12 @@ class People(QObject):
         self.card = TaskCard(persons, tokens)
         self.card.follow(run)
         self.bar = TaskBar(self.card, tokens)
+        # Everything that is commanded here goes in this name.
+        run.who = lambda: persons.me.name
         self.continuum = Continuum(session, run, levels, tokens)
         self.bar.open_wanted.connect(self.task_wanted)
+        self._asked = False
+        self.card.changed.connect(self._tell)
         self.card.persons_wanted.connect(self.edit_persons)
         self.continuum.edit_wanted.connect(self.edit_levels)
 
@@ -62,6 +70,11 @@ class People(QObject):
         column.addWidget(self.bar)
         return both
 
+    def take_places(self, tasks: QVBoxLayout, levels: Callable[[QWidget], object]) -> None:
+        """Stand where Supervise has room for what people are asked, and for how far they lead."""
+        tasks.addWidget(self.card)
+        levels(self.continuum)
+
     def hear(self, page: QWidget) -> None:
         """Let the letters of the answers act wherever in ``page`` the focus is."""
         page.installEventFilter(self)
@@ -73,6 +86,11 @@ class People(QObject):
     def may_edit_levels(self) -> bool:
         """A run keeps the levels it began with."""
         return not self._run.exists
+
+    def _tell(self) -> None:
+        if self.has_task() != self._asked:
+            self._asked = self.has_task()
+            self.changed.emit()
 
     def edit_persons(self) -> None:
         """Open the dialog of the persons."""

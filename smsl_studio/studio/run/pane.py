@@ -19,6 +19,7 @@ from smsl_studio.studio.controls import label
 from smsl_studio.studio.frame.tabs import Tabs
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.monitor.monitoring import Monitoring
+from smsl_studio.studio.people.next_levels import NextLevels
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.camera import VIEWS
 from smsl_studio.studio.run.event_list import EventList
@@ -70,6 +71,7 @@ class RunPane(QWidget):
         self._session = session
         self._tokens = tokens
         self.run = RunSession(self)
+        self.levels = NextLevels(session)
         self.transport = Transport(tokens)
         self.canvas = RunCanvas(session, self.run, tokens)
         self.world = WorldView(tokens)
@@ -180,6 +182,7 @@ class RunPane(QWidget):
             goal=transport.goal.currentData() or "",
             seed=int(transport.seed.text() or 0),
             by_hand=transport.by_hand.isChecked(),
+            levels=self.levels.set,
         )
         self._foreign = False
         self.events.clear()
