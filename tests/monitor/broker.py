@@ -24,12 +24,26 @@ PATIENCE = 20.0
 """Seconds after which what did not happen never will."""
 
 
+MAX_AGE = 1.0
+"""Seconds after which a fact of ``with_ages`` is too old."""
+
+
 def until(condition: Callable[[], bool], what: str) -> None:
     """Wait for something that must happen sooner or later."""
     ends = time.monotonic() + PATIENCE
     while not condition():
         assert time.monotonic() < ends, f"never: {what}"
         time.sleep(0.005)
+
+
+def with_ages(sample: str, folder: Path) -> Path:
+    """A copy of a sample in which facts may be older than usual: test machines are busy."""
+    values = json.loads((samples_dir() / f"{sample}.json").read_text("utf-8"))
+    for sb in values.values():
+        sb["_facts"] = {str(digit): {"max_age": MAX_AGE} for digit in range(2)}
+    path = folder / f"{sample}.json"
+    path.write_text(json.dumps(values), "utf-8")
+    return path
 
 
 class Broker:
