@@ -156,13 +156,25 @@ class Course:
 
     def next_operation(self, configuration: Mapping[str, str]) -> Address | None:
         """The operation that the route would begin from here; the plan stays as it is."""
+        step, _ = self._prospect(configuration)
+        return None if step is None else step.asked.address
+
+    def prospect(self, configuration: Mapping[str, str]) -> tuple[Address, ...]:
+        """The edges of the route that would be planned from here; the plan stays as it is."""
+        step, following = self._prospect(configuration)
+        return () if step is None else (*(edge.address for edge in step.edges), *following)
+
+    def _prospect(
+        self, configuration: Mapping[str, str]
+    ) -> tuple[JointStep | None, tuple[Address, ...]]:
         kept = self._legs, self._at, self._ahead
         try:
             step, _ = self.next_step(configuration)
+            following = self.ahead
         except PlanningError:
-            step = None
+            step, following = None, ()
         self._legs, self._at, self._ahead = kept
-        return None if step is None else step.asked.address
+        return step, following
 
     def drop_plan(self) -> None:
         self._legs, self._at, self._ahead = (), (0, 0), None

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.dispatch.driver import Driver
+from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.dispatch.supervision.offers import offers
 from smsl_studio.errors import PlanningError
@@ -29,6 +30,10 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
     """How an opened run stands."""
     run, carrier, state = driver.run, driver.carrier, driver.state
     current = carrier.remaining if carrier else ()
+    route = (*(edge.address for edge in current), *driver.course.ahead)
+    if not route and phase == "paused" and not holds(run.configuration, driver.course.goals):
+        # What was asked for by hand has no plan behind it; one sees what would come all the same.
+        route = driver.course.prospect(run.configuration)
     held = state.held
     candidates = driver.trouble.candidates if held is not None else ()
     if state.offered is not None:
@@ -42,7 +47,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         carrying=carrier.step.asked.address if carrier else None,
         running_since=carrier.since if carrier and carrier.moving else None,
         progress=driver.outlook.progress(carrier),
-        route=(*(edge.address for edge in current), *driver.course.ahead),
+        route=route,
         goals=driver.course.goals,
         scene=run.senses.scene,
         check=None if ended else driver.outlook.awaited(carrier),

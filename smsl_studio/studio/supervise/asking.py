@@ -78,6 +78,13 @@ class Asking(QFrame):
             self.refuse("")
             self.reason.clear()
 
+    def take_focus(self) -> None:
+        """Lead the keys here: to the reason where one is needed, else to what Enter does."""
+        decision = self.decision
+        if decision is not None:
+            part = self.reason if decision.reasoned else self.do if decision.verb else self.leave
+            part.setFocus()
+
     def refuse(self, why: str) -> None:
         """Say why it was not done; the decision stays open."""
         _say(self._refusal, capital(why))

@@ -44,6 +44,9 @@ class SuperviseBar(QWidget):
         self.play = KeyButton("Resume", "F5", "play", "primary", tokens)
         self.play.clicked.connect(self._play_or_pause)
         self.reset, self.end = QPushButton("Reset"), QPushButton("End run")
+        for pressed in (self.reset, self.end, self.step, self.play):
+            # So that Enter presses the one that has the focus, as it does in the body.
+            pressed.setAutoDefault(True)
         self.reset.setToolTip("Unlatch the stop, to paused")
         self.end.setToolTip("End the run for good")
         self.reset.clicked.connect(self.reset_wanted)

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.status import DispatchStatus
@@ -59,6 +60,7 @@ class SupervisePane(QWidget):
         self._chosen_branch = self._branch = ""
         self._view: PartialView | None = None
         self._picked: Address | None = None
+        self._came_from: QWidget | None = None
         self.setAccessibleName("Supervise")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.bar = SuperviseBar(tokens)
@@ -300,10 +302,12 @@ class SupervisePane(QWidget):
     # Deciding.
 
     def _ask(self, decision: Decision) -> None:
+        asking = self.step_in.asking
+        if asking.decision is None:
+            self._came_from = QApplication.focusWidget()
         self.step_in.say("")
-        self.step_in.asking.show_decision(decision)
-        if decision.reasoned:
-            self.step_in.asking.reason.setFocus()
+        asking.show_decision(decision)
+        asking.take_focus()
         self.refresh()
 
     def _do(self, decision: Decision, reason: str) -> None:
@@ -319,7 +323,7 @@ class SupervisePane(QWidget):
             }
         commands.get(decision.command, partial(run.command, decision.command))()
         self._picked = None
-        self.setFocus()
+        self._go_back()
         self.refresh()
 
     def _drop(self) -> None:
@@ -328,8 +332,13 @@ class SupervisePane(QWidget):
             self.step_in.asking.show_decision(None)
         self._picked = None
         self.step_in.say("")
-        self.setFocus()
+        self._go_back()
         self.refresh()
+
+    def _go_back(self) -> None:
+        """The keys go back to where they were before something was asked."""
+        back, self._came_from = self._came_from, None
+        (back if back is not None and isValid(back) and back.isVisible() else self).setFocus()
 
     def _settle_decision(self, status: DispatchStatus | None) -> None:
         """A question whose ground is gone is asked no more; a located state is asked about."""
@@ -394,9 +403,7 @@ class SupervisePane(QWidget):
     def _enter(self, decision: Decision | None) -> bool:
         """Enter presses the button that has the focus, else it does what was asked about."""
         focus = QApplication.focusWidget()
-        pressing = isinstance(focus, QAbstractButton) and self.isAncestorOf(focus)
-        if pressing and (decision is None or focus not in self.board.cards):
-            assert isinstance(focus, QAbstractButton)
+        if isinstance(focus, QAbstractButton) and self.isAncestorOf(focus):
             focus.click()
             return True
         if decision is None:

@@ -215,7 +215,7 @@ def _standing(status: DispatchStatus, address: Address, item: Possible | None) -
     if not item.permitted:
         unknown = any(term.truth is None for term in item.needs)
         return UNKNOWN if unknown else REFUSED
-    return NEXT if item.on_route and item.address in status.route[:1] else POSSIBLE
+    return NEXT if item.address in status.route[:1] else POSSIBLE
 
 
 def _reasons(status: DispatchStatus, item: Possible | None) -> tuple[str, ...]:

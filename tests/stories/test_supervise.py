@@ -1,0 +1,158 @@
+"""Supervise with the keyboard alone, and what stands in the record of it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+
+from smsl_studio.runlog.events import (
+    Commanded,
+    GivenBack,
+    OperationPruned,
+    OperationStarted,
+    RunReset,
+    RunStopped,
+    TakenOver,
+)
+from tests.stories.at_supervise import AtSupervise
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+
+Key = Qt.Key
+REGISTRATION = SAMPLES / "registration-digitization.json"
+HANOI = SAMPLES / "hanoi-corrected.json"
+
+
+def test_a_whole_run_with_the_keyboard_alone(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    assert at.phase == "No run"
+    assert "F5 starts one" in at.pane.notice.words
+    at.start_paused()
+    at.until_in("State_caa")
+    _choose_veto_and_prune(at)
+    _take_over_and_give_back(at)
+    _stop_reset_and_end(at)
+    done = [word for word, refused in at.commanded() if not refused]
+    assert done == ["step", "ask", "veto", "prune", "take_over", "give_back", "accept", "stop",
+                    "reset", "stop", "end"]  # fmt: skip
+    kinds = {type(event) for event in at.events}
+    assert kinds >= {TakenOver, GivenBack, RunStopped, RunReset}
+
+
+def _choose_veto_and_prune(at: AtSupervise) -> None:
+    """Nothing moves before Enter; letters that are typed into a reason are no commands."""
+    at.press(at.number("Op_2b"))
+    assert at.asked.startswith("Carry out Op_2b now? It leads to State_cba.")
+    at.press(Key.Key_Escape)
+    assert at.asked == ""
+    at.press(at.number("Op_2b"), Key.Key_Return)
+    at.until_in("State_cba")
+    at.until_phase("Paused")
+    at.press(Key.Key_V)
+    assert at.asked.startswith("Veto ")
+    vetoed = at.pane.subject
+    assert vetoed is not None
+    at.press(Key.Key_Return)
+    at.until_stands(vetoed.operation, "vetoed")
+    at.press(at.number("Op_1a"), Key.Key_P, Key.Key_Return)
+    assert "A reason is needed" in at.asked
+    at.person.type("tip at p")
+    assert at.pane.step_in.asking.reason.text() == "tip at p"
+    at.press(Key.Key_Return)
+    at.until_stands("Op_1a", "pruned")
+    (pruned,) = (event for event in at.events if isinstance(event, OperationPruned))
+    assert pruned.reason == "tip at p"
+
+
+def _take_over_and_give_back(at: AtSupervise) -> None:
+    """The state that was located is taken only when it is accepted."""
+    at.press(Key.Key_T, Key.Key_Return)
+    at.until_phase("Taken over")
+    at.press(Key.Key_T, Key.Key_Return)
+    at.person.qtbot.waitUntil(lambda: at.asked.startswith("Located: SB1 in State_cba."))
+    assert not any(isinstance(event, GivenBack) for event in at.events)
+    at.press(Key.Key_Return)
+    at.until_phase("Paused")
+    assert any(isinstance(event, GivenBack) for event in at.events)
+
+
+def _stop_reset_and_end(at: AtSupervise) -> None:
+    """Stop asks nothing; reset and end do."""
+    at.press(Key.Key_F8)
+    at.until_phase("Stopped")
+    at.tab_to(at.pane.bar.reset)
+    at.press(Key.Key_Return)
+    assert at.asked.startswith("Reset?")
+    at.press(Key.Key_Return)
+    at.until_phase("Paused")
+    at.press(Key.Key_F8)
+    at.until_phase("Stopped")
+    at.tab_to(at.pane.bar.end)
+    at.press(Key.Key_Return, Key.Key_Return)
+    at.person.qtbot.waitUntil(lambda: not at.run.exists)
+    assert "F5 starts another run" in at.pane.notice.words
+
+
+def test_that_the_full_map_was_looked_at_stands_in_the_record(sit: Sit) -> None:
+    at = AtSupervise(sit(REGISTRATION))
+    assert not at.pane.head.map.isEnabled()
+    at.start_paused()
+    assert at.pane.pages.currentWidget() is at.pane.board
+    at.person.click(at.pane.head.map)
+    at.person.qtbot.waitUntil(lambda: at.pane.pages.currentWidget() is at.pane.full_map)
+    at.person.click(at.pane.head.map)
+    at.person.qtbot.waitUntil(lambda: at.pane.pages.currentWidget() is at.pane.board)
+    told = [(e.value, e.by) for e in at.events if isinstance(e, Commanded)
+            and e.command == "full_map"]  # fmt: skip
+    assert told == [("on", "a person"), ("off", "a person")]
+
+
+def test_with_every_way_cut_the_run_holds_edge_by_edge_and_an_offer_restores(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    for operation in [card.name for card in at.pane.view.cards] if at.pane.view else []:
+        at.press(at.number(operation), Key.Key_P)
+        at.person.type("the tip is blunt")
+        at.press(Key.Key_Return)
+        at.until_stands(operation, "pruned")
+    at.press(Key.Key_F5)
+    at.until_phase("No route")
+    reasons = at.pane.hold.details.splitlines()
+    assert len(reasons) >= 3
+    assert all(reason.startswith("SB1/State_caa/Op_") for reason in reasons[:3])
+    assert "the tip is blunt" in reasons[0]
+    offer = next(b for b in at.pane.hold.buttons() if b.accessibleName().startswith("Restore"))
+    at.tab_to(offer)
+    at.press(Key.Key_Return)
+    assert at.asked.startswith("Restore Op_")
+    at.press(Key.Key_Return)
+    at.person.qtbot.waitUntil(
+        lambda: [word for word, _ in at.commanded()][-1] == "restore", timeout=30_000
+    )
+
+
+def test_what_a_run_refuses_is_said_in_place(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.run.command("accept")
+    at.person.qtbot.waitUntil(lambda: "Nobody has taken over" in at.pane.step_in.refusal)
+    at.press(Key.Key_Escape)
+    assert at.pane.step_in.refusal == ""
+
+
+def test_arrows_lead_from_card_to_card_and_every_one_has_a_name(sit: Sit) -> None:
+    at = AtSupervise(sit(REGISTRATION))
+    at.start_paused()
+    cards = at.pane.board.cards
+    cards[0].setFocus()
+    at.press(Key.Key_Down, Key.Key_Down)
+    assert cards[2].hasFocus()
+    at.press(Key.Key_Up)
+    assert cards[1].hasFocus()
+    at.press(Key.Key_Return)
+    assert cards[1].card.name in at.asked
+    for card in cards:
+        assert card.accessibleName().startswith(f"{card.card.number}, {card.card.name}, ")
+    assert all(spot.accessibleName() for spot in at.pane.board.spots)
+    started = len([event for event in at.events if isinstance(event, OperationStarted)])
+    at.press(Key.Key_Escape)
+    assert len([e for e in at.events if isinstance(e, OperationStarted)]) == started
