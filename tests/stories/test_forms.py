@@ -355,3 +355,43 @@ def test_no_form_is_wider_than_its_panel(sit: Sit) -> None:
     assert inner.minimumSizeHint().width() <= properties.viewport().width() <= 304
     person.click_canvas(QPoint(20, 300))
     assert not properties.fact.isVisible(), "what is chosen next takes its place"
+
+
+# What people are asked
+
+
+def test_what_people_are_asked_is_said_in_the_form_of_an_operation(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    person.select("REGISTRATION/State_1100/Op_Register")
+    form = person.window.properties.operation
+    assert not form.line("question").isVisible()
+    person.choose(form.actor, "Human")
+    assert form.line("question").isVisible()
+    person.write(form.asking.question, "Fix the head in the clamp")
+    person.write(form.asking.roles, "surgeon, surgeon, Anybody")
+    person.write(form.asking.within, "90")
+    person.write(form.asking.escalation, "lead surgeon")
+    person.write(form.confirm, "anybody, anybody")
+    note = person.blueprint["REGISTRATION"].operation_note("State_1100", "Op_Register")
+    assert (note.question, note.roles) == ("Fix the head in the clamp", ("surgeon", "surgeon", ""))
+    assert (note.answer_within, note.escalates_to) == (90, "lead surgeon")
+    assert note.confirm == ("", "")
+    assert form.confirm.text() == "anybody, anybody"
+    for _ in range(6):
+        person.window.session.history.undo()
+    assert person.blueprint["REGISTRATION"].operation_note("State_1100", "Op_Register").roles == ()
+
+
+def test_a_fact_that_no_sensor_reads_can_be_a_persons(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    person.window.going.show_fact("REGISTRATION", 1)
+    form = person.window.properties.fact
+    assert not form.line("question").isVisible()
+    person.choose(form.line("aggregation").field, "A person says it")  # type: ignore[arg-type]
+    person.write(form.asking.question, "Are all landmarks digitised?")
+    person.write(form.asking.roles, "surgeon")
+    note = person.blueprint["REGISTRATION"].fact_note(1)
+    assert note is not None
+    assert (note.aggregation, note.question, note.roles) == (
+        "human", "Are all landmarks digitised?", ("surgeon",),
+    )  # fmt: skip

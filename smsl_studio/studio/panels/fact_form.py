@@ -10,8 +10,10 @@ from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from smsl_studio.blueprint.annotations import FactNote
 from smsl_studio.blueprint.editing import change_notes
+from smsl_studio.blueprint.levels import AUTOMATIC, Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.panels.asking_lines import AskingLines
 from smsl_studio.studio.panels.lines.choice import ChoiceLine, SwitchLine
 from smsl_studio.studio.panels.lines.line import Said
 from smsl_studio.studio.panels.lines.text import Bounds, ListLine, NumberLine, TextLine
@@ -88,7 +90,8 @@ class FactForm(NoteForm):
         self.add("sensors", ListLine("Sensors", "The sensors that read it, with commas between",
                                      "none named"))  # fmt: skip
         self.add("aggregation", ChoiceLine(
-            "Together", "How several sensors make one value", AGGREGATIONS))  # fmt: skip
+            "Together", "How sensors make one value, or whether a person says it", AGGREGATIONS
+        ))  # fmt: skip
         self.add("k", NumberLine("k", "How many sensors must agree", Bounds(1, whole=True),
                                  "sensors"))  # fmt: skip
         self.add("predicate", TextLine("Predicate", "The threshold or condition that is read, "
@@ -99,6 +102,7 @@ class FactForm(NoteForm):
         self.add("conflict_after", NumberLine(
             "Conflict after", "How long its sensors may disagree before it is unknown",
             Bounds(0, most=60), "s", "at once"))  # fmt: skip
+        self.asking = AskingLines(self, "What the person who says it is asked", "What is it?")
         self.column.addWidget(self.odd)
 
     def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
@@ -134,10 +138,11 @@ class FactForm(NoteForm):
             self._lines[word].setVisible(sub is None or word in written)
         if sub is None:
             count = len(note.sensors)
-            self._lines["aggregation"].setVisible(count > 1 or "aggregation" in written)
             several = count > 1 or "conflict_after" in written
             self._lines["conflict_after"].setVisible(several)
             self._lines["k"].setVisible(note.aggregation == "k_of_n" or "k" in written)
+        asked = sub is None and Levels(blueprint).fact(branch.name, self._digit) != AUTOMATIC
+        self.asking.show(asked, written)
         self.expanded.setVisible(sub is not None)
         self.enter.setVisible(sub in blueprint.branches)
         if sub is not None:

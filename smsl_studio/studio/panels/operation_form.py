@@ -9,15 +9,18 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.levels import AUTOMATIC, OF_ACTOR, Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.library.loading import Loaded
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.controls import Combo, Switch, label, row
+from smsl_studio.studio.panels.asking_lines import AskingLines
 from smsl_studio.studio.panels.lines.binding import BindingLine
 from smsl_studio.studio.panels.lines.choice import ChoiceLine, SwitchLine
 from smsl_studio.studio.panels.lines.line import Line, Shown
 from smsl_studio.studio.panels.lines.requires import RequiresLine
-from smsl_studio.studio.panels.lines.text import Bounds, ListLine, NumberLine, TextLine
+from smsl_studio.studio.panels.lines.roles import RolesLine
+from smsl_studio.studio.panels.lines.text import Bounds, NumberLine, TextLine
 from smsl_studio.studio.panels.note_form import NoteForm
 from smsl_studio.studio.panels.operation_entries import entries_of, noted_edges
 from smsl_studio.studio.panels.try_alone import TryAlone
@@ -28,6 +31,8 @@ from smsl_studio.studio.words import counted
 ACTORS = (("Human", "human"), ("Shared", "shared"), ("Robot", "robot"))
 RISKS = (("Low", "low"), ("Medium", "medium"), ("High", "high"))
 STOPS = (("Abort at once", "abort"), ("Hold where it is", "hold"), ("Finish first", "finish"))
+MOST = 500
+"""Of more selected edges the first ones tell whether people are asked."""
 SUBS = (("Drive it first", "drive"), ("Load", "load"))
 
 
@@ -81,8 +86,9 @@ class OperationForm(NoteForm):
             "Risk", "The declared risk of this operation", RISKS)).field  # fmt: skip
         self.actor = self.add("actor", ChoiceLine(
             "Who acts", "Human, shared or robot", ACTORS)).field  # fmt: skip
-        self.confirm = self.add("confirm", ListLine(
-            "Confirms", "The roles that confirm it, with commas between", "nobody"
+        self.confirm = self.add("confirm", RolesLine(
+            "Confirms", "The roles that confirm it before it begins, one for each person, with "
+            "commas between; “anybody” is a person of any role", "nobody"
         )).field  # fmt: skip
         self.duration = self.add("duration", NumberLine(
             "Duration", "How long it usually takes, in seconds", Bounds(), "s", "not said"
@@ -108,6 +114,9 @@ class OperationForm(NoteForm):
         self.binding = self.add("binding", BindingLine(
             "Function", "The library function that carries it out"))  # fmt: skip
 
+        self.asking = AskingLines(
+            self, "What a person who carries it out is told", "its title: please carry it out"
+        )
         self.column.addWidget(self.odd)
         self.alone = TryAlone(self._session)
         self.column.addWidget(self.alone)
@@ -178,6 +187,17 @@ class OperationForm(NoteForm):
         for word, fits in (("subs", turns), ("repeatable", loops)):
             written = any(word in entry.written for entry in self._entries)
             self._lines[word].setVisible(fits or written)
+
+        self._show_asking(blueprint)
+
+    def _show_asking(self, blueprint: Blueprint) -> None:
+        """Who is asked anything about these operations, by any level there is."""
+        notes = {id(n): n for entry in self._entries for n in (entry.note, entry.standard)}
+        asked = any(note.confirm or note.actor in OF_ACTOR for note in notes.values())
+        if not asked and blueprint.levels:
+            levels = Levels(blueprint)
+            asked = any(levels.operation(edge) != AUTOMATIC for edge in self._edges[:MOST])
+        self.asking.show(asked, frozenset(word for e in self._entries for word in e.written))
 
     @property
     def _only_here(self) -> bool:
