@@ -149,7 +149,7 @@ def test_who_is_asked_first_matters_by_priority_alone(rule, read, chance) -> Non
         assert (first.value, first.conflict) == (second.value, second.conflict)
 
 
-RUNNING = Path(__file__).parents[2] / "docs" / "running.md"
+PAGE = Path(__file__).parents[2] / "docs" / "monitoring.md"
 COLUMNS = (
     (FactRule("single"), FactRule("any")),
     (FactRule("all"),),
@@ -162,7 +162,7 @@ COLUMNS = (
 
 
 def test_the_page_says_what_is_so() -> None:
-    rows = re.findall(r"^\| `([-ab ]{5})` \|(.*)\|$", RUNNING.read_text("utf-8"), re.MULTILINE)
+    rows = re.findall(r"^\| `([-ab ]{5})` \|(.*)\|$", PAGE.read_text("utf-8"), re.MULTILINE)
     assert len(rows) == 8
     for read, cells in rows:
         said = [cell.strip() for cell in cells.split("|")]
