@@ -217,11 +217,19 @@ def test_stop_keeps_its_place_in_every_mode_while_a_run_exists(sit: Sit) -> None
     assert stop.size() == pane.transport.stop.size()
     assert abs(stop.mapTo(window, stop.rect().center()).x() - place.x()) <= 2
     person.press(Key.Key_F8)
+    person.until(lambda: pane.run.phase == "stopped")
+    assert stop.isVisible()
+    person.ctrl(Key.Key_3)
+    bar = window.supervise.bar
+    assert bar.stop.size() == stop.size()
+    assert abs(bar.stop.mapTo(window, bar.stop.rect().center()).x() - place.x()) <= 2
+    person.ctrl(Key.Key_1)
+    pane.run.end()
     person.until(lambda: not pane.run.exists)
     assert not stop.isVisible()
 
 
-@pytest.mark.parametrize("mode", ["draw", "run"])
+@pytest.mark.parametrize("mode", ["draw", "run", "supervise"])
 def test_everything_has_a_name_and_nothing_is_cut_at_1280(sit: Sit, mode: str) -> None:
     person = sit(REGISTRATION, (1280, 800))
     window = person.window
