@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 from typing import Any
 
+from smsl_studio.host.brief import words_for
 from smsl_studio.host.protocol import Outcome
 from smsl_studio.library.bound import BoundOperation
 from smsl_studio.library.importing import where
@@ -47,5 +48,4 @@ class Call:
 
 def words_of(error: BaseException, location: str) -> str:
     """What was raised and where, in words that are the same on every machine."""
-    said = f"{type(error).__name__}: {error}".removesuffix(": ")
-    return said + (where(error, location) if location else "")
+    return words_for(error) + (where(error, location) if location else "")

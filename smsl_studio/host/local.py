@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, RunRefused, StudioError
+from smsl_studio.host.brief import finite, short_words
 from smsl_studio.host.call import Call, words_of
 from smsl_studio.host.engines import make_engine
 from smsl_studio.host.fact_rules import rules_of
@@ -64,6 +65,7 @@ class LocalHost:
         self._injecting = Injecting(world, {})
         self._ticks = 0
         self._boot = 0
+        self._poses: tuple[float, ...] = ()
 
     def open(self, start: Mapping[str, str]) -> Opened:
         """Build the world and put it into ``start`` (SB -> state).
@@ -78,6 +80,9 @@ class LocalHost:
             self._ticks, self._boot = 0, self._boot + 1
             self._arrange(engine, start)
             self._injecting = self._faults()
+            self._poses = ()
+            with self._mending("cannot be drawn"):
+                shapes = engine.shapes()
         self._sensing = Sensing(bindings.sensors, engine.tick, self._boot, self._values, self._seed)
         return Opened(
             world=self._name,
@@ -85,7 +90,7 @@ class LocalHost:
             hardware=self._entry.hardware if self._entry else engine.hardware,
             bound=self._bound,
             sensors=tuple(_info(sensor) for sensor in bindings.sensors),
-            shapes=engine.shapes(),
+            shapes=shapes,
             settle=self._settle,
             faults=tuple(map(str, bindings.faults)),
             rules={} if self._name == TABLE else rules_of(self._blueprint, bindings),
@@ -118,11 +123,8 @@ class LocalHost:
                 if outcome is not Outcome.RUNNING:
                     self._call = None
             self._injecting.resume()
-            try:
+            with self._mending("broke"):
                 engine.step()
-            except Exception as error:
-                words = words_of(error, self._location)
-                raise HostError(f"the world {self._name!r} broke: {words}") from None
             self._ticks += 1
             time = self._ticks * engine.tick
             samples = self._sensing.due(self._subject, self._ticks, time)
@@ -133,7 +135,7 @@ class LocalHost:
         engine = self._standing()
         if mode == "finish":
             return
-        with _prints_aside():
+        with _prints_aside(), self._mending("broke when it was braked"):
             self._drop()
             engine.brake()
 
@@ -150,11 +152,18 @@ class LocalHost:
 
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; empty while no world stands."""
-        return self._engine.poses() if self._engine else ()
+        if self._engine is None:
+            return ()
+        with self._mending("cannot be drawn"):
+            self._poses = finite(self._engine.poses(), self._poses)
+        return self._poses
 
     def status(self) -> Mapping[str, str]:
         """The world's short words for people."""
-        return self._engine.status() if self._engine else {}
+        if self._engine is None:
+            return {}
+        with self._mending("cannot tell how it stands"):
+            return short_words(self._engine.status())
 
     def check(self) -> None:
         """It is in this very process."""
@@ -209,14 +218,11 @@ class LocalHost:
         self._location, self._settle = plugin.location, entry.settle
         engine = make_engine(entry.engine, self._name)
         try:
-            built = entry.build(engine, self._blueprint, self._seed)
+            with self._mending("broke while it was built", StudioError):
+                built = entry.build(engine, self._blueprint, self._seed)
         except StudioError:
             engine.close()
             raise
-        except Exception as error:
-            engine.close()
-            words = words_of(error, plugin.location)
-            raise HostError(f"the world {self._name!r} broke while it was built: {words}") from None
         self._engine, self._subject = engine, engine if built is None else built
         return engine
 
@@ -232,13 +238,26 @@ class LocalHost:
         arranger = plugin.library.arrangers.get(self._name)
         if arranger is None:
             return
+        with self._mending("broke at the start", StudioError):
+            try:
+                arranger(self._subject, facts)
+            except HostError:
+                raise
+            except StudioError as error:
+                raise RunRefused(error.sentence, error.place, error.advice) from None
+
+    @contextlib.contextmanager
+    def _mending(
+        self, what: str, passes: type[BaseException] = KeyboardInterrupt
+    ) -> Iterator[None]:
+        """Whatever library code raises is told as a HostError, but for what ``passes``."""
         try:
-            arranger(self._subject, facts)
-        except StudioError as error:
-            raise RunRefused(error.sentence, error.place, error.advice) from None
-        except Exception as error:
-            words = words_of(error, plugin.location)
-            raise HostError(f"the world {self._name!r} broke at the start: {words}") from None
+            yield
+        except (KeyboardInterrupt, passes):
+            raise
+        except BaseException as error:  # SystemExit, and what compiled libraries raise
+            words = words_of(error, self._location)
+            raise HostError(f"the world {self._name!r} {what}: {words}") from None
 
 
 def _prints_aside() -> contextlib.AbstractContextManager[object]:

@@ -9,6 +9,7 @@ from typing import Any
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.host.brief import invalid
 from smsl_studio.host.call import words_of
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import Disturbed, checked
@@ -104,8 +105,9 @@ class Sensing:
             raise
         except BaseException as error:  # SystemExit, and what compiled libraries raise
             value, reason = None, words_of(error, sensor.location)
-        if value is not None and type(value) is not str:
-            value, reason = None, f"it reads {value!r}, which is no text"
+        wrong = invalid(value)
+        if wrong:
+            value, reason = None, wrong
         return Sample(
             sensor.branch,
             sensor.digit,
