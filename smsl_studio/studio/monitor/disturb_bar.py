@@ -90,6 +90,11 @@ class DisturbBar(QWidget):
             part.setEnabled(able)
         self._refuse("")
 
+    @property
+    def refusal(self) -> str:
+        """Why what was typed makes no sense; empty where it does."""
+        return self._refusal.text()
+
     def switch(self) -> None:
         """Switch on what is chosen."""
         kind = self.kind.currentData()

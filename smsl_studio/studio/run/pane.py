@@ -156,7 +156,7 @@ class RunPane(QWidget):
         self.possible.set_tokens(tokens)
         self.timeline.set_tokens(tokens)
         self.monitoring.set_tokens(tokens)
-        self._monitor.setIcon(icon("signal", tokens))
+        self.monitor_button.setIcon(icon("signal", tokens))
         self._views.setIcon(icon("camera", tokens))
         self._home.setIcon(icon("fit", tokens))
         self._refresh()
@@ -216,9 +216,11 @@ class RunPane(QWidget):
 
     def _right(self) -> QWidget:
         self._facts_rate, self._facts_note = label("", "small"), label("", "small")
-        self._monitor = tool("Monitor", "signal", "Every sensor and node (Ctrl+M)", self._tokens)
-        self._monitor.clicked.connect(self.show_monitor)
-        top = head("Facts", self._facts_rate, None, self._facts_note, self._monitor)
+        self.monitor_button = tool(
+            "Monitor", "signal", "Every sensor and node (Ctrl+M)", self._tokens
+        )
+        self.monitor_button.clicked.connect(self.show_monitor)
+        top = head("Facts", self._facts_rate, None, self._facts_note, self.monitor_button)
         facts = panel(top, self.facts, self.check)
         facts.setMinimumWidth(FACTS)
         self._lists = Tabs()
