@@ -7,6 +7,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edges
+from smsl_studio.blueprint.levels import HUMAN, Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.library.binding import bind
@@ -19,7 +20,8 @@ from smsl_studio.library.operation_library import TABLE
 def worlds_for(
     blueprint: Blueprint, plugin_paths: Sequence[Path] = (), loaded: Loaded | None = None
 ) -> tuple[str, ...]:
-    """The worlds in which every operation has its function and every fact its sensor.
+    """The worlds in which every operation has its function and every fact its sensor, or a person
+    in the place of either.
 
     Worlds of plugins come first, in their order; ``table``, which runs anything, comes last.
     ``loaded`` spares looking for plugins again.
@@ -36,10 +38,12 @@ def _suits(blueprint: Blueprint, loaded: Loaded, world: str) -> bool:
     except StudioError:
         return False
     sensed = {(sensor.branch, sensor.digit) for sensor in bindings.sensors}
-    if any((branch.name, digit) not in sensed for branch, digit in leaf_facts(blueprint)):
+    levels = Levels(blueprint)
+    facts = ((branch.name, digit) for branch, digit in leaf_facts(blueprint))
+    if any(fact not in sensed and levels.fact(*fact) != HUMAN for fact in facts):
         return False
     return blueprint.operation_count > 0 and all(
-        edge.address in bindings.operations
+        edge.address in bindings.operations or levels.operation(edge.address) == HUMAN
         for branch in blueprint
         for state in branch.table
         for edge in edges.out(branch.name, state)

@@ -7,6 +7,8 @@ from typing import Any
 
 import pytest
 
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
 from smsl_studio.errors import UsageError
 from smsl_studio.host.local import LocalHost
@@ -19,10 +21,10 @@ START = {"LAMP": "State_0"}
 
 def _senses(folder: Path, note: dict[str, Any], world: str = "lamp") -> Senses:
     write_plugin(folder, "lamp", LAMP_PLUGIN)
-    values = {"LAMP": {"_facts": {"0": note}, **LAMP["LAMP"]}}
-    host = LocalHost(blueprint_of(values), world, 0, [folder])
+    blueprint = blueprint_of({"LAMP": {"_facts": {"0": note}, **LAMP["LAMP"]}})
+    host = LocalHost(blueprint, world, 0, [folder])
     opened = host.open(START)
-    senses = Senses(host, opened)
+    senses = Senses(host, opened, leveled_rules(blueprint, opened, Levels(blueprint)))
     senses.look()
     return senses
 
@@ -62,8 +64,9 @@ def test_no_sensor_answers_for_a_person(tmp_path: Path) -> None:
         senses.answer("LAMP", 1, "1", "Ada")
 
 
-def test_on_the_table_stands_also_what_a_person_would_say(tmp_path: Path) -> None:
-    assert _reading(_senses(tmp_path, {"aggregation": "human"}, "table")) == ("0", "")
+def test_what_a_person_says_does_not_stand_on_the_table(tmp_path: Path) -> None:
+    assert _reading(_senses(tmp_path, {"aggregation": "human"}, "table")) == (None, NOBODY)
+    assert _reading(_senses(tmp_path / "all", {"aggregation": "all"}, "table")) == ("0", "")
 
 
 def test_what_others_publish_is_heard_like_the_host(tmp_path: Path) -> None:

@@ -1,0 +1,65 @@
+"""People in worlds of plugins: what nothing there does or senses may be a person's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from smsl_studio import front
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.agents import RiskLimit
+from smsl_studio.front.running import open_run
+from smsl_studio.shipped import samples_dir
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+
+HEAD: dict[str, Any] = {"State_0": {"Fix": "State_1"}, "State_1": {"Free": "State_0"}}
+THEIRS = {"HEAD/0": "human", "HEAD/Fix": "human", "HEAD/Free": "human"}
+
+
+def lamp(levels: dict[str, str]) -> Blueprint:
+    """A lamp that a plugin switches, and a head that it neither moves nor sees."""
+    return blueprint_of({**LAMP, "HEAD": HEAD, "_levels": levels})
+
+
+def test_a_world_suits_where_people_do_and_say_what_it_cannot(tmp_path: Path) -> None:
+    write_plugin(tmp_path, "lamp", LAMP_PLUGIN)
+    paths = [tmp_path]
+    # A sensor that names no SB reads the fact of the only root: here it has to be said.
+    note = {"_facts": {"0": {"sensors": ["bulb_1"]}}}
+    lit = {"LAMP": {**note, **LAMP["LAMP"]}, "HEAD": HEAD}
+    for levels in ({}, {"HEAD/0": "human"}):
+        assert "lamp" not in front.worlds_for(blueprint_of({**lit, "_levels": levels}), paths)
+    assert "lamp" in front.worlds_for(blueprint_of({**lit, "_levels": THEIRS}), paths)
+
+
+def test_a_human_fact_of_a_plugins_world_is_asked_for(tmp_path: Path) -> None:
+    write_plugin(tmp_path, "lamp", LAMP_PLUGIN)
+    run = open_run(
+        lamp(THEIRS),
+        "lamp",
+        host="local",
+        goal="HEAD/State_1",
+        attended=True,
+        plugin_paths=[tmp_path],
+    )
+    try:
+        assert [one.event for one in run.open()][-1] == "task_opened"
+        run.answer("", "0", by="Ann")
+        for _ in range(500):
+            run.tick()
+            for task in run.status.tasks:
+                word = "done" if task.kind == "operation" else "1"
+                run.answer(task.name, word, by="Ann")
+        assert run.status.reason == "goal_reached"
+        assert run.status.configuration["HEAD"] == "State_1"
+    finally:
+        run.close()
+
+
+def test_levels_and_an_agent_are_given_to_a_run() -> None:
+    blueprint = front.read(samples_dir() / "hanoi-2.json")
+    held = front.run(blueprint, levels={"supervision": "human"})
+    assert held.reason == "held"
+    assert "nobody is there to answer" in held.sentence
+    asks = front.run(blueprint, supervisor=RiskLimit())
+    assert "No risk is declared" in asks.sentence
