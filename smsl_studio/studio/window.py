@@ -141,7 +141,8 @@ class Window(QMainWindow):
             "new": ("Open sample", partial(fill_samples, self.files)),
         }
         self.menu_row = MenuRow(actions, tokens, submenus)
-        self.setMenuWidget(self.people.below(self.safety.below(self.menu_row)))
+        self.menu_row.add_badge(self.people.badge)
+        self.setMenuWidget(self.safety.below(self.menu_row))
         self.mode_bar = ModeBar(actions, tokens)
         self.addToolBar(Qt.ToolBarArea.TopToolBarArea, self.mode_bar)
         self.status_line = StatusLine()

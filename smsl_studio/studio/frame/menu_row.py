@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QMenuBar, QWidget
 
@@ -34,6 +34,7 @@ class MenuRow(QWidget):
         self.badge.setToolTip(
             "Nobody has inspected and signed this blueprint. It runs in simulation only."
         )
+        self._badges: tuple[QWidget, ...] = (self.badge,)
         self._title = _Title(self)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 2, 12, 1)
@@ -51,6 +52,20 @@ class MenuRow(QWidget):
         self.badge.set_tokens(tokens)
         self._title.set_tokens(tokens)
 
+    def add_badge(self, badge: QWidget) -> None:
+        """Another badge, before the one of trust; the title keeps clear of it while it is shown."""
+        self._badges = (badge, *self._badges)
+        layout = self.layout()
+        assert isinstance(layout, QHBoxLayout)
+        layout.insertWidget(layout.indexOf(self.badge), badge)
+        badge.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = QEvent.Type
+        if event.type() in (kind.Show, kind.Hide, kind.Move, kind.Resize):
+            self._place()
+        return super().eventFilter(watched, event)
+
     def show_title(self, name: str, edited: str) -> None:
         """The file's name, and what has unsaved changes; empty for nothing."""
         self._title.show_name(name, edited)
@@ -65,10 +80,11 @@ class MenuRow(QWidget):
         self._place()
 
     def _place(self) -> None:
-        """The title in the middle of the window, but never over the menus or the badge."""
+        """The title in the middle of the window, but never over the menus or a badge."""
         size = self._title.sizeHint()
         left = self.menus.geometry().right() + 16
-        right = self.badge.geometry().left() - 16
+        shown = [badge for badge in self._badges if not badge.isHidden()]
+        right = min(badge.geometry().left() for badge in shown) - 16
         wide = min(size.width(), max(0, right - left))
         at = max(left, min((self.width() - wide) // 2, right - wide))
         self._title.setGeometry(at, 1, wide, self.height() - 1)

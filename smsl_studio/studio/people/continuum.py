@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.levels import Levels
@@ -37,6 +37,8 @@ class Continuum(QWidget):
         self._key: tuple[object, ...] = ()
         self.view: ContinuumView | None = None
         self.setAccessibleName("Human and automation")
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.edit = QPushButton("Edit levels…")
         self.edit.setProperty("role", "row")
         self.edit.clicked.connect(self.edit_wanted)

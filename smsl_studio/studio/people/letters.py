@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from string import ascii_uppercase
 
-TAKEN = frozenset("VPTF")
-"""Veto, prune, take over and fit: keys that mean something else beside the card."""
+TAKEN = frozenset("VPT")
+"""Veto, prune and take over: keys that mean something else beside the card."""
 
 
 def letters(words: Sequence[str]) -> tuple[str, ...]:

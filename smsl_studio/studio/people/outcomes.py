@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from smsl_studio.dispatch.people.task import Task
 from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed, TaskOpened
 
-MOST = 3
+MOST = 2
 """So many lines are kept; the events of the run have them all."""
 
 

@@ -1,7 +1,7 @@
 """What a window has for people: who works here, what they are asked, how far they lead.
 
-It is put together once for each window: card and continuum into the places of Supervise, a line
-across the window for the other modes, and two dialogs.
+It is put together once for each window: card and continuum into the places of Supervise, a badge
+for the other modes, and two dialogs.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from smsl_studio.studio.people.level_editor import LevelEditor
 from smsl_studio.studio.people.next_levels import NextLevels
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.people.persons_dialog import PersonsDialog
-from smsl_studio.studio.people.task_bar import TaskBar
+from smsl_studio.studio.people.task_badge import TaskBadge
 from smsl_studio.studio.people.task_card import TaskCard
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
@@ -25,7 +25,7 @@ from smsl_studio.studio.theme import Tokens
 
 
 class People(QObject):
-    """Card, bar, continuum and dialogs of one window."""
+    """Card, badge, continuum and dialogs of one window."""
 
     changed = Signal()
     """Whether people are asked anything is another than it was."""
@@ -46,29 +46,19 @@ class People(QObject):
         self.persons, self.levels = persons, levels
         self.card = TaskCard(persons, tokens)
         self.card.follow(run)
-        self.bar = TaskBar(self.card, tokens)
+        self.badge = TaskBadge(self.card, tokens)
         # Everything that is commanded here goes in this name.
         run.who = lambda: persons.me.name
         self.continuum = Continuum(session, run, levels, tokens)
-        self.bar.open_wanted.connect(self.task_wanted)
+        self.badge.clicked.connect(self.task_wanted)
         self._asked = False
         self.card.changed.connect(self._tell)
         self.card.persons_wanted.connect(self.edit_persons)
         self.continuum.edit_wanted.connect(self.edit_levels)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        for part in (self.card, self.bar, self.continuum):
+        for part in (self.card, self.badge, self.continuum):
             part.set_tokens(tokens)
-
-    def below(self, above: QWidget) -> QWidget:
-        """The widget with the line of tasks below it."""
-        both = QWidget()
-        column = QVBoxLayout(both)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(above)
-        column.addWidget(self.bar)
-        return both
 
     def take_places(self, tasks: QVBoxLayout, levels: Callable[[QWidget], object]) -> None:
         """Stand where Supervise has room for what people are asked, and for how far they lead."""

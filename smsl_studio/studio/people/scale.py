@@ -15,6 +15,8 @@ ROW, LEFT, NAME, GAP, MARGIN = 29, 12, 86, 16, 12
 WORDS, LEAST = 128, 90
 """Pixels for the words at the right, and for the scale at least."""
 TICKS = 4
+BOTH = 145
+"""Pixels from which the scale has room for the words at both ends."""
 
 
 class Scale(QWidget):
@@ -58,14 +60,18 @@ class Ends(Scale):
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__(tokens, 20)
+        self.setToolTip("From a person alone to the automation alone")
 
     def paintEvent(self, event: QPaintEvent) -> None:
         tokens = self.tokens
         painter = QPainter(self)
-        draw(painter, "person", QRectF(self.start - 6, 3, 13, 13), tokens.tx2, tokens.surf)
-        paint_text(painter, QRectF(self.start + 11, 0, 80, 20), "human", Ink(tokens.tx2, 12))
         right = self.start + self.length
+        draw(painter, "person", QRectF(self.start - 6, 3, 13, 13), tokens.tx2, tokens.surf)
         draw(painter, "robot", QRectF(right - 7, 3, 13, 13), tokens.tx2, tokens.surf)
+        if self.length < BOTH:
+            painter.end()
+            return
+        paint_text(painter, QRectF(self.start + 11, 0, 80, 20), "human", Ink(tokens.tx2, 12))
         room = QRectF(right - 92, 0, 80, 20)
         paint_text(painter, room, "automatic", Ink(tokens.tx2, 12), right=True)
         painter.end()
