@@ -20,6 +20,7 @@ from smsl_studio.host.protocol import Opened
 from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.monitor.topics import FactTopic
+from smsl_studio.runlog.events import Event, OperationStarted
 from smsl_studio.shipped import samples_dir
 from tests.monitor.broker import MAX_AGE, Broker, Node, Speaker, until, with_ages
 
@@ -164,6 +165,28 @@ def test_a_headless_run_hears_a_node(
         assert main([*command, "--start", "State_aa", "--broker", broker.address]) == 1
         last = json.loads(capsys.readouterr().out.splitlines()[-1])
         assert (last["reason"], "no reading yet" in last["sentence"]) == ("refused", True)
+    finally:
+        node.kill()
+        broker.kill()
+
+
+def test_a_run_waits_for_sensors_elsewhere_however_fast_it_may_go(
+    tmp_path: Path, declare: Declare
+) -> None:
+    """The eye is told of the move when it begins: by the time the check decides, it says so."""
+    broker = Broker(tmp_path)
+    blueprint = declare('[mqtt]\nsite = "lab"\n[mqtt.facts]\n"SB1/0" = "eye"\n')
+    node = Node(broker, "SB1/0:eye=a")
+
+    def hear(event: Event) -> None:
+        if isinstance(event, OperationStarted):
+            node.say("eye b")
+
+    try:
+        done = front.run(
+            blueprint, "table", "State_ba", "State_aa", broker=broker.address, on_event=hear
+        )
+        assert (done.reason, done.sentence) == ("goal_reached", "SB1/State_ba holds.")
     finally:
         node.kill()
         broker.kill()

@@ -156,7 +156,7 @@ def test_nodes_and_what_counted_for_nothing() -> None:
     assert (rows["b:1"].right, rows["b:1"].severity) == ("lost for 2 s", "W")
     assert (rows["retained fact"].right, rows["retained fact"].beside) == ("3", "SB1/0 eye")
     ended = {row.text: row for row in network_rows("hanoi", False, (), view)}
-    assert ended["b:1"].right == "left with the end of the run"
+    assert (ended["b:1"].right, ended["b:1"].severity) == ("left with the end of the run", "")
     assert [row.text for row in network_rows("", False, (), None)] == [
         "Nodes",
         "Starts with the run",
