@@ -52,6 +52,8 @@ class People(QObject):
         self.continuum = Continuum(session, run, levels, tokens)
         self.badge.clicked.connect(self.task_wanted)
         self._asked = False
+        self.editor: LevelEditor | None = None
+        """The table of levels, while it is open."""
         self.card.changed.connect(self._tell)
         self.card.persons_wanted.connect(self.edit_persons)
         self.continuum.edit_wanted.connect(self.edit_levels)
@@ -91,9 +93,13 @@ class People(QObject):
     def edit_levels(self) -> None:
         """Open the table of levels, before a run."""
         if self.may_edit_levels():
-            editor = LevelEditor(self._session, self.levels, self._window)
+            editor = self.editor = LevelEditor(self._session, self.levels, self._window)
             editor.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+            editor.finished.connect(self._editor_closed)
             editor.open()
+
+    def _editor_closed(self) -> None:
+        self.editor = None
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """A letter that is an answer's, typed where nothing else is typed."""

@@ -1,0 +1,159 @@
+"""People in the loop: two who must agree, one who is late, levels set before a run and obeyed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from smsl_studio.runlog.events import Commanded, TaskAnswered
+from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
+from tests.stories.conftest import Sit
+
+Key = Qt.Key
+TWO = {"confirm": ["surgeon", "nurse"], "title": "Drill"}
+MAY_BEGIN = "Drill: may it begin?"
+
+
+def test_two_persons_agree_and_the_run_goes_on(sit: Sit, tmp_path: Path) -> None:
+    room = AtTasks(sit(asking(tmp_path, go=TWO)), NURSE, SURGEON)
+    room.start()
+    room.until_asked(MAY_BEGIN)
+    room.until_phase("waiting")
+    assert not any(row.isChecked() for row in room.card.options)
+    assert not room.card.answer.button.isEnabled()
+
+    # The nurse works here: a letter chooses, Enter decides.
+    room.person.press(Key.Key_C)
+    assert room.card.options[0].isChecked()
+    assert not [e for e in room.events if isinstance(e, TaskAnswered)]
+    room.person.press(Key.Key_Return)
+    room.person.until(lambda: any(p.answered for p in room.shown.persons))
+    assert [p.name for p in room.shown.persons] == ["", "L. Brandt"]
+    assert not any(row.isChecked() for row in room.card.options)
+    assert room.active() == {"SB": "State_0"}
+
+    # The surgeon takes the seat and says who they are.
+    assert room.card.answer.button.text() == "Say who you are"
+    room.answer_as(SURGEON)
+    room.choose("Confirm")
+    room.decide()
+    room.until_said("agreed: Confirm")
+    room.until_phase("goal_reached")
+    assert room.outcomes == ["answered"]
+    by = {e.by: e.role for e in room.events if isinstance(e, TaskAnswered) and not e.refused}
+    assert by == {"L. Brandt": "nurse", "A. Okafor": "surgeon"}
+
+
+def test_answers_that_differ_are_no_yes(sit: Sit, tmp_path: Path) -> None:
+    room = AtTasks(sit(asking(tmp_path, go=TWO)), NURSE, SURGEON.with_pin("2468"))
+    room.start()
+    room.until_asked(MAY_BEGIN)
+    room.choose("Confirm")
+    room.decide()
+    room.person.until(lambda: any(p.answered for p in room.shown.persons))
+    room.answer_as(SURGEON, pin="2468")
+    room.choose("Do not begin")
+    room.decide()
+    room.until_said("The answers differ")
+    (line,) = room.words
+    assert "L. Brandt: Confirm" in line
+    assert "A. Okafor: Do not begin" in line
+    room.until_phase("fault_hold")
+    assert room.active() == {"SB": "State_0"}
+    room.person.click(room.card.lines.rows[0].close_button)
+    assert room.card.isHidden()
+
+
+def test_time_runs_out_it_is_no_yes_and_a_late_answer_is_refused(sit: Sit, tmp_path: Path) -> None:
+    notes = {"actor": "human", "question": "Fix the head", "answer_within": 20,
+             "escalates_to": "surgeon"}  # fmt: skip
+    room = AtTasks(sit(asking(tmp_path, go=notes)), NURSE)
+    room.person.window.run_pane.transport.speed.setCurrentText("Max")
+    room.start()
+    room.until_said("Fix the head Nobody answered in time. This is no yes.")
+    room.until_phase("fault_hold")
+    assert "task_escalated" in [event.event for event in room.events]
+    assert room.active() == {"SB": "State_0"}
+    assert room.card.frame.isHidden()
+    # The hand was faster than the eye: the answer comes when the task is over.
+    room.run.answer("task-1", "done", "L. Brandt", "nurse")
+    room.until_said("The answer of L. Brandt does not count: it is too late")
+    assert room.active() == {"SB": "State_0"}
+    refused = [e for e in room.events if isinstance(e, Commanded) and e.refused]
+    assert refused[-1].by == "L. Brandt"
+
+
+def test_a_task_is_in_sight_in_every_mode_and_one_key_leads_to_it(sit: Sit, tmp_path: Path) -> None:
+    room = AtTasks(sit(asking(tmp_path, go={"actor": "human", "question": "Fix it"})), NURSE)
+    badge, window = room.people.badge, room.person.window
+    room.start()
+    room.until_asked("Fix it")
+    assert badge.isHidden()
+    stop = window.mode_bar.stop
+    for key, mode in ((Key.Key_1, "draw"), (Key.Key_2, "run")):
+        room.person.ctrl(key)
+        assert window.mode == mode
+        assert badge.isVisible()
+        assert badge.text() == "Your decision is needed"
+        assert stop.isVisible() or window.run_pane.transport.stop.isVisible()
+    room.person.press(Key.Key_F4)
+    assert window.mode == "supervise"
+    assert badge.isHidden()
+    assert room.card.options[0].hasFocus()
+    assert not any(row.isChecked() for row in room.card.options)
+    room.person.press(Key.Key_D)
+    room.person.press(Key.Key_Return)
+    room.until_phase("goal_reached")
+
+
+def test_levels_set_before_the_run_are_obeyed_and_stay_as_they_were(
+    sit: Sit, tmp_path: Path
+) -> None:
+    room = AtTasks(sit(asking(tmp_path)), NURSE)
+    continuum = room.people.continuum
+    assert continuum.rows[0].view.words == "4 automatic"
+    room.person.click(continuum.edit)
+    editor = room.people.editor
+    assert editor is not None
+    editor.search.setText("go operation")
+    editor.table.selectAll()
+    room.person.click(editor.buttons["human"])
+    room.person.click(editor.use_button)
+    assert continuum.rows[0].view.words == "1 of 4 human"
+    assert "1 level set for the next run" in continuum.note.text()
+    assert room.person.steps() == []
+
+    room.start()
+    room.until_asked("go: please carry it out")
+    assert continuum.note.text() == "Levels were set before the run and are part of its record."
+    assert not continuum.edit.isEnabled()
+    assert not room.person.window.actions_table["levels"].isEnabled()
+    room.choose("Done")
+    room.decide()
+    room.until_phase("goal_reached")
+    assert continuum.edit.isEnabled()
+
+
+def test_who_works_here_is_in_the_record_of_every_command(sit: Sit, tmp_path: Path) -> None:
+    room = AtTasks(sit(asking(tmp_path, go={"actor": "human"})), NURSE)
+    room.start()
+    room.until_asked("go: please carry it out")
+    room.person.press(Key.Key_F8)
+    room.person.until(lambda: any(isinstance(e, Commanded) for e in room.events))
+    (stop,) = [e for e in room.events if isinstance(e, Commanded)]
+    assert (stop.command, stop.by) == ("stop", "L. Brandt")
+    room.person.until(lambda: room.card.card is None)
+    assert room.outcomes == ["withdrawn"]
+
+
+def test_a_letter_typed_into_a_reason_chooses_no_answer(sit: Sit, tmp_path: Path) -> None:
+    room = AtTasks(sit(asking(tmp_path, go={"actor": "human"})), NURSE.with_pin("dddd"))
+    room.start()
+    room.until_asked("go: please carry it out")
+    room.person.click(room.card.answer.who.pin)
+    QTest.keyClicks(room.card.answer.who.pin, "dddd")
+    assert not any(row.isChecked() for row in room.card.options)
+    room.choose("Done")
+    assert room.card.answer.button.isEnabled()
