@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Callable, Hashable, Iterable
 from itertools import count
+from math import inf
 from typing import Any, NamedTuple, TypeVar
 
 from smsl_studio.errors import PlanningError
@@ -40,33 +41,43 @@ def patience(states: int) -> int:
     return MOST + 4 * states
 
 
+def nothing(node: object) -> float:
+    """Nothing is known of what is still to be paid."""
+    return 0.0
+
+
 def cheapest(
     start: Node,
     is_goal: Callable[[Node], bool],
     moves: Callable[[Node], Iterable[Move]],
     most: int = MOST,
+    ahead: Callable[[Node], float] = nothing,
 ) -> list[Move] | None:
     """The cheapest sequence of moves to a goal, or None where there is none.
 
     Ties: cost, number of names, number of moves, then the names themselves, move by move. Costs
-    must not be negative. PlanningError after ``most`` nodes (see ``patience``).
+    must not be negative. ``ahead`` says what is still to be paid at least, ``inf`` where no way
+    leads on; along a move it falls by no more than the move costs. PlanningError after ``most``
+    nodes (see ``patience``).
     """
     best: dict[Node, Rank] = {start: (0.0, 0, 0)}
     origins: dict[Node, list[tuple[Node, Move]]] = {start: []}
     order = count()
-    heap: list[tuple[Rank, int, Node]] = [((0.0, 0, 0), next(order), start)]
+    heap: list[tuple[Rank, int, Rank, Node]] = []
+    if ahead(start) < inf:
+        heap.append(((ahead(start), 0, 0), next(order), (0.0, 0, 0), start))
     goals: list[Node] = []
     reached: Rank | None = None
     looked_at = 0
     while heap:
-        rank, _, node = heapq.heappop(heap)
+        hoped, _, rank, node = heapq.heappop(heap)
         if rank != best[node]:
             continue
-        if reached is not None and rank > reached:
+        if reached is not None and hoped > reached:
             break
         if is_goal(node):
             goals.append(node)
-            reached = rank
+            reached = hoped
             continue
         looked_at += 1
         if looked_at > most:
@@ -79,9 +90,13 @@ def cheapest(
             further = (round(rank[0] + move.cost, 9), rank[1] + move.number, rank[2] + 1)
             known = best.get(move.to)
             if known is None or further < known:
+                left = ahead(move.to)
+                if left == inf:
+                    continue
                 best[move.to] = further
                 origins[move.to] = [(node, move)]
-                heapq.heappush(heap, (further, next(order), move.to))
+                hope = (round(further[0] + left, 9), further[1], further[2])
+                heapq.heappush(heap, (hope, next(order), further, move.to))
             elif further == known:
                 origins[move.to].append((node, move))
     return _first_by_name(start, goals, origins) if goals else None

@@ -117,22 +117,26 @@ class Stepper:
             return False
         return True
 
+    def closed(self, edge: Edge) -> bool:
+        """Whether an edge may be used from no configuration at all."""
+        return next(self._closures(edge), None) is not None
+
     def _allow(self, configuration: Configuration, edge: Edge) -> None:
-        reasons = []
-        shut = self.terms.shut.get(edge.address) if self.terms.shut else None
-        if shut is not None:
-            reasons.append(f"{edge} is {shut}")
-        bound = self.terms.bound
-        if edge.function and bound is not None and edge.address not in bound:
-            reasons.append(f"no function is bound to {edge} in this world")
+        reasons = list(self._closures(edge))
         if edge.requires:
             reasons.extend(self.edges.missing(edge, configuration))
-        if edge.fails:
-            failing = self.terms.failing
-            if failing is not None and edge.address not in failing:
-                reasons.append(f"{edge} leads into a failure: {edge.fails}")
         if reasons:
             raise Unavailable(*reasons)
+
+    def _closures(self, edge: Edge) -> Iterator[str]:
+        terms = self.terms
+        shut = terms.shut.get(edge.address) if terms.shut else None
+        if shut is not None:
+            yield f"{edge} is {shut}"
+        if edge.function and terms.bound is not None and edge.address not in terms.bound:
+            yield f"no function is bound to {edge} in this world"
+        if edge.fails and terms.failing is not None and edge.address not in terms.failing:
+            yield f"{edge} leads into a failure: {edge.fails}"
 
     def _transit(self, edge: Edge, loaded: Iterable[str]) -> tuple[FactKey, ...]:
         """The base digits in transit from the start of a crossing to its commit."""
@@ -181,7 +185,7 @@ class Stepper:
         for digit in (*edge.falls, *edge.rises):
             branch = self.hierarchy.blueprint[subs[digit]]
             goal = branch.activating if digit in edge.rises else branch.initial
-            if script.light and branch.name in self._plain:
+            if script.light and branch.name in self.plain:
                 self._stride(script, branch, goal)
                 continue
             for part in self._sub_route(script.configuration, branch, goal, held):
@@ -193,8 +197,8 @@ class Stepper:
         """The sub's own edges to its goal, over the joint configurations below it (clause 12)."""
         if configuration[branch.name] == goal:
             return ()
-        if branch.name in self._plain:
-            downhill = self._downhill(branch.name, goal)
+        if branch.name in self.plain:
+            downhill = self.downhill(branch.name, goal)
             way = downhill.route(configuration[branch.name])
             if way is None:
                 raise self._no_way(configuration, branch, goal, self._shut_in(branch))
@@ -262,12 +266,13 @@ class Stepper:
         return self._blocks[branch.name]
 
     def _stride(self, script: Script, branch: StateBranch, goal: str) -> None:
-        far = self._downhill(branch.name, goal).far.get(script.configuration[branch.name])
+        far = self.downhill(branch.name, goal).far.get(script.configuration[branch.name])
         if far is None:
             raise self._no_way(script.configuration, branch, goal, self._shut_in(branch))
         script.stride(branch.name, goal, *far)
 
-    def _downhill(self, sub: str, goal: str) -> Downhill:
+    def downhill(self, sub: str, goal: str) -> Downhill:
+        """All ways of a plain sub to a goal at once."""
         found = self._hills.get((sub, goal))
         if found is None:
             crossing = 1 if goal == self.hierarchy.blueprint[sub].activating else -1
@@ -279,7 +284,7 @@ class Stepper:
         return found
 
     @cached_property
-    def _plain(self) -> frozenset[str]:
+    def plain(self) -> frozenset[str]:
         """The subs whose routes depend on nothing but their own state: flat, with one base, and
         with no ``requires``."""
         return frozenset(

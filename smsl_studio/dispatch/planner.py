@@ -13,6 +13,7 @@ from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import Move, cheapest, patience
 from smsl_studio.blueprint.stepper import Stepper, Terms
+from smsl_studio.dispatch.bounds import Bounds
 from smsl_studio.dispatch.ways import Ways
 
 Key = tuple[str, ...]
@@ -147,6 +148,7 @@ class Planner:
             is_goal,
             lambda node: self._moves(node, movers, quiet, routed),
             patience(self.hierarchy.blueprint.state_count),
+            Bounds(self.stepper, start, wanted, movers, quiet),
         )
         if found is None:
             return None
