@@ -269,7 +269,7 @@ class FactsTable(QTableView):
     def _fit_names(self) -> None:
         """Give the names what they need, as far as the other columns can spare it."""
         metrics = QFontMetrics(text_font(13))
-        needed = max((metrics.horizontalAdvance(name) for name in self._names), default=0) + 18
+        needed = max((metrics.horizontalAdvance(name) for name in self._names), default=0) + 26
         spare = self.viewport().width() - sum(WIDTHS[1:]) - QUALITY
         self.horizontalHeader().resizeSection(0, max(WIDTHS[0], min(needed, spare)))
 

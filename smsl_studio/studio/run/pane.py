@@ -34,7 +34,7 @@ from smsl_studio.studio.run.framing import (
     words_over,
 )
 from smsl_studio.studio.run.lanes import lanes
-from smsl_studio.studio.run.possible_list import PossibleList
+from smsl_studio.studio.run.possible_panel import PossiblePanel
 from smsl_studio.studio.run.run_canvas import RunCanvas
 from smsl_studio.studio.run.run_session import RunChoice, RunSession
 from smsl_studio.studio.run.state_check import StateCheckView
@@ -77,7 +77,7 @@ class RunPane(QWidget):
         self.world = WorldView(tokens)
         self.facts = FactsTable(tokens)
         self.check = StateCheckView(tokens)
-        self.possible = PossibleList(tokens)
+        self.possible = PossiblePanel(self.run, tokens)
         self.timeline = Timeline(tokens)
         self.events = EventList()
         self.monitoring = Monitoring(self.run, tokens, self)
@@ -262,7 +262,6 @@ class RunPane(QWidget):
         self.run.exists_changed.connect(self.run_exists)
         self.run.refused.connect(self._say_refused)
         self.possible.chosen.connect(self.ask)
-        self.possible.restore_wanted.connect(self.run.restore)
         self.canvas.chosen.connect(self.ask)
         self.events.jump_wanted.connect(self.canvas.jump)
         self._session.opened.connect(self._another_file)

@@ -13,17 +13,19 @@ from PySide6.QtWidgets import (
     QPushButton,
     QScrollArea,
     QSizePolicy,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.controls import label
-from smsl_studio.studio.icons import pixmap
+from smsl_studio.studio.icons import icon, pixmap
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 ROW = 35
 REASONED = ("refused", "pruned")
+PRUNABLE = ("running", "route", "possible", "waits")
 WIDEST = (160, 80)
 """Pixels for the names of operations and of targets."""
 PADDING = 24
@@ -55,6 +57,9 @@ class PossibleList(QScrollArea):
     """The address of a permitted operation that a person chose."""
     restore_wanted = Signal(object)
     """The address of a pruned or risky operation that a person wants back."""
+
+    prune_wanted = Signal(object)
+    """The address of an operation that a person wants shut out."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -156,6 +161,8 @@ class PossibleList(QScrollArea):
             across.addWidget(self._button("Restore", hint, self.restore_wanted, row))
         else:
             across.addWidget(label(row.cost, "mono"))
+            if row.kind in PRUNABLE:
+                across.addWidget(self._scissors(row))
         line.setToolTip(f"{row.address} to {row.target}: {row.words}")
         line.setAccessibleName(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
         return line
@@ -185,6 +192,16 @@ class PossibleList(QScrollArea):
         mark.setPixmap(pixmap(name, colour, self._tokens.surf, 14, ratio))
         mark.setFixedWidth(16)
         return mark
+
+    def _scissors(self, row: PossibleRow) -> QToolButton:
+        prune = QToolButton()
+        prune.setProperty("role", "small")
+        prune.setIcon(icon("scissors", self._tokens, 14))
+        prune.setFixedSize(26, 26)
+        prune.setToolTip(f"Prune {row.name}…: shut it out until it is restored")
+        prune.setAccessibleName(f"Prune {row.name}")
+        prune.clicked.connect(lambda _=False: self.prune_wanted.emit(row.address))
+        return prune
 
     @staticmethod
     def _button(words: str, hint: str, signal: SignalInstance, row: PossibleRow) -> QPushButton:

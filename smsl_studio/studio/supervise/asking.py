@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
 
 from smsl_studio.studio.controls import label
@@ -104,6 +105,16 @@ class Asking(QFrame):
     def drop(self) -> None:
         self.show_decision(None)
         self.dropped.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter in it does it, or leaves where that button has the focus; Escape leaves."""
+        enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        if event.key() == Qt.Key.Key_Escape or (enter and self.leave.hasFocus()):
+            self.drop()
+        elif enter:
+            self.confirm()
+        else:
+            super().keyPressEvent(event)
 
 
 def _say(part: QLabel, words: str) -> None:

@@ -41,7 +41,7 @@ class SuperviseBar(QWidget):
         self.step = KeyButton("Step", "F10", "step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
-        self.play = KeyButton("Resume", "F5", "play", "primary", tokens)
+        self.play = KeyButton("Resume", "F5", "play", "", tokens)
         self.play.clicked.connect(self._play_or_pause)
         self.reset, self.end = QPushButton("Reset"), QPushButton("End run")
         for pressed in (self.reset, self.end, self.step, self.play):
@@ -102,7 +102,8 @@ class SuperviseBar(QWidget):
             self.play.set_words("Pause", "F6", "pause")
             self.play.setToolTip("Hold the run at the next tick (F6)")
         else:
-            self.play.set_words("Resume" if exists else "Run", "F5", "play")
+            words = {"paused": "Resume", "ready": "Play"}.get(phase, "Resume")
+            self.play.set_words(words if exists else "Run", "F5", "play")
             self.play.setToolTip("Go on (F5)" if exists else "Run to the goal (F5)")
         tip = "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
         self.stop.setToolTip(tip)

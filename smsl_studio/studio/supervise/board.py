@@ -310,7 +310,7 @@ class _Inner(QWidget):
         self._legend.lower()
 
     def _middle(self) -> float:
-        return self._window.y() + self._window.height() / 2
+        return self._window.y() + self._window.height() // 2
 
     def _way(self) -> tuple[float, float]:
         """From where to where the way that led here goes."""

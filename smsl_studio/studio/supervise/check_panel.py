@@ -99,7 +99,7 @@ class CheckPanel(QWidget):
         if found is not None and blueprint is not None and status is not None and view is not None:
             lines = outside_facts(blueprint, status, view)
             self._state.setText(f"{found.state}, awaited" if found.awaited else found.state)
-            self._written.setText(found.written)
+            self._written.setText(found.written.partition(" := ")[2])
             tip = f"{found.written}\n{found.terms}"
             for part in (self._state, self._written, self._verdict):
                 part.setToolTip(tip)

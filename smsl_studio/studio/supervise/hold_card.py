@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.status import DispatchStatus, Offer
 from smsl_studio.studio.controls import label, row
@@ -25,8 +25,10 @@ class HoldCard(QFrame):
     wanted = Signal(object)
     """A decision to ask for."""
 
-    def __init__(self) -> None:
+    def __init__(self, brief: bool = False) -> None:
+        """``brief`` leaves out the reasons, where something beside it has them."""
         super().__init__()
+        self._brief = brief
         self.setObjectName("holdCard")
         self.setAccessibleName("Why it holds")
         self._heading, self._sentence = label("", "strong"), label("", "small")
@@ -65,6 +67,8 @@ class HoldCard(QFrame):
     def show_status(self, status: DispatchStatus | None, exists: bool) -> None:
         """Follow the run."""
         held = status is not None and exists and status.phase in LATCHED
+        if not held:
+            self._let_go()
         self.setVisible(held)
         if status is None or not held:
             self._offer(())
@@ -75,9 +79,9 @@ class HoldCard(QFrame):
         if sentence == f"{self._heading.text()}.":
             sentence = ""
         self._sentence.setText(sentence)
-        self._sentence.setVisible(bool(sentence))
-        self._details.setText("\n".join(status.details))
-        self._room.setVisible(bool(status.details))
+        self._sentence.setVisible(bool(sentence) and not self._brief)
+        self._details.setText("\n".join(map(_plain, status.details)))
+        self._room.setVisible(bool(status.details) and not self._brief)
         self._offer(offers(status))
         if self.property("kind") != kind:
             self.setProperty("kind", kind)
@@ -88,6 +92,7 @@ class HoldCard(QFrame):
         if tuple(found) == self._shown:
             return
         self._shown = tuple(found)
+        self._let_go()
         while self._buttons.count():
             item = self._buttons.takeAt(0)
             old = item.widget() if item else None
@@ -97,6 +102,12 @@ class HoldCard(QFrame):
                 old.deleteLater()
         for offer in self._shown:
             self._buttons.addWidget(self._row(offered(offer)))
+
+    def _let_go(self) -> None:
+        """A button that goes takes no keys along: what is around it has them then."""
+        parent, focus = self.parentWidget(), QApplication.focusWidget()
+        if parent is not None and focus is not None and self.isAncestorOf(focus):
+            parent.setFocus()
 
     def _row(self, decision: Decision) -> QWidget:
         """The button, and what it does beside it."""
@@ -117,3 +128,10 @@ class HoldCard(QFrame):
 
     def _want(self, decision: Decision) -> None:
         self.wanted.emit(decision)
+
+
+def _plain(detail: str) -> str:
+    """A reason that names its edge once: ``SB/State/Op: is pruned`` for ``SB/State/Op: SB/State/Op
+    is pruned``."""
+    edge, colon, why = detail.partition(": ")
+    return f"{edge}: {why[len(edge) + 1 :]}" if colon and why.startswith(f"{edge} ") else detail

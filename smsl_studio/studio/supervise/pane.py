@@ -181,6 +181,8 @@ class SupervisePane(QWidget):
         self.level_slot = QVBoxLayout()
         self.level_slot.setContentsMargins(0, 0, 0, 0)
         level = QWidget()
+        level.setProperty("role", "panel")
+        level.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         level.setLayout(self.level_slot)
         self.below = _split(Qt.Orientation.Horizontal, self.check, level)
         self.below.setSizes([583, 424])

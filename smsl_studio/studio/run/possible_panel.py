@@ -1,0 +1,86 @@
+"""Possible now, with what may be done about it in Run: why it holds and the offers, and pruning."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.people.room import Room
+from smsl_studio.studio.run.possible_list import PRUNABLE, PossibleList, PossibleRow
+from smsl_studio.studio.run.run_session import RunSession
+from smsl_studio.studio.supervise import decisions
+from smsl_studio.studio.supervise.asking import Asking
+from smsl_studio.studio.supervise.decisions import Decision
+from smsl_studio.studio.supervise.hold_card import HoldCard
+from smsl_studio.studio.theme import Tokens
+
+
+class PossiblePanel(QWidget):
+    """The list, and above it a card while the run holds, and the line in which one prunes."""
+
+    chosen = Signal(object)
+    """The address of a permitted operation that a person chose."""
+
+    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        self._run = run
+        self.list = PossibleList(tokens)
+        self.hold, self.asking = HoldCard(brief=True), Asking()
+        inset = QVBoxLayout()
+        inset.setContentsMargins(8, 8, 8, 0)
+        inset.setSpacing(8)
+        inset.addWidget(self.hold)
+        inset.addWidget(self.asking)
+        inner = QWidget()
+        inner.setLayout(inset)
+        # It scrolls rather than push the panels around it away.
+        self._above = Room(inner)
+        self._above.hide()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._above)
+        column.addWidget(self.list, 1)
+        self.list.chosen.connect(self.chosen)
+        self.list.restore_wanted.connect(run.restore)
+        self.list.prune_wanted.connect(self._ask_prune)
+        self.hold.wanted.connect(self._do)
+        self.asking.confirmed.connect(self._do)
+        self.asking.dropped.connect(self._fit)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.list.set_tokens(tokens)
+
+    def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
+        """Follow the run: the rows, whether they may be chosen, and what is said without any."""
+        self.hold.show_status(self._run.status, self._run.exists)
+        decision = self.asking.decision
+        open_ones = [row.address for row in rows if row.kind in PRUNABLE]
+        if decision is not None and decision.address not in open_ones:
+            self.asking.show_decision(None)
+        self._fit()
+        self.list.show_rows(rows, by_hand, empty)
+
+    def row_widgets(self) -> list[QWidget]:
+        """The lines of the list in order."""
+        return self.list.row_widgets()
+
+    def _ask_prune(self, address: Address) -> None:
+        status = self._run.status
+        if status is not None:
+            self.asking.show_decision(decisions.prune(address, status))
+            self._fit()
+            self.asking.take_focus()
+
+    def _do(self, decision: Decision, reason: str = "") -> None:
+        """Here a button is pressed on purpose: it does what it says."""
+        if self.asking.decision is decision:
+            self.asking.show_decision(None)
+        said = [] if decision.address is None else [decision.address]
+        self._run.command(decision.command, *said, *([reason] if decision.reasoned else []))
+        self._fit()
+
+    def _fit(self) -> None:
+        self._above.setVisible(not self.hold.isHidden() or not self.asking.isHidden())
