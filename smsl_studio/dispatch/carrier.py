@@ -10,7 +10,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import Action, JointStep
-from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.dispatch.effects import changed_by, touched
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.desk import no_words, who_words
 from smsl_studio.dispatch.people.needed import in_checks
@@ -115,16 +115,8 @@ class Carrier:
     @property
     def touched(self) -> tuple[FactKey, ...]:
         """The facts that what has begun and is not committed may have changed."""
-        run, last = self._run, self._index + (self.stage is not Stage.NEXT)
-        open_edges = set(self.uncommitted)
-        found: set[FactKey] = set()
-        for action in self.step.actions[:last]:
-            for edge in action.begins:
-                if edge.address in open_edges:
-                    found |= _changed(run.blueprint[edge.branch], edge)
-                    bound = run.bound.get(edge.address)
-                    found |= set(bound.touches) if bound and edge.function else set()
-        return tuple(sorted(found))
+        begun = self.step.actions[: self._index + (self.stage is not Stage.NEXT)]
+        return tuple(sorted(touched(self._run, begun, set(self.uncommitted))))
 
     def advance(self, shut: Mapping[Address, str]) -> None:
         """One tick. Afterwards ``stage`` says whether the step goes on, is done or has failed."""
@@ -197,23 +189,13 @@ class Carrier:
                 )
             )
         if run.people_say:
-            run.emit(*run.senses.forget(self._changing()))
+            run.emit(*run.senses.forget(changed_by(run, action)))
         self.since, self._answerable, self._by = run.time, True, ""
         if run.by_person(action.edge):
             self._want(operation_task(run.blueprint, action.edge.address))
             return
         run.host.begin(action.edge.address)
         self.stage = Stage.RUNNING
-
-    def _changing(self) -> set[FactKey]:
-        """The facts that the current action is to change, or may."""
-        run, action = self._run, self.action
-        found = set(self.bound.touches)
-        for name, state in {**action.moved, **action.committed}.items():
-            branch = run.blueprint[name]
-            pairs = zip(branch.facts(run.believed[name]), branch.facts(state), strict=False)
-            found |= {(name, digit) for digit, (old, new) in enumerate(pairs) if old != new}
-        return found
 
     def _want(self, *questions: Question) -> None:
         self.wants, self.stage = questions, Stage.ASKING
@@ -340,16 +322,6 @@ class Carrier:
             pending = bool(self.action.transit)
         self.failure = Failure(self.action.edge, reason, risky, pending, unanswered)
         self.stage = Stage.FAILED
-
-
-def _changed(branch: StateBranch, edge: Edge) -> set[FactKey]:
-    """The facts that an edge changes itself, not through a sub-SB."""
-    pairs = zip(branch.facts(edge.source), branch.facts(edge.target), strict=False)
-    return {
-        (branch.name, digit)
-        for digit, (old, new) in enumerate(pairs)
-        if old != new and digit not in branch.subs
-    }
 
 
 def _fault(edge: Edge, tick: Tick) -> str:

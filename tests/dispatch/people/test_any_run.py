@@ -120,7 +120,7 @@ def test_nothing_begins_without_the_yes_it_needs(
     assert story.tasks == ()
     yes: dict[str, int] = {}
     opened_ones = {event.task: event for event in story.of("task_opened")}
-    told: list[Any] = story.events  # type: ignore[assignment]
+    told: list[Any] = story.events
     for event in told:
         if event.event == "task_closed":
             opened = opened_ones[event.task]

@@ -1,0 +1,43 @@
+"""What an operation changes, or may have changed when it is cut short: which facts, no values."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.joint import Action
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.dispatch.run import Run
+
+
+def touched(run: Run, begun: Iterable[Action], open_edges: Collection[Address]) -> set[FactKey]:
+    """The facts that actions which have begun may have changed, as far as it is not committed.
+
+    ``open_edges`` are those of their edges that are not.
+    """
+    found: set[FactKey] = set()
+    for action in begun:
+        for edge in action.begins:
+            if edge.address not in open_edges:
+                continue
+            branch = run.blueprint[edge.branch]
+            changed = _differing(branch, edge.source, edge.target)
+            found |= {fact for fact in changed if fact[1] not in branch.subs}
+            bound = run.bound.get(edge.address)
+            found |= set(bound.touches) if bound and edge.function else set()
+    return found
+
+
+def changed_by(run: Run, action: Action) -> set[FactKey]:
+    """The facts that an action is to change, or says that it may."""
+    found = set(run.bound[action.edge.address].touches)
+    for name, state in {**action.moved, **action.committed}.items():
+        found |= _differing(run.blueprint[name], run.believed[name], state)
+    return found
+
+
+def _differing(branch: StateBranch, source: str, target: str) -> set[FactKey]:
+    """The facts that two states of an SB do not share."""
+    pairs = zip(branch.facts(source), branch.facts(target), strict=False)
+    return {(branch.name, digit) for digit, (old, new) in enumerate(pairs) if old != new}
