@@ -22,7 +22,7 @@ from smsl_studio.dispatch.supervision.commands import Commands
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
-from smsl_studio.dispatch.supervision.table import obey
+from smsl_studio.dispatch.supervision.table import obey, refuse
 from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.errors import HostError, RunRefused
@@ -213,8 +213,10 @@ class Dispatcher(Commands):
             configuration=dict(run.configuration) if run else {},
         )
         if self._driver is not None:
+            refuse(self._driver, self._waiting, "the run is over")
             self._driver.carrier = None
             self._driver.desk.withdraw()
+        self._waiting = []
         return (*self._drain(), *before, self._ended)
 
     def _drain(self) -> tuple[Event, ...]:

@@ -27,6 +27,7 @@ from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.trouble import Hold, Trouble
+from smsl_studio.dispatch.words import all_words
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.runlog.events import (
     GoalReached,
@@ -267,13 +268,14 @@ class Driver:
 
     def recheck(self) -> None:
         """Whoever lets the run go on has state and route checked again; the scene decides."""
-        run, held = self.run, self.state.held
-        if self.carrier is not None:
+        run, held, carrier = self.run, self.state.held, self.carrier
+        if carrier is not None:
+            self._recheck_others(carrier)
             return
-        self.loops.forget()
         if self.desk.busy:
             return
         if held is not None:
+            self.loops.forget()
             self.course.lift_vetoes()
             self.release()
             self.informed(lambda: self.hold(self.trouble.relocalise()))
@@ -281,6 +283,17 @@ class Driver:
         run.look()
         if not stands(run, run.configuration):
             self.informed(self._read_again)
+
+    def _recheck_others(self, carrier: Carrier) -> None:
+        """An operation that was held goes on only where all that it does not move is as it was."""
+        run = self.run
+        run.look()
+        moved = {edge.branch for edge in carrier.step.edges}
+        words = all_words(
+            run.blueprint, (term for term in run.broken() if term.fact[0] not in moved)
+        )
+        if words:
+            carrier.abort("hold", f"while it was held, {'; '.join(words)}")
 
     def _read_again(self) -> None:
         if not stands(self.run, self.run.configuration):

@@ -14,13 +14,16 @@ MOST = 8
 """Candidates that are worth naming; more than one is a hold anyway."""
 
 
-def stands(run: Run, configuration: Mapping[str, str]) -> bool:
-    """Whether every state check of a configuration is true on the scene."""
-    return all(check.truth is True for check in run.checks(configuration))
+def stands(run: Run, configuration: Mapping[str, str], vouched: bool = False) -> bool:
+    """Whether every state check of a configuration is true on the scene; ``vouched``: if a person
+    vouches for the doubtful facts that nobody senses."""
+    scene = run.senses.vouched if vouched else None
+    return all(check.truth is True for check in run.checks(configuration, scene))
 
 
 def candidates(run: Run) -> tuple[Mapping[str, str], ...]:
-    """The configurations whose every state check is true and that agree with themselves.
+    """The configurations whose every state check is true and that agree with themselves, if a
+    person vouches for the doubtful facts that nobody senses.
 
     Subs first, then bases. An SB whose committed state checks true keeps it.
     """
@@ -48,7 +51,7 @@ def _agreeing(
         dict(zip(names, states, strict=True)) for states in product(*(found[n] for n in names))
     )
     agreeing = (one for one in every if not disagreements(run.hierarchy, one))
-    return tuple(one for one in islice(agreeing, MOST) if stands(run, one))
+    return tuple(one for one in islice(agreeing, MOST) if stands(run, one, vouched=True))
 
 
 def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
@@ -69,11 +72,11 @@ def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
 
 
 def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
-    scene, committed = run.senses.scene, run.configuration[name]
+    scene, committed = run.senses.vouched, run.configuration[name]
     if state_check(run.blueprint, name, committed, scene, believed).truth is True:
         return [committed]
     return _estimated(run, name, believed)
 
 
 def _estimated(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
-    return list(estimate(run.blueprint, name, run.senses.scene, believed).states)
+    return list(estimate(run.blueprint, name, run.senses.vouched, believed).states)

@@ -9,6 +9,7 @@ from smsl_studio.blueprint.check import (
     IN_TRANSIT,
     CheckResult,
     FactKey,
+    Scene,
     Term,
     state_check,
 )
@@ -92,10 +93,13 @@ class Run:
         kept = tuple(term for term in result.terms if term.reason != IN_TRANSIT)
         return CheckResult(branch, state, kept)
 
-    def checks(self, configuration: Mapping[str, str]) -> tuple[CheckResult, ...]:
-        """The state check of every SB as it stands in a configuration."""
+    def checks(
+        self, configuration: Mapping[str, str], scene: Scene | None = None
+    ) -> tuple[CheckResult, ...]:
+        """The state check of every SB as it stands in a configuration, on the scene of now."""
+        scene = scene or self.senses.scene
         return tuple(
-            state_check(self.blueprint, name, state, self.senses.scene, configuration)
+            state_check(self.blueprint, name, state, scene, configuration)
             for name, state in configuration.items()
         )
 

@@ -91,6 +91,15 @@ class Senses:
         self._doubts |= fresh
         return self._take(())
 
+    @property
+    def vouched(self) -> Scene:
+        """The scene if a person vouched for the doubtful facts that nobody senses."""
+        unsensed = {key for key, doubt in self._doubts.items() if not doubt.counted}
+        if not unsensed:
+            return self.scene
+        kept = {key: one for key, one in self.scene.readings.items() if key not in unsensed}
+        return Scene(MappingProxyType(kept), self.scene.time)
+
     def vouch(self) -> None:
         """A person takes facts that nobody senses for what is believed of them."""
         self._doubts = {key: doubt for key, doubt in self._doubts.items() if doubt.counted}

@@ -73,7 +73,7 @@ class Trouble:
         )
         self.candidates = candidates(run)
         run.emit(Mismatch(t=run.time, facts=facts, candidates=self.candidates))
-        if self._adopts and len(self.candidates) == 1:
+        if self._adopts and len(self.candidates) == 1 and stands(run, self.candidates[0]):
             self.adopt(self.candidates[0])
             return None
         first = next(check for check in checks if check.truth is not True)

@@ -45,6 +45,8 @@ class FakeHost:
     timeout: float = 1.0
     broken_at: int | None = None
     hardware: bool = False
+    resumes: bool = True
+    touches: tuple[FactKey, ...] = ()
 
     def __post_init__(self) -> None:
         self.facts: dict[FactKey, str | None] = {}
@@ -60,7 +62,14 @@ class FakeHost:
             self._write(name, state)
         edges = (edge.address for branch in self.blueprint for edge in branch.edges())
         bound = {
-            edge: Bound("fake", str(edge) in self.exact, self.stop, self.timeout)
+            edge: Bound(
+                "fake",
+                str(edge) in self.exact,
+                self.stop,
+                self.timeout,
+                self.resumes,
+                self.touches,
+            )
             for edge in edges
             if str(edge) not in self.unbound
         }

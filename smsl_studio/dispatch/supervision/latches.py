@@ -91,6 +91,7 @@ def accept(driver: Driver, command: Command) -> str:
     if located(run) != (offered,):
         state.offered = None
         return f"the scene no longer agrees with {_states(offered)} alone: give it back again"
+    run.senses.vouch()
     state.latch()
     state.taken_over, driver.sentence = "", ""
     state.paused = not state.by_hand

@@ -73,7 +73,7 @@ REFUSED: Mapping[str, Mapping[str, str]] = {
     "end": {**_all_but(STOP_FIRST, "stopped", "no_route", "fault_hold")},
     "give_back": _all_but("nobody has taken over", "taken_over"),
     "accept": _all_but("nobody has taken over", "taken_over"),
-    "adopt": _all_but("the run does not hold", "no_route", "fault_hold"),
+    "adopt": _all_but("the run does not hold on a mismatch", "fault_hold"),
 }
 """By command and run state. ``{by}`` is who has taken over."""
 
@@ -99,6 +99,12 @@ def obey(driver: Driver, commands: Sequence[Command]) -> None:
         events.insert(at, _told(driver, command, refused))
     if gone is not None:
         raise gone
+
+
+def refuse(driver: Driver, commands: Sequence[Command], reason: str) -> None:
+    """Answer commands that nothing can be done about any more."""
+    for command in in_order(commands):
+        driver.run.emit(_told(driver, command, reason))
 
 
 def _why_not(driver: Driver, command: Command, done: Sequence[str]) -> str:

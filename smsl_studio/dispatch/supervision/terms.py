@@ -59,7 +59,6 @@ def restore(driver: Driver, command: Command) -> str:
     assert address is not None
     if not driver.course.restore(address):
         return f"{address} is not shut out"
-    driver.loops.forget()
     run.emit(OperationRestored(t=run.time, address=str(address)))
     return ""
 
