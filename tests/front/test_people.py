@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.agents import RiskLimit
 from smsl_studio.front.running import open_run
+from smsl_studio.front.script.reading import script_of
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 
@@ -54,6 +56,43 @@ def test_a_human_fact_of_a_plugins_world_is_asked_for(tmp_path: Path) -> None:
         assert run.status.configuration["HEAD"] == "State_1"
     finally:
         run.close()
+
+
+NURSE, SURGEON = ("N. Kaya", "nurse"), ("L. Brandt", "surgeon")
+ANSWERS = [
+    ("fact", "HEAD/0", "0", NURSE, 1),
+    ("fact", "REGISTRATION/1", "0", SURGEON, 1),
+    ("operation", "HEAD/State_0/Op_FixHead", "done", NURSE, 12),
+    ("fact", "HEAD/0", "1", NURSE, 2),
+    ("confirm", "REGISTRATION/State_0000/Op_PlanLandmarks", "confirm", SURGEON, 2),
+    ("operation", "REGISTRATION/State_1000/Op_DigitizeLandmarks", "done", SURGEON, 60),
+    ("fact", "REGISTRATION/1", "1", SURGEON, 2),
+    ("confirm", "REGISTRATION/State_1110/Op_Register", "confirm", SURGEON, 3),
+    ("confirm", "REGISTRATION/State_1110/Op_Register", "confirm", NURSE, 5),
+]
+
+
+def answers() -> bytes:
+    """A script with the answers above; the second time a fact is asked for is the second line."""
+    lines, seen = [], set()
+    for kind, address, option, (by, role), after in ANSWERS:
+        said = {"do": "answer", "kind": kind, "address": address, "option": option}
+        times = 2 if (address, role) in seen else 1
+        seen.add((address, role))
+        lines.append({**said, "by": by, "role": role, "after": after, "times": times})
+    return "\n".join(map(json.dumps, lines)).encode()
+
+
+def test_the_sample_with_people_in_it_runs_equally_in_both_hosts() -> None:
+    blueprint = front.read(samples_dir() / "registration-people.json")
+    script = script_of(answers(), "answers.jsonl", blueprint)
+    local, process = (front.run(blueprint, script=script, host=h) for h in ("local", "process"))
+    assert local.reason == "goal_reached", local.sentence
+    assert local.events == process.events
+    assert local.left == ()
+    told: list[Any] = [one for one in local.events if one.event == "task_closed"]
+    assert [one.outcome for one in told] == ["answered"] * 8
+    assert told[-1].answers == {"L. Brandt": "confirm", "N. Kaya": "confirm"}
 
 
 def test_levels_and_an_agent_are_given_to_a_run() -> None:
