@@ -34,7 +34,8 @@ class Continuum(QWidget):
         super().__init__()
         self._session, self._run, self._levels = session, run, levels
         self._tokens = tokens
-        self._key: tuple[object, ...] = ()
+        self._shown: Blueprint | None = None
+        self._state: tuple[dict[str, str], bool] = {}, False
         self.view: ContinuumView | None = None
         self.setAccessibleName("Human and automation")
         self.setProperty("role", "panel")
@@ -73,10 +74,10 @@ class Continuum(QWidget):
     def refresh(self) -> None:
         """Look again; nothing is counted where nothing changed, or nobody sees it."""
         blueprint, levels = self._now()
-        key = (id(blueprint), tuple(sorted(levels.items())), self._run.exists)
-        if key == self._key or not self.isVisible():
+        state = (levels, self._run.exists)
+        if not self.isVisible() or (blueprint is self._shown and state == self._state):
             return
-        self._key = key
+        self._shown, self._state = blueprint, state
         self._show(continuum_view(blueprint, Levels(blueprint, levels)))
         self.edit.setEnabled(not self._run.exists)
         self.edit.setToolTip(

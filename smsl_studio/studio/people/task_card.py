@@ -175,6 +175,7 @@ class TaskCard(QWidget):
         whole.addWidget(self.frame, 1)
         whole.addWidget(self.lines)
         self.setAccessibleName("Task")
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
 
     def _head(self) -> QWidget:
         head = QFrame()
@@ -281,6 +282,8 @@ class TaskCard(QWidget):
             self.answer.who.ask_again()
         self.answer.who.pin.clear()
         self.answered.emit(card.task, chosen.value, person.name, person.role)
+        # A disabled button would hand its focus on to the choice of persons, and letters with it.
+        self.setFocus()
         self._refresh()
 
     def _dismiss(self, line: object) -> None:
@@ -309,6 +312,9 @@ class TaskCard(QWidget):
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._chosen() is not None:
+            self._clear()
+            return
         typing = isinstance(QApplication.focusWidget(), QLineEdit)
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
         if not typing and plain and self.press_letter(event.text()):

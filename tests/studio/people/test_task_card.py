@@ -81,6 +81,21 @@ def test_a_letter_chooses_and_enter_decides(show: Show, qtbot: QtBot) -> None:
     assert said == [("task-1", "again", "L. Brandt", "supervisor")]
 
 
+def test_escape_takes_a_choice_back_and_letters_choose_again(show: Show) -> None:
+    card = show(BRANDT, OKAFOR)
+    card.take_focus()
+    _press(card, Key.Key_D)
+    _press(card, Key.Key_Escape)
+    assert not any(row.isChecked() for row in card.options)
+    assert not card.answer.button.isEnabled()
+    _press(card, Key.Key_I)
+    _press(card, Key.Key_Return)
+    assert card.hasFocus()
+    assert card.answer.who.person is None
+    _press(card, Key.Key_A)
+    assert card.answer.who.person is None
+
+
 def test_enter_on_a_row_chooses_and_one_enter_more_decides(show: Show) -> None:
     card = show(BRANDT)
     said = _said(card)
