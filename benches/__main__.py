@@ -32,6 +32,8 @@ BENCHES = (
     "journal",
     "compare",
     "record",
+    "traces",
+    "replay",
     "reaction",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"

@@ -15,7 +15,7 @@ from typing import Any
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
 
-EVERY = 256
+EVERY = 64
 """Events between two snapshots."""
 FactKey = tuple[str, int]
 
@@ -86,14 +86,14 @@ class Retold:
             return "idle"
         if self.stopped or self.taken_over:
             return "stopped" if self.stopped else "taken_over"
+        if self.tasks and not self.frozen:
+            return "waiting"
         if self.started and not self.frozen:
             return "running"
         if self.held is not None:
             return "no_route" if self.held.kind == "no_route" else "fault_hold"
         if self.paused or self.frozen:
             return "paused"
-        if self.tasks:
-            return "waiting"
         return "ready" if self.by_hand and not self.once else "running"
 
     @property
@@ -238,7 +238,7 @@ def _mismatch(before: Retold, event: run.Mismatch) -> Changes:
 
 
 def _held(before: Retold, event: run.Held) -> Changes:
-    return {**_CLEARED, "held": event, "once": False}
+    return {**_CLEARED, "held": event, "once": False, "paused": False}
 
 
 def _fact_changed(before: Retold, event: run.FactChanged) -> Changes:
@@ -318,7 +318,7 @@ _CHANGES: Mapping[type[Event], Callable[[Retold, Any], Changes]] = MappingProxyT
         run.Paused: lambda before, event: {
             "paused": True,
             "once": False,
-            "frozen": bool(before.started),
+            "frozen": bool(before.started or before.tasks),
         },
         run.Resumed: lambda before, event: {
             "paused": False,

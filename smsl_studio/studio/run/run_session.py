@@ -22,9 +22,8 @@ from smsl_studio.front.recording import new_recording, start_log
 from smsl_studio.front.run_header import asked_for
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
-from smsl_studio.monitor.reception import RemoteView
-from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.library.loading import Loaded
+from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.studio.run.runner import Command, Runner
@@ -132,10 +131,10 @@ class RunSession(QObject, Verbs):
         self.close()
         self.blueprint, self.choice = blueprint, choice
         self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
-        self.record, folder = None, self.recordings
+        self.record, folder, who = None, self.recordings, self.who()
 
         def record() -> RunLog | None:
-            log = _log(blueprint, choice, loaded, folder) if folder is not None else None
+            log = _log(blueprint, choice, loaded, folder, who) if folder is not None else None
             self.record = log.path if log is not None else None
             return log
 
@@ -162,11 +161,6 @@ class RunSession(QObject, Verbs):
     def words(self) -> Mapping[str, str]:
         """The world's short words for people."""
         return self._dispatcher.host.status() if self._dispatcher is not None else {}
-
-    def remote(self) -> RemoteView | None:
-        """The network of sensors that are elsewhere; None where there are none."""
-        opened = self._dispatcher.opened if self._dispatcher is not None else None
-        return opened.remote.view() if opened and opened.remote else None
 
     def remote(self) -> RemoteView | None:
         """The network of sensors that are elsewhere; None where there are none."""
@@ -248,16 +242,22 @@ def _opened(blueprint: Blueprint, choice: RunChoice) -> Dispatcher:
         seed=choice.seed,
         automatic=not choice.by_hand,
         attended=True,
+        levels=choice.levels,
     )
 
 
-def _log(blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder: Path) -> RunLog:
+def _log(
+    blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder: Path, who: str
+) -> RunLog:
     """The log of a run that begins now. SaveError where there can be none."""
     asked = asked_for(
         seed=choice.seed,
         host="process",
         start=[choice.start] if choice.start else [],
         goals=[choice.goal] if choice.goal else [],
+        by_hand=choice.by_hand,
+        levels=choice.levels,
+        supervisor=who,
     )
     path = new_recording(folder, blueprint.file, datetime.now())
     return start_log(path, blueprint, choice.world, loaded, asked)

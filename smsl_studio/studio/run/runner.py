@@ -19,6 +19,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.front.recording import Recording
+from smsl_studio.front.script.acting import Acting
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.log import RunLog
 
@@ -44,7 +45,8 @@ class Runner(QThread):
     """Runs one dispatcher until it is closed. Commands may be given from the window's thread.
 
     ``make`` and ``record`` are called in the runner's thread: the dispatcher, and the log into
-    which the run is recorded. SaveError of ``record`` refuses the start.
+    which the run is recorded. SaveError of ``record`` refuses the start. ``acting`` is a script
+    under which the run goes.
     """
 
     opened = Signal(object)
@@ -60,9 +62,10 @@ class Runner(QThread):
         speed: float,
         parent: QObject | None = None,
         record: Callable[[], RunLog | None] = _no_log,
+        acting: Acting | None = None,
     ) -> None:
         super().__init__(parent)
-        self._make, self._record = make, record
+        self._make, self._record, self._acting = make, record, acting
         self._speed = speed
         self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
         self._closing = False
@@ -127,7 +130,7 @@ class Runner(QThread):
         recording: Recording | None = None
         try:
             recording = Recording(heard.append, self._record())
-            recording.tell(dispatcher.open())
+            self._tell(recording, dispatcher.open())
             self.opened.emit(dispatcher)
             self._loop(dispatcher, recording, heard)
         except SaveError as error:
@@ -149,7 +152,8 @@ class Runner(QThread):
         pace = _Pace(dispatcher.time, min(self._speed, most))
         reported, slowest, told = -math.inf, 0.0, None
         while not self._closing:
-            still = dispatcher.finished or dispatcher.phase == "paused"
+            paused = dispatcher.phase == "paused" and not self._says(dispatcher)
+            still = dispatcher.finished or paused
             new = dispatcher.status is not told if still else monotonic() - reported >= FRAME
             if new:
                 self.latency, slowest, told = slowest, 0.0, dispatcher.status
@@ -165,10 +169,21 @@ class Runner(QThread):
                 pace = _Pace(dispatcher.time, min(self._speed, most))
             if not self._closing and pace.ahead(dispatcher.time) <= 0:
                 began = monotonic()
-                recording.tell(self._heeded(dispatcher.tick()))
+                if self._acting is not None:
+                    self._acting.before(dispatcher)
+                self._tell(recording, self._heeded(dispatcher.tick()))
                 slowest = max(slowest, monotonic() - began)
         if not isinstance(recording.last, RunFinished):
             recording.end("stopped", CLOSED, dispatcher)
+
+    def _tell(self, recording: Recording, events: tuple[Event, ...]) -> None:
+        recording.tell(events)
+        if self._acting is not None:
+            self._acting.hear(events)
+
+    def _says(self, dispatcher: Dispatcher) -> bool:
+        """Whether a script has something to say to a run that nobody else lets go on."""
+        return self._acting is not None and self._acting.has_something(dispatcher)
 
     def _heeded(self, events: tuple[Event, ...]) -> tuple[Event, ...]:
         """What a tick told. Whoever closes a run ends its world, which is no failure of it."""

@@ -1,0 +1,43 @@
+"""Traces: any run tells the same here, in a child process, in the window, and from its log."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from benches.row import Row
+from tests.front.any_run import any_run
+from tests.front.test_traces import in_child_and_log, in_process, in_window
+
+RUNS = 200
+WINDOW = 60.0
+"""Wall seconds a run may take in the window."""
+
+
+def rows() -> Iterator[Row]:
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from PySide6.QtWidgets import QApplication
+
+    application = QApplication.instance() or QApplication([])
+
+    def wait(over: Callable[[], bool]) -> None:
+        end = time.monotonic() + WINDOW
+        while not over() and time.monotonic() < end:
+            application.processEvents()
+            time.sleep(0.001)
+
+    differing = {"a child process": 0, "the log": 0, "the window": 0}
+    with TemporaryDirectory() as folder:
+        for number in range(RUNS):
+            run = any_run(number)
+            told = in_process(run)
+            child, log = in_child_and_log(run, Path(folder) / f"{number}.jsonl")
+            found = (child, log, in_window(run, wait))
+            for place, trace in zip(differing, found, strict=True):
+                differing[place] += trace != told
+    for place, count in differing.items():
+        words = f"{RUNS} random runs under random scripts, here and in {place}"
+        yield Row(words, count, "traces differ", bound="0")
