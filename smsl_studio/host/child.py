@@ -16,12 +16,15 @@ import time
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from importlib import import_module
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.errors import StudioError
+from smsl_studio.errors import Place, StudioError
+from smsl_studio.host.bounds import Chatter, limit_memory
+from smsl_studio.host.brief import brief
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import Outcome, Tick
 from smsl_studio.host.shared_poses import SharedPoses
@@ -44,31 +47,44 @@ class Recipe:
     world: str
     seed: int
     plugin_paths: tuple[str, ...]
+    memory: int | None = None
+    """Bytes that the child may have; None: half of the machine's memory."""
 
 
-def serve(connection: Connection, recipe: Recipe) -> None:
+def serve(connection: Connection) -> None:
     """The child's whole life: answer one command after the other."""
     _settle_in()
     shared = _Shared()
     threading.Thread(target=_live_with_parent, args=(shared,), daemon=True).start()
+    child = _Child(shared)
     try:
-        child = _Child(recipe, shared)
         while child.serving:
             verb, arguments = connection.recv()
-            connection.send(_answer(child.verbs[verb], arguments))
+            connection.send(_answer(child, verb, arguments))
     except (EOFError, OSError):  # the parent is gone
         pass
     finally:
         connection.close()
+    # Threads that library code left behind, and what it registered for the exit, hold up nothing.
+    os._exit(0)
 
 
-def _answer(verb: Callable[..., Any], arguments: tuple[Any, ...]) -> tuple[str, Any]:
+def _answer(child: _Child, verb: str, arguments: tuple[Any, ...]) -> tuple[str, Any]:
     try:
-        return "ok", verb(*arguments)
+        return "ok", child.verbs[verb](*arguments)
     except StudioError as error:
-        return "refused", error
+        return "refused", _plain(error)
     except Exception:
-        return "crashed", traceback.format_exc(limit=-3)
+        return "crashed", brief(traceback.format_exc(limit=-3), 5000)
+
+
+def _plain(error: StudioError) -> StudioError:
+    """The error as the parent knows it: a plugin may raise one of a class of its own."""
+    known = next(kind for kind in type(error).__mro__ if kind.__module__ == StudioError.__module__)
+    place = error.place if type(error.place) is Place else None
+    plain = known(brief(str(error.sentence)), place, brief(str(error.advice)))
+    assert isinstance(plain, StudioError)
+    return plain
 
 
 class _Shared:
@@ -80,18 +96,32 @@ class _Shared:
 
 
 class _Child:
-    """The verbs of a child."""
+    """The verbs of a child: ``prepare`` comes first, or ``warm`` and later ``prepare``."""
 
-    def __init__(self, recipe: Recipe, shared: _Shared) -> None:
-        documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
-        blueprint = read_blueprint(documents[0], opened=documents[1:])
-        paths = [Path(path) for path in recipe.plugin_paths]
-        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths)
+    def __init__(self, shared: _Shared) -> None:
         self.serving = True
         self._shared = shared
         self._drawn = 0.0
         self._status: Mapping[str, str] = {}
         self.verbs: dict[str, Callable[..., Any]] = {
+            "warm": self.warm,
+            "prepare": self.prepare,
+            "close": self.close,
+        }
+
+    def warm(self) -> None:
+        """Load what takes long to load."""
+        with contextlib.suppress(ImportError):
+            import_module("smsl_studio.world.bullet")
+
+    def prepare(self, recipe: Recipe) -> None:
+        """Read the blueprint, and build the world as far as it goes: ``open`` tells of faults."""
+        limit_memory(recipe.memory)
+        documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
+        blueprint = read_blueprint(documents[0], opened=documents[1:])
+        paths = [Path(path) for path in recipe.plugin_paths]
+        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths)
+        self.verbs |= {
             "open": self.host.open,
             "share": self.share,
             "sense": self.host.sense,
@@ -100,8 +130,10 @@ class _Child:
             "cancel": self.host.cancel,
             "disturb": self.disturb,
             "inject": self.inject,
-            "close": self.close,
+            "costs": self.host.costs,
         }
+        with contextlib.suppress(StudioError):
+            self.host.prepare()
 
     def share(self, name: str, count: int) -> Mapping[str, str]:
         """Draw into this block from now on; the world's first words."""
@@ -125,8 +157,9 @@ class _Child:
         self.host.inject(fault, **parameters)
 
     def close(self) -> None:
-        self.host.close()
         self.serving = False
+        if "open" in self.verbs:
+            self.host.close()
 
     def _draw(self) -> None:
         if self._shared.block is not None:
@@ -137,7 +170,9 @@ class _Child:
 def _settle_in() -> None:
     """Ctrl-C is the parent's to answer; nothing here may write to the parent's standard output."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    sys.stdout = sys.stderr
+    with contextlib.suppress(OSError, AttributeError):
+        os.setpgid(0, 0)  # so that all it may start can be ended with it
+    sys.stdout = sys.stderr = Chatter(sys.stderr)
     with contextlib.suppress(OSError):
         os.dup2(2, 1)
 
@@ -150,4 +185,7 @@ def _live_with_parent(shared: _Shared) -> None:
         beats += 1
         if shared.block is not None:
             shared.block.beat(beats)
+    with contextlib.suppress(OSError, AttributeError):
+        if os.getpgid(0) == os.getpid():
+            os.killpg(0, signal.SIGKILL)
     os._exit(1)

@@ -18,10 +18,11 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.brief import finite, short_words
 from smsl_studio.host.call import Call, words_of
+from smsl_studio.host.costing import Costing
 from smsl_studio.host.engines import make_engine
 from smsl_studio.host.fact_rules import rules_of
 from smsl_studio.host.injecting import Injecting
-from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
+from smsl_studio.host.protocol import Bound, Happened, Opened, Outcome, Priced, SensorInfo, Tick
 from smsl_studio.host.sensing import Sensing
 from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import bindings_beside
@@ -63,9 +64,17 @@ class LocalHost:
         self._call: Call | None = None
         self._sensing = Sensing((), 1.0, 0)
         self._injecting = Injecting(world, {})
+        self._costing = Costing({})
         self._ticks = 0
         self._boot = 0
         self._poses: tuple[float, ...] = ()
+
+    def prepare(self) -> None:
+        """Find the code and build the world, so that ``open`` is quick; it raises as that does."""
+        if self._engine is None:
+            with _prints_aside():
+                self._build()
+                self._bind()
 
     def open(self, start: Mapping[str, str]) -> Opened:
         """Build the world and put it into ``start`` (SB -> state).
@@ -80,6 +89,7 @@ class LocalHost:
             self._ticks, self._boot = 0, self._boot + 1
             self._arrange(engine, start)
             self._injecting = self._faults()
+            self._costing = Costing(bindings.costs)
             self._poses = ()
             with self._mending("cannot be drawn"):
                 shapes = engine.shapes()
@@ -95,6 +105,7 @@ class LocalHost:
             faults=tuple(map(str, bindings.faults)),
             rules={} if self._name == TABLE else rules_of(self._blueprint, bindings),
             world_faults=self._injecting.names,
+            priced=bool(bindings.costs),
         )
 
     def sense(self) -> tuple[Sample, ...]:
@@ -149,6 +160,12 @@ class LocalHost:
         self._standing()
         with _prints_aside():
             self._injecting.inject(self._subject, fault, parameters)
+
+    def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
+        """What cost functions say that edges cost now, where that is not what they said last."""
+        self._standing()
+        with _prints_aside():
+            return self._costing.ask(scene, happened)
 
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; empty while no world stands."""

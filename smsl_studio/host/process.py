@@ -11,26 +11,25 @@ other: a close ends what the driving thread waits for.
 
 from __future__ import annotations
 
-import contextlib
-import multiprocessing
-import signal
 import threading
 import time
-from collections.abc import Iterator, Mapping, Sequence
-from multiprocessing.connection import Connection, wait
+from collections.abc import Mapping, Sequence
+from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError
-from smsl_studio.host.child import Recipe, serve
+from smsl_studio.host.child import Recipe
 from smsl_studio.host.ending import ending_words
-from smsl_studio.host.protocol import Opened, Tick
+from smsl_studio.host.protocol import Happened, Opened, Priced, Tick
 from smsl_studio.host.shared_poses import SharedPoses
+from smsl_studio.host.spare import Spare
+from smsl_studio.host.starting import Child, start_child
+from smsl_studio.host.wire import NoAnswer
 from smsl_studio.monitor.sample import Sample
 
-OPEN_LIMIT = 60.0
 LOOK = 0.1
 """How often (s) a waiting parent looks at the child's pulse."""
 
@@ -51,15 +50,18 @@ class ProcessHost:
         *,
         hang_limit: float = 10.0,
         silence_limit: float = 3.0,
+        open_limit: float = 60.0,
+        memory: int | None = None,
+        spare: Spare | None = None,
     ) -> None:
         texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
         paths = tuple(str(path) for path in plugin_paths)
-        self._recipe = Recipe(texts, world, seed, paths)
+        self._recipe = Recipe(texts, world, seed, paths, memory)
         self._hang_limit = hang_limit
         self._silence_limit = silence_limit
-        self._process: Any = None
-        self._pid: int | None = None
-        self._pipe: Connection | None = None
+        self._open_limit = open_limit
+        self._spare = spare
+        self._child: Child | None = None
         self._shared: SharedPoses | None = None
         self._status: Mapping[str, str] = {}
         self._gone: HostError | None = None
@@ -71,14 +73,19 @@ class ProcessHost:
     @property
     def pid(self) -> int | None:
         """The child's process number, None where there is none."""
-        return self._pid
+        return self._child.pid if self._child is not None else None
+
+    @property
+    def recipe(self) -> Recipe:
+        """What a spare child is prepared with, to be quick for this run or one like it."""
+        return self._recipe
 
     def open(self, start: Mapping[str, str]) -> Opened:
         """Start the child if there is none, and have it open its world (see ``LocalHost.open``)."""
         with self._using:
-            if self._process is None and self._gone is None:
-                self._spawn()
-            opened: Opened = self._ask("open", dict(start), limit=OPEN_LIMIT)
+            if self._child is None and self._gone is None:
+                self._start()
+            opened: Opened = self._ask("open", dict(start), limit=self._open_limit)
             if self._shared is None:
                 self._share(7 * len(opened.shapes))
             return opened
@@ -117,6 +124,11 @@ class ProcessHost:
         """Let something go wrong in the world, as ``LocalHost.inject`` does."""
         self._ask("inject", fault, parameters)
 
+    def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
+        """Ask the cost functions, as ``LocalHost.costs`` does."""
+        priced: Priced = self._ask("costs", dict(scene), tuple(happened))
+        return priced
+
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; the last ones, where the child is gone."""
         return self._shared.read() if self._shared is not None else ()
@@ -130,9 +142,9 @@ class ProcessHost:
         with self._using:
             if self._gone is not None:
                 raise HostError(self._gone.sentence, advice=self._gone.advice)
-            if self._process is None or self._shared is None:
+            if self._child is None or self._shared is None:
                 return
-            if wait([self._process.sentinel], 0):
+            if self._child.dead:
                 raise self._died()
             now, newest = time.monotonic(), self._shared.pulse
             if newest != self._pulse[0]:
@@ -145,29 +157,32 @@ class ProcessHost:
         """End the child, also one that hangs, and free everything; twice is harmless."""
         self._closing = True
         with self._using:
-            if self._pipe is not None and self._process.is_alive():
-                with contextlib.suppress(OSError):
-                    self._pipe.send(("close", ()))
-                    self._process.join(2.0)
+            if self._child is not None:
+                self._child.dismiss()
             self._gone = self._gone or HostError("the host is closed")
             self._end()
 
-    def _spawn(self) -> None:
-        context = multiprocessing.get_context("spawn")
-        ours, theirs = context.Pipe()
-        process = context.Process(
-            target=serve, args=(theirs, self._recipe), name="smsl-studio-world", daemon=True
-        )
+    def _start(self) -> None:
+        """Take the spare child if there is a fitting one, else start one."""
+        self._child = self._spare.take(self._recipe) if self._spare is not None else None
+        if self._child is not None:
+            try:
+                self._answer("open", self._open_limit)  # to what the spare was asked when it began
+            except HostError:
+                if self._closing:
+                    raise
+                self._gone = self._child = None  # whatever ended the spare, a new child may live
+        if self._child is None:
+            self._child = self._started()
+        if not self._child.prepared:
+            self._ask("prepare", self._recipe, limit=self._open_limit)
+
+    def _started(self) -> Child:
         try:
-            with _ctrl_c_is_ours():
-                process.start()
+            return start_child()
         except OSError as error:
-            ours.close()
             words = error.strerror or error
             raise self._lost(f"the simulation process cannot be started: {words}") from None
-        finally:
-            theirs.close()
-        self._process, self._pipe, self._pid = process, ours, process.pid
 
     def _share(self, count: int) -> None:
         """Have the child draw into a block of shared memory from now on."""
@@ -182,28 +197,42 @@ class ProcessHost:
         with self._using:
             if self._gone is not None:
                 raise HostError(self._gone.sentence, advice=self._gone.advice)
-            if self._pipe is None:
+            if self._child is None:
                 raise HostError("the host is not open")
             try:
-                self._pipe.send((verb, arguments))
-                self._wait(verb, limit or self._hang_limit)
-                kind, value = self._pipe.recv()
-            except (EOFError, OSError):
+                self._child.wire.send((verb, arguments))
+            except OSError:
                 raise self._died() from None
-            if kind == "crashed":
-                words = f"the simulation process broke{self._doing}: {value.strip()}"
-                raise self._lost(words)
-        if kind == "ok":
-            return value
-        raise value
+            return self._answer(verb, limit or self._hang_limit)
 
-    def _wait(self, verb: str, limit: float) -> None:
-        """Wait for the answer; HostError where none can be expected any more."""
-        assert self._pipe is not None
+    def _answer(self, verb: str, limit: float) -> Any:
+        """The answer to what was asked; HostError where none can be expected any more."""
+        assert self._child is not None
+        try:
+            kind, value = self._wait(self._child, verb, limit)
+        except (EOFError, OSError):
+            raise self._died() from None
+        except NoAnswer:
+            raise self._lost(
+                f"the simulation process said what is no answer{self._doing}"
+            ) from None
+        if kind == "crashed":
+            words = f"the simulation process broke{self._doing}: {str(value).strip()}"
+            raise self._lost(words)
+        if kind == "refused":
+            raise value
+        return value
+
+    def _wait(self, child: Child, verb: str, limit: float) -> tuple[str, Any]:
         began = heard = time.monotonic()
         pulse = -1
-        while self._pipe not in (ready := wait([self._pipe, self._process.sentinel], LOOK)):
-            if ready:
+        while True:
+            ready = wait([child.wire.fileno(), child.sentinel], LOOK)
+            if child.wire.fileno() in ready:
+                answer = child.wire.read()
+                if answer is not None:
+                    return answer
+            elif ready or child.dead:
                 raise self._died()
             if self._closing:
                 raise self._lost("the host is closed")
@@ -220,8 +249,8 @@ class ProcessHost:
                 raise self._lost(f"the simulation process has shown no pulse for {silent}")
 
     def _died(self) -> HostError:
-        self._process.join(2.0)
-        how = ending_words(self._process.exitcode)
+        assert self._child is not None
+        how = ending_words(self._child.ending())
         return self._lost(f"the simulation process {how}{self._doing}")
 
     def _lost(self, sentence: str) -> HostError:
@@ -231,26 +260,9 @@ class ProcessHost:
         return self._gone
 
     def _end(self) -> None:
-        if self._pipe is not None:
-            self._pipe.close()
-        if self._process is not None:
-            self._process.kill()
-            self._process.join()
-            self._process.close()
+        if self._child is not None:
+            self._child.kill()
         if self._shared is not None:
             self._shared.read()
             self._shared.close()
-        self._process = self._pid = self._pipe = None
-
-
-@contextlib.contextmanager
-def _ctrl_c_is_ours() -> Iterator[None]:
-    """A child started here is born deaf to Ctrl-C; signals can only be set in the main thread."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    kept = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, kept)
+        self._child = None

@@ -7,7 +7,7 @@ whichever host carries them out.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Protocol
@@ -15,7 +15,6 @@ from typing import Protocol
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.aggregate import FactRule
-from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import Shape
@@ -83,10 +82,6 @@ class Elsewhere(Protocol):
         """The network as people want to see it; any thread may ask."""
         ...
 
-    def view(self) -> RemoteView:
-        """The network as people want to see it; any thread may ask."""
-        ...
-
 
 @dataclass(frozen=True, slots=True)
 class Opened:
@@ -97,6 +92,7 @@ class Opened:
     decides (clause 7). ``faults`` are the sentences about bindings that do not fit; their edges
     are not bound. ``rules`` say how facts are made of their sensors, where that is declared.
     ``world_faults`` are the names of what can be injected. ``remote`` are the sensors elsewhere.
+    ``priced`` says whether cost functions are bound to edges.
     """
 
     world: str
@@ -110,6 +106,20 @@ class Opened:
     rules: Mapping[FactKey, FactRule] = field(default_factory=dict)
     world_faults: tuple[str, ...] = ()
     remote: Elsewhere | None = None
+    priced: bool = False
+
+
+Happened = tuple[str, str]
+"""An edge's address, and ``committed`` or ``failed``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Priced:
+    """What cost functions say: the edges that cost otherwise than when they were asked last (None:
+    what is declared), and one sentence for each function whose answers do not count."""
+
+    costs: Mapping[Address, float | None] = field(default_factory=dict)
+    faults: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +169,11 @@ class Host(Protocol):
         UsageError where the world has no such fault (``Opened.world_faults``) or it cannot be done
         with these parameters; HostError where its code breaks.
         """
+        ...
+
+    def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
+        """Ask the cost functions; ``scene`` has a value (None: unknown) for every fact that is
+        sensed, written ``SB/digit``, ``happened`` what has happened since they were asked last."""
         ...
 
     def poses(self) -> tuple[float, ...]:

@@ -15,7 +15,7 @@ from typing import Protocol
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import UsageError
-from smsl_studio.host.protocol import Host, Opened, SensorInfo, Tick
+from smsl_studio.host.protocol import Happened, Host, Opened, Priced, SensorInfo, Tick
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.disturbance import Disturbed, checked
 from smsl_studio.monitor.reception import Reception, RemoteView
@@ -183,6 +183,10 @@ class WithRemote:
     def inject(self, fault: str, **parameters: float | str) -> None:
         """Something goes wrong in the world on purpose."""
         self.inner.inject(fault, **parameters)
+
+    def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
+        """What the cost functions of the world's plugin say."""
+        return self.inner.costs(scene, happened)
 
     def poses(self) -> tuple[float, ...]:
         """The newest poses of the world."""

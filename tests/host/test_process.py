@@ -39,7 +39,7 @@ def lamp(tmp_path: Path) -> Iterator[Callable[..., ProcessHost]]:
     write_plugin(tmp_path, "lamp", LAMP_PLUGIN)
     hosts: list[ProcessHost] = []
 
-    def make(**limits: float) -> ProcessHost:
+    def make(**limits: Any) -> ProcessHost:
         hosts.append(ProcessHost(blueprint_of(LAMP), "lamp", 0, [tmp_path], **limits))
         return hosts[-1]
 
