@@ -1,10 +1,12 @@
 """Makes the pictures in docs/images: Draw and Run modes, three samples, two themes, three sizes.
 
-    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--mode draw|run|safe] [--sample NAME]
+    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--mode draw|run|safe|people]
+        [--sample NAME]
 
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
 real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
 file that does not read, of the offer to recover, and of a file that another program has changed.
+``people`` are those of a task that two persons must answer, and of the table of levels.
 """
 
 from __future__ import annotations
@@ -28,11 +30,13 @@ if sys.platform == "linux" and not os.environ.get("DISPLAY"):
 import numpy as np  # noqa: E402
 from PySide6.QtCore import Qt  # noqa: E402
 from PySide6.QtGui import QImage, QPainter  # noqa: E402
-from PySide6.QtWidgets import QApplication  # noqa: E402
+from PySide6.QtWidgets import QApplication, QWidget  # noqa: E402
 
 from smsl_studio.blueprint.address import Address  # noqa: E402
 from smsl_studio.blueprint.editing import rename  # noqa: E402
+from smsl_studio.dispatch.people.task import Task  # noqa: E402
 from smsl_studio.studio.app import make_application, make_window, offer_recovery  # noqa: E402
+from smsl_studio.studio.people.persons import Person  # noqa: E402
 from smsl_studio.studio.settings import Settings  # noqa: E402
 from smsl_studio.studio.style import dress  # noqa: E402
 from smsl_studio.studio.theme import LIGHT  # noqa: E402
@@ -72,7 +76,7 @@ def main() -> int:
     """Take the pictures that were asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
-    parser.add_argument("--mode", choices=("draw", "run", "safe"))
+    parser.add_argument("--mode", choices=("draw", "run", "safe", "people"))
     parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
@@ -81,10 +85,12 @@ def main() -> int:
     with TemporaryDirectory() as folder:
         studio = Studio(application, Settings(Path(folder) / "home"), asked.out)
         for scene in SCENES:
-            if asked.sample in (None, scene.sample) and asked.mode != "safe":
+            if asked.sample in (None, scene.sample) and asked.mode not in ("safe", "people"):
                 studio.take(scene, [asked.mode] if asked.mode else ["draw", "run"])
         if asked.mode in (None, "safe"):
             studio.take_safe(Path(folder))
+        if asked.mode in (None, "people"):
+            studio.take_people()
     return 0
 
 
@@ -141,16 +147,71 @@ class Studio:
         offer = offer_recovery(self._windows, window)
         assert offer is not None
         for theme, size in self._dressed(window):
-            offer.move(window.rect().center() - offer.rect().center())
-            picture = window.grab().toImage()
-            painter = QPainter(picture)
-            painter.drawPixmap(offer.pos(), offer.grab())
-            painter.setPen(window.tokens.line2)
-            painter.drawRect(offer.geometry())
-            painter.end()
-            self._keep(picture, f"recovery-{theme}-{size[0]}x{size[1]}")
+            self._lay_over(window, offer, f"recovery-{theme}-{size[0]}x{size[1]}")
         offer.reject()
         window.close()
+
+    def take_people(self) -> None:
+        """A task of which one of two has answered, and the table of levels before the next run."""
+        for name, role in (("L. Brandt", "nurse"), ("A. Okafor", "surgeon")):
+            self._windows.persons.put(Person(name, role))
+        window = make_window(self._windows)
+        window.files.open_copy(ROOT / "samples" / "registration-people.json")
+        self._until(lambda: window.inspector.current and self._windows.plugins.known)
+        window.set_mode("supervise")
+        pane, card = window.run_pane, window.people.card
+        pane.play()
+        said: list[str] = []
+        while (task := self._task_after(window, said)).kind != "confirm" or task.persons == 1:
+            said.append(task.name)
+            # The head is free and nothing digitized at first, and then it is done.
+            value = (
+                ("0" if len(said) <= 2 else "1") if task.kind == "fact" else task.options[0].value
+            )
+            role = task.roles[0]
+            pane.run.answer(
+                task.name, value, "A. Okafor" if role == "surgeon" else "L. Brandt", role
+            )
+        pane.run.answer(task.name, task.options[0].value, "A. Okafor", "surgeon")
+        self._until(lambda: bool(card.tasks and card.tasks[0].answered))
+        pane.run.set_speed(0.01)
+        self._take_dressed(window, "task")
+        pane.stop()
+        self._until(lambda: pane.run.phase == "stopped")
+        pane.run.end()
+        self._until(lambda: not pane.run.exists)
+        window.people.edit_levels()
+        editor = window.people.editor
+        assert editor is not None
+        for row, level in ((0, "human"), (10, "human"), (12, "shared")):
+            editor.table.selectRow(row)
+            editor.choose(level)
+        for theme, size in self._dressed(window):
+            self._lay_over(window, editor, f"levels-{theme}-{size[0]}x{size[1]}")
+        editor.reject()
+        window.close()
+
+    def _task_after(self, window: Window, said: list[str]) -> Task:
+        """The first open task that nobody was told of yet."""
+        found: list[Task] = []
+
+        def there() -> bool:
+            found[:] = [task for task in window.people.card.tasks if task.name not in said]
+            return bool(found)
+
+        self._until(there)
+        return found[0]
+
+    def _lay_over(self, window: Window, dialog: QWidget, name: str) -> None:
+        """A window with a dialog in its middle, as one picture."""
+        dialog.move(window.rect().center() - dialog.rect().center())
+        picture = window.grab().toImage()
+        painter = QPainter(picture)
+        painter.drawPixmap(dialog.pos(), dialog.grab())
+        painter.setPen(window.tokens.line2)
+        painter.drawRect(dialog.geometry())
+        painter.end()
+        self._keep(picture, name)
 
     def _take_dressed(self, window: Window, name: str) -> None:
         for theme, size in self._dressed(window):
