@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import UsageError
 from smsl_studio.host.protocol import Outcome
 from smsl_studio.runlog.events import Commanded
@@ -64,9 +65,19 @@ def said(story: Story, word: str, *parameters: Any, ticks: int = 1, **named: Any
     return answer
 
 
+def host_of(story: Story) -> FakeHost:
+    assert isinstance(story.host, FakeHost)
+    return story.host
+
+
 def calls(story: Story) -> list[str]:
-    found: list[str] = story.host.calls  # type: ignore[attr-defined]
-    return found
+    """What the host was asked to do."""
+    return host_of(story).calls
+
+
+def facts_of(story: Story) -> dict[FactKey, str | None]:
+    """The facts on the host's table, to be moved by hand."""
+    return host_of(story).facts
 
 
 def ready() -> Story:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from smsl_studio.host.protocol import Outcome
 from tests.dispatch.fake_host import Fault
-from tests.dispatch.runs import Story
+from tests.dispatch.runs import Story, blueprint, branch, sample
 from tests.dispatch.supervision.runs import (
     FIRST,
     SECOND,
     between,
     calls,
+    facts_of,
     hanoi,
     middle,
     paused,
@@ -75,7 +76,7 @@ def test_pause_in_the_middle_cancels_what_cannot_resume() -> None:
 
 def test_after_a_pause_resume_checks_the_state_again() -> None:
     story = paused()
-    story.host.facts["SB1", 0] = "b"  # type: ignore[attr-defined]
+    facts_of(story)["SB1", 0] = "b"
     said(story, "resume")
     assert story.phase == "fault_hold"
     assert story.words[-3:] == ["fact_changed", "mismatch", "held"]
@@ -92,12 +93,10 @@ def test_after_a_pause_resume_finds_the_route_again() -> None:
 
 
 def test_after_a_pause_a_held_operation_is_cancelled_where_another_branch_has_moved() -> None:
-    from tests.dispatch.runs import sample
-
     made = sample("three-roots")
     story = hanoi(blueprint=made, goals=["ROBOT/State10"]).tick(3)
     said(story, "pause")
-    story.host.facts["TOOLPLAN", 0] = "1"  # type: ignore[attr-defined]
+    facts_of(story)["TOOLPLAN", 0] = "1"
     said(story, "resume")
     story.run()
     assert story.of("operation_ended")[0].outcome == "cancelled"
@@ -130,7 +129,7 @@ def test_step_in_the_middle_is_ignored_and_says_so() -> None:
 
 def test_after_a_step_the_next_one_checks_the_state_again() -> None:
     story = paused()
-    story.host.facts["SB1", 0] = "b"  # type: ignore[attr-defined]
+    facts_of(story)["SB1", 0] = "b"
     said(story, "step")
     assert (story.phase, len(begun(story))) == ("fault_hold", 1)
 
@@ -204,8 +203,6 @@ def test_after_a_prune_the_route_is_found_again() -> None:
 
 
 def test_pruning_a_base_edge_stops_what_its_sub_carries_out() -> None:
-    from tests.dispatch.runs import sample
-
     story = hanoi(blueprint=sample("hfsm"), goals=[])
     while story.dispatcher.status.running is None or story.dispatcher.status.running.branch != (
         "SB2"
@@ -239,7 +236,7 @@ def test_take_over_in_the_middle_holds_and_only_observes() -> None:
     assert story.of("operation_ended")[0].outcome == "cancelled"
     assert "cancel hold" in calls(story)
     time = story.dispatcher.time
-    story.host.facts["SB1", 0] = "b"  # type: ignore[attr-defined]
+    facts_of(story)["SB1", 0] = "b"
     story.tick(5)
     assert story.dispatcher.time > time
     assert story.of("fact_changed")[-1].value == "b"
@@ -251,7 +248,7 @@ def test_take_over_in_the_middle_holds_and_only_observes() -> None:
 
 def test_giving_back_needs_one_configuration_that_checks_true() -> None:
     story = taken_over()
-    facts = story.host.facts  # type: ignore[attr-defined]
+    facts = facts_of(story)
     facts["SB1", 0] = None
     assert "Fact 1 of SB1 is unknown" in said(story, "give_back").refused
     facts["SB1", 0] = "nowhere"
@@ -262,7 +259,7 @@ def test_giving_back_needs_one_configuration_that_checks_true() -> None:
 
 def test_giving_back_is_accepted_explicitly_and_the_old_operation_never_resumes() -> None:
     story = taken_over()
-    story.host.facts["SB1", 0] = "b"  # type: ignore[attr-defined]
+    facts_of(story)["SB1", 0] = "b"
     assert said(story, "give_back", by="Brandt").refused == ""
     assert story.phase == "taken_over"
     assert story.dispatcher.status.candidates == ({"SB1": "State_baa"},)
@@ -279,14 +276,12 @@ def test_giving_back_is_accepted_explicitly_and_the_old_operation_never_resumes(
 def test_what_was_offered_must_still_hold_when_it_is_accepted() -> None:
     story = taken_over()
     said(story, "give_back")
-    story.host.facts["SB1", 0] = "b"  # type: ignore[attr-defined]
+    facts_of(story)["SB1", 0] = "b"
     assert "no longer agrees with SB1/State_aaa" in said(story, "accept").refused
     assert story.phase == "taken_over"
 
 
 def test_giving_back_where_two_states_read_alike_names_them() -> None:
-    from tests.dispatch.runs import blueprint, branch
-
     values = {"SB1": branch({"0": "go>1", "1": ""})}
     values["SB1"]["Twin_0"] = {}
     story = hanoi(blueprint=blueprint(values), goals=["SB1/State1"]).tick(3)
@@ -367,7 +362,6 @@ def test_after_a_stop_a_touched_fact_that_nobody_senses_needs_a_person() -> None
     assert "Fact 1 of SB1 is unknown" in story.dispatcher.status.sentence
     assert "adopt" in offered(story)
     said(story, "adopt")
-    said(story, "resume") if story.phase != "running" else None
     assert story.run().end.reason == "goal_reached"
 
 

@@ -1,0 +1,212 @@
+"""Whatever is commanded whenever: random blueprints, random commands at random ticks, and what
+must hold of every run. A seeded twentieth of what the bench goes through."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import pytest
+
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import RunRefused
+from smsl_studio.host.local import LocalHost
+from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.protocol import Host, Outcome
+from smsl_studio.runlog.events import (
+    Commanded,
+    Committed,
+    Event,
+    FactChanged,
+    OperationStarted,
+    StateChecked,
+)
+from tests.dispatch.fake_host import FakeHost, Fault
+from tests.dispatch.generated import blueprint_values
+from tests.dispatch.runs import Story, blueprint
+from tests.dispatch.supervision.runs import host_of
+
+SEEDS = range(50)
+TICKS = 150
+STILL = ("paused", "taken_over", "stopped", "no_route", "fault_hold", "waiting")
+WEIGHTS = {
+    "resume": 6, "step": 4, "ask": 6, "pause": 3, "veto": 3, "restore": 4, "prune": 1, "stop": 1,
+    "reset": 4, "take_over": 1, "give_back": 4, "accept": 3, "adopt": 2, "set_cost": 1,
+    "set_automatic": 1, "inject": 0.5, "full_map": 0.5, "end": 0.1,
+}  # fmt: skip
+"""What is said how often: what lets a run go on more often than what holds it."""
+
+Said = tuple[str, tuple[Any, ...]]
+
+
+class Sloppy(FakeHost):
+    """Operations take their time, and some fail in every way there is."""
+
+    def __init__(self, made: Blueprint, dice: random.Random) -> None:
+        edges = [str(edge.address) for branch in made for edge in branch.edges()]
+        outcomes = (Outcome.FAILED, Outcome.RAISED, Outcome.RETURNED)
+        faults = {
+            edge: Fault(dice.choice(outcomes), {} if dice.random() < 0.5 else None,
+                        hangs=dice.random() < 0.2)
+            for edge in edges if dice.random() < 0.15
+        }  # fmt: skip
+        stop = dice.choice(("hold", "abort", "finish"))
+        lasts, settle = dice.randint(1, 4), dice.choice((0.0, 0.2))
+        super().__init__(made, faults, lasts=lasts, settle=settle, stop=stop)
+        self.resumes = dice.random() < 0.7
+
+    def inject(self, fault: str, **parameters: float | str) -> None:
+        """Somebody moves a thing."""
+        key = sorted(self.facts)[int(fault) % len(self.facts)]
+        self.facts[key] = "0" if self.facts[key] == "1" else "1"
+
+
+def drawn(story: Story, dice: random.Random) -> list[Said]:
+    """What is said ahead of one tick, mostly nothing; of edges mostly those that may be used."""
+    status = story.dispatcher.status
+    edges = [edge.address for branch in story.blueprint for edge in branch.edges()]
+    near = [one.address for one in status.possible] or edges
+    shut = [one.address for one in status.possible if one.pruned or one.risky] or edges
+    said: list[Said] = []
+    while dice.random() < 0.3 and len(said) < 3:
+        word = dice.choices(list(WEIGHTS), list(WEIGHTS.values()))[0]
+        edge = dice.choice(near if dice.random() < 0.8 else edges)
+        given: dict[str, tuple[Any, ...]] = {
+            "veto": (None,) if dice.random() < 0.5 else (edge,),
+            "ask": (edge,),
+            "prune": (edge, "at random"),
+            "restore": (dice.choice(shut),),
+            "set_cost": (edge, float(dice.randint(0, 5))),
+            "set_automatic": (dice.random() < 0.7,),
+            "inject": (str(dice.randint(0, 9)),),
+            "full_map": (True,),
+        }
+        said.append((word, given.get(word, ())))
+    return said
+
+
+def play(made: Blueprint, host: Host, seed: int, **choices: Any) -> list[tuple[str, list[Event]]]:
+    """A run under random commands; of every tick the state it left the run in, and its events."""
+    dice = random.Random(f"commands {seed}")
+    story = Story(made, host, attended=True, **choices)
+    told = [(story.phase, list(story.events))]
+    for _ in range(TICKS):
+        if story.dispatcher.finished:
+            break
+        words = drawn(story, dice)
+        before = len(story.events)
+        for word, parameters in words:
+            getattr(story.dispatcher, word)(*parameters, by="Dice")
+        story.tick()
+        events = story.events[before:]
+        answers = [one for one in events if isinstance(one, Commanded)]
+        assert sorted(one.command for one in answers) == sorted(word for word, _ in words)
+        told.append((story.phase, events))
+    return told
+
+
+def random_blueprint(seed: int) -> Blueprint | None:
+    made = blueprint(blueprint_values(seed))
+    try:
+        start_configuration(Hierarchy(made), {})
+    except RunRefused:
+        return None
+    return made
+
+
+BLUEPRINTS = [(seed, made) for seed in SEEDS if (made := random_blueprint(seed)) is not None]
+
+
+@pytest.mark.parametrize(("seed", "made"), BLUEPRINTS, ids=[str(seed) for seed, _ in BLUEPRINTS])
+def test_no_command_breaks_a_run(seed: int, made: Blueprint) -> None:
+    def once() -> list[tuple[str, list[Event]]]:
+        return play(made, Sloppy(made, random.Random(seed)), seed, automatic=seed % 3 > 0)
+
+    told = once()
+    _nothing_begins_while_it_stands_still(told)
+    _every_commit_was_checked(made, [event for _, events in told for event in events])
+    assert once() == told
+
+
+def _nothing_begins_while_it_stands_still(told: Sequence[tuple[str, list[Event]]]) -> None:
+    """No edge begins in a tick that finds the run standing still, unless that tick's own commands
+    let it go on; and stop and take over are at once."""
+    for (before, _), (after, events) in pairwise(told):
+        done = [e.command for e in events if isinstance(e, Commanded) and not e.refused]
+        began = [e for e in events if isinstance(e, OperationStarted)]
+        if before in STILL and not {"resume", "step", "ask", "adopt", "set_automatic"} & set(done):
+            assert not began, (before, done)
+        if "stop" in done or "take_over" in done:
+            assert not began
+            assert after in ("stopped", "taken_over", "fault_hold")
+        if before in ("stopped", "taken_over"):
+            assert not began
+
+
+def _every_commit_was_checked(made: Blueprint, events: Sequence[Event]) -> None:
+    """Every SB that commits by an edge was checked true on sensed facts, and they read so."""
+    sensed: dict[FactKey, str | None] = {}
+    true: set[str] = set()
+    for event in events:
+        if isinstance(event, FactChanged):
+            sensed[event.branch, event.digit] = event.value
+        elif isinstance(event, StateChecked):
+            (true.add if event.result == "true" else true.discard)(event.address)
+        elif isinstance(event, Committed):
+            for name, state in event.configuration.items():
+                assert f"{name}/{state}" in true
+                for digit, value in enumerate(made[name].facts(state)):
+                    if digit not in made[name].subs:
+                        assert sensed[name, digit] == value
+
+
+def test_stop_take_over_and_pause_are_read_before_the_next_step_of_the_world() -> None:
+    """100 random tries: no tick of the host lies between the command and what it did."""
+    made = blueprint({"ONE": {f"S{n}": {"go": f"S{(n + 1) % 10}"} for n in range(10)}})
+    for seed in range(100):
+        dice = random.Random(seed)
+        story = Story(made, FakeHost(made, lasts=3), attended=True, goals=["ONE/S9"])
+        story.tick(dice.randint(1, 25))
+        word = dice.choice(("stop", "take_over", "pause"))
+        ticks = host_of(story).now
+        getattr(story.dispatcher, word)()
+        before = len(story.events)
+        story.tick()
+        events = story.events[before:]
+        assert events[0].event == "commanded"
+        assert all(event.t == events[0].t for event in events if event.event != "fact_changed")
+        assert story.phase == {"stop": "stopped", "take_over": "taken_over"}.get(word, "paused")
+        moved = host_of(story).now - ticks
+        assert moved == (0 if word == "pause" else 1), "a world that is braked lives, a paused not"
+
+
+def test_both_hosts_tell_the_same_story_under_the_same_commands() -> None:
+    """Commands, disturbances and faults in the world too: equal traces, here and in a child."""
+    made = blueprint(blueprint_values(2, shape=1))
+    child = ProcessHost(made, "table", 3)
+    try:
+        for seed in range(6):
+            here = _table_run(made, LocalHost(made, "table", 3), seed)
+            assert here == _table_run(made, child, seed)
+            assert len(here) > 3
+    finally:
+        child.close()
+
+
+def _table_run(made: Blueprint, host: Host, seed: int) -> list[str]:
+    dice = random.Random(seed)
+    story = Story(made, host, attended=True, seed=3)
+    for _ in range(60):
+        if story.dispatcher.finished:
+            break
+        for word, parameters in drawn(story, dice):
+            getattr(story.dispatcher, word)(*parameters)
+        if dice.random() < 0.1:
+            kind = dice.choice(("noise", "dropout", "stuck", "none", "nonsense"))
+            story.dispatcher.disturb(dice.choice(("A/0", "B/0", "C/9")), kind)
+        story.tick()
+    return [event.line() for event in story.events]

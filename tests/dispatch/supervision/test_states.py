@@ -1,0 +1,148 @@
+"""All commands in all run states, as the table in docs/supervision.md has them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.supervision.run_state import RUN_STATES
+from smsl_studio.dispatch.supervision.table import DO
+from tests.dispatch.runs import Story, blueprint, branch
+from tests.dispatch.supervision.runs import (
+    between,
+    facts_of,
+    fault_hold,
+    hanoi,
+    middle,
+    no_route,
+    paused,
+    ready,
+    said,
+    stopped,
+    taken_over,
+)
+
+PAGE = Path(__file__).parents[3] / "docs" / "supervision.md"
+
+
+def waiting() -> Story:
+    """A person is asked whether the first operation may begin."""
+    note = {"Op_1c": {"confirm": ["surgeon"]}}
+    values = {"SB1": branch({"0": "Op_1c>1", "1": "Op_2b>0"}, operations=note)}
+    story = hanoi(blueprint=blueprint(values), goals=["SB1/State1"]).tick()
+    assert story.phase == "waiting"
+    return story
+
+
+STATES: dict[str, Callable[[], Story]] = {
+    "ready": ready,
+    "running": between,
+    "middle": middle,
+    "paused": paused,
+    "waiting": waiting,
+    "no_route": no_route,
+    "taken_over": taken_over,
+    "fault_hold": fault_hold,
+    "stopped": stopped,
+}
+
+
+def written_table() -> dict[tuple[str, str], bool]:
+    """(command, run state) -> whether it is taken there, as the page says."""
+    lines = iter(PAGE.read_text("utf-8").splitlines())
+    head = next(line for line in lines if line.startswith("| command | ready"))
+    states = [cell.strip() for cell in head.strip("|").split("|")][1:]
+    assert states == list(STATES)
+    next(lines)
+    found: dict[tuple[str, str], bool] = {}
+    for line in lines:
+        if not line.startswith("|"):
+            break
+        word, *cells = (cell.strip() for cell in line.strip("|").split("|"))
+        assert set(cells) <= {"yes", "no"}
+        found |= {(word, state): cell == "yes" for state, cell in zip(states, cells, strict=True)}
+    return found
+
+
+TABLE = written_table()
+
+
+def test_the_page_has_every_command_and_every_run_state() -> None:
+    assert {word for word, _ in TABLE} == set(DO)
+    page = PAGE.read_text("utf-8")
+    assert [state for state in RUN_STATES if f"| `{state}` |" not in page] == []
+
+
+def parameters(word: str, story: Story) -> tuple[Any, ...]:
+    """What makes sense to say with a command in this very state."""
+    edge = here(story)
+    given: dict[str, tuple[Any, ...]] = {
+        "ask": (edge,),
+        "prune": (edge, "why not"),
+        "restore": (edge,),
+        "set_cost": (edge, 3.0),
+        "set_automatic": (True,),
+        "disturb": ("SB1/0", "stuck"),
+        "inject": ("slip",),
+        "full_map": (True,),
+        "answer": ("task-1", "confirm", "surgeon"),
+    }
+    return given.get(word, ())
+
+
+def here(story: Story) -> Address:
+    """An edge out of the active state that is not being carried out."""
+    carried = story.dispatcher.status.carrying
+    edges = (edge.address for edge in story.blueprint["SB1"].edges())
+    return next(
+        edge for edge in edges if edge.state == story.configuration["SB1"] and edge != carried
+    )
+
+
+def prepare(word: str, state: str, story: Story) -> None:
+    """Whatever would refuse the command besides the run state is put right."""
+    if word == "restore":
+        said(story, "prune", here(story), "for this test")
+    elif (word, state) == ("accept", "taken_over"):
+        said(story, "give_back")
+    elif (word, state) == ("ask", "no_route"):
+        said(story, "restore", here(story))
+    elif (word, state) == ("ask", "fault_hold"):
+        facts_of(story)["SB1", 0] = "a"
+
+
+@pytest.mark.parametrize(("word", "state"), TABLE)
+def test_a_command_in_a_run_state(word: str, state: str) -> None:
+    story = STATES[state]()
+    prepare(word, state, story)
+    refused = said(story, word, *parameters(word, story), by="Brandt").refused
+    assert (refused == "") is TABLE[word, state], refused
+
+
+def test_before_the_world_stands_commands_wait() -> None:
+    story = hanoi()
+    story.dispatcher.pause()
+    assert [one.command for one in story.of("commanded")] == []
+    assert [one.command for one in story.tick().of("commanded")] == ["pause"]
+
+
+def test_a_finished_run_takes_no_command_and_its_record_is_closed() -> None:
+    story = hanoi().run()
+    assert (story.phase, story.end.event) == ("done", "run_finished")
+    story.dispatcher.pause()
+    assert story.dispatcher.tick() == ()
+
+
+def test_what_waits_when_the_world_dies_is_answered() -> None:
+    story = hanoi(host={"broken_at": 3})
+    story.tick(3)
+    for word in ("pause", "stop"):
+        getattr(story.dispatcher, word)()
+    story.tick(2)
+    answers = {one.command: one.refused for one in story.of("commanded")}
+    assert set(answers) == {"pause", "stop"}
+    assert story.end.reason == "failed"
