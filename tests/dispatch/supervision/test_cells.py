@@ -142,7 +142,6 @@ def test_veto_while_idle_skips_the_next_edge_once() -> None:
     assert said(story, "veto", by="Brandt").refused == ""
     assert story.run().end.reason == "goal_reached"
     assert story.commits[1] != (str(SECOND),)
-    assert story.commits[2] == ("SB1/State_baa/Op_1c",) or len(story.commits) > 7
 
 
 def test_veto_in_the_middle_is_too_late_and_offers_stop() -> None:
