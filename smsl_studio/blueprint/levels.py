@@ -76,8 +76,11 @@ class Levels:
 
     def people_do(self, branch: str) -> bool:
         """Whether any operation of an SB may be carried out or confirmed by people."""
+        keys = (key for said in self._said for key in said if "/" in key)
+        if any(Address.split(key)[0] == branch for key in keys):
+            return True
         notes = self._blueprint[branch].notes.operations.values()
-        return bool(self._said) or any(note.actor in OF_ACTOR or note.confirm for note in notes)
+        return any(note.actor in OF_ACTOR or note.confirm for note in notes)
 
     def _of(self, *keys: str) -> str:
         """What was said of the first key that anything was said of, the run's word first."""

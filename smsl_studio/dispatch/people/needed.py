@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.check import IN_TRANSIT, CheckResult, FactKey, Term, sub_below
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.levels import AUTOMATIC
+from smsl_studio.blueprint.levels import AUTOMATIC, sensed_facts
 from smsl_studio.dispatch.guards import needs
 from smsl_studio.dispatch.people.board import Question
 from smsl_studio.dispatch.people.questions import fact_task
@@ -37,6 +37,22 @@ def of_step(run: Run, step: JointStep) -> tuple[Question, ...]:
         return ()
     terms = (*(term for check in checks for term in check.unknown), *required)
     return _questions(run, (term for term in terms if term.truth is None))
+
+
+def everywhere(run: Run) -> tuple[Question, ...]:
+    """Every fact that is unknown and people's to say, wherever the run may stand."""
+    if not run.people_say:
+        return ()
+    found = []
+    for name, digit in sensed_facts(run.blueprint):
+        reading = run.senses.scene.get(name, digit)
+        if (
+            reading is not None
+            and reading.value is None
+            and run.levels.fact(name, digit) != AUTOMATIC
+        ):
+            found.append(fact_task(run.blueprint, (name, digit), reading.reason))
+    return tuple(found)
 
 
 def _questions(run: Run, terms: Iterable[Term]) -> tuple[Question, ...]:

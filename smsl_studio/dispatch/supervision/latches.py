@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import fact_text
+from smsl_studio.blueprint.levels import sensed_facts
+from smsl_studio.dispatch.people.needed import everywhere
 from smsl_studio.dispatch.recovery import located, stands
 from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.words import all_words
@@ -57,14 +59,29 @@ def take_over(driver: Driver, command: Command) -> str:
     state.taken_over = command.by
     driver.sentence = f"{command.by[:1].upper()}{command.by[1:]} has taken over."
     run.emit(TakenOver(t=run.time, by=command.by))
+    # Whatever the person does now, what was said of the scene before is no evidence afterwards.
+    run.emit(*run.senses.forget(sensed_facts(run.blueprint)))
     return ""
 
 
 def give_back(driver: Driver, command: Command) -> str:
-    """Ask the scene; the one configuration it agrees with is offered to be accepted."""
+    """Ask the scene, and people first what only they can say of it; the one configuration it
+    agrees with is offered to be accepted."""
+    driver.run.look()
+    driver.state.offered = None
+    facts = everywhere(driver.run)
+    if not facts:
+        return _offer(driver)
+
+    def said(_: object) -> None:
+        driver.sentence = _offer(driver) or driver.sentence
+
+    return driver.desk.ask(facts, said)
+
+
+def _offer(driver: Driver) -> str:
+    """What giving back finds; why there is nothing to accept, empty where there is."""
     run, state = driver.run, driver.state
-    run.look()
-    state.offered = None
     found = located(run)
     if len(found) == 1:
         state.offered = found[0]

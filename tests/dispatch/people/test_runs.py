@@ -350,6 +350,23 @@ def test_stop_and_take_over_withdraw_what_is_asked() -> None:
         assert story.refused[-1] == "it was withdrawn, the run has moved on"
 
 
+def test_who_gives_back_is_asked_what_only_people_know() -> None:
+    story = Attended(line(facts=HUMAN)).say("0")
+    story.dispatcher.take_over(by="Ann")
+    story.tick()
+    reading = story.dispatcher.status.scene.get("SB", 0)
+    assert reading is not None
+    assert reading.value is None, "what was said before is no evidence after it"
+    story.dispatcher.give_back(by="Ann")
+    story.tick()
+    assert (story.phase, story.asked[-1]) == ("taken_over", ("fact", "SB/0"))
+    story.say("1")
+    assert story.dispatcher.status.candidates == ({"SB": "State1"},)
+    story.dispatcher.accept(by="Ann")
+    story.tick()
+    assert (story.phase, story.configuration) == ("paused", {"SB": "State1"})
+
+
 def test_a_pause_stops_the_time_of_a_task_and_its_answers_wait_for_resume() -> None:
     story = Attended(line(go={"actor": "human", "answer_within": 10})).run().wait(1)
     story.dispatcher.pause()
