@@ -6,10 +6,13 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 from smsl_studio.runlog.events import Commanded, TaskAnswered
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
 from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+from tests.stories.test_window import check_named, check_whole
 
 Key = Qt.Key
 TWO = {"confirm": ["surgeon", "nurse"], "title": "Drill"}
@@ -157,3 +160,37 @@ def test_a_letter_typed_into_a_reason_chooses_no_answer(sit: Sit, tmp_path: Path
     assert not any(row.isChecked() for row in room.card.options)
     room.choose("Done")
     assert room.card.answer.button.isEnabled()
+
+
+def test_a_person_accepts_what_inspection_found_before_anything_moves(
+    sit: Sit, tmp_path: Path
+) -> None:
+    room = AtTasks(sit(asking(tmp_path)), SURGEON)
+    room.people.levels.put({"inspection": "human", "supervision": "human"})
+    room.start()
+    room.until_asked("Shall the run start?")
+    assert room.active() in ({}, {"SB": "State_0"})
+    assert "operation_started" not in [event.event for event in room.events]
+    room.choose("Start")
+    room.decide()
+    room.until_asked("go: shall it begin?")
+    room.choose("Go on")
+    room.decide()
+    room.until_asked("on: shall it begin?")
+    room.choose("Pause the run")
+    room.decide()
+    room.until_phase("paused")
+    assert room.active() == {"SB": "State_1"}
+
+
+def test_everything_of_a_card_can_be_read_at_1280(sit: Sit) -> None:
+    room = AtTasks(sit(SAMPLES / "registration-people.json", (1280, 800)), NURSE)
+    room.start()
+    room.until_asked("Is the head fixed in the clamp?")
+    window = room.person.window
+    room.person.until(lambda: window.size().width() == 1280)
+    for widget in (*room.card.findChildren(QWidget), *room.people.continuum.findChildren(QWidget)):
+        if widget.isVisible():
+            check_named(widget)
+            check_whole(widget)
+    assert room.people.continuum.width() >= room.people.continuum.minimumSizeHint().width()

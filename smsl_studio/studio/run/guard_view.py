@@ -36,7 +36,7 @@ def held_back(standing: Mapping[Address, Standing], status: DispatchStatus) -> f
     return frozenset(
         item.address
         for item in status.possible
-        if not item.permitted and standing.get(item.address, ("", ""))[0] == UNKNOWN
+        if standing.get(item.address, ("", ""))[0] == UNKNOWN
     )
 
 
