@@ -21,6 +21,7 @@ from smsl_studio.dispatch.people.desk import Desk
 from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.starting import Starting
 from smsl_studio.dispatch.planner import holds
+from smsl_studio.dispatch.pricing import Pricing
 from smsl_studio.dispatch.recovery import stands
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
@@ -63,6 +64,7 @@ class Driver:
         self.desk = Desk(run, someone or (lambda: self.attended))
         self.starting = Starting(self, seed, course.goals, findings)
         self.outlook = Outlook(run, course)
+        self.pricing = Pricing(run, course)
         self.carrier: Carrier | None = None
         self.ended: RunFinished | None = None
         self.sentence = ""
@@ -126,6 +128,7 @@ class Driver:
         run.emit(*changes)
         if not watched:
             return
+        self.pricing.ask()
         if not run.broken():
             self._broken_since = None
         elif self._broken_since is None:
@@ -149,6 +152,7 @@ class Driver:
     def _next(self) -> JointStep | None:
         """The next step of the route; None where the run holds instead."""
         run, course = self.run, self.course
+        self.pricing.ask()
         try:
             step, leg = course.next_step(run.configuration)
             if step is None:

@@ -19,7 +19,7 @@ from smsl_studio.blueprint.levels import HUMAN, Levels
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
-from smsl_studio.host.protocol import Host, Opened
+from smsl_studio.host.protocol import Happened, Host, Opened
 from smsl_studio.runlog.events import Event
 
 
@@ -31,7 +31,7 @@ class Run:
     each SB entered its state (simulated s), ``previous`` the edge that led there, where one did.
     ``levels`` say who acts and who senses; ``bound`` is what carries out each edge under them,
     ``people_act`` the SBs in which people carry out or confirm anything; ``people_say`` is whether
-    any fact is theirs to say.
+    any fact is theirs to say. ``history`` is what became of edges, for cost functions.
     """
 
     def __init__(
@@ -59,6 +59,7 @@ class Run:
         self.operations = 0
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
+        self.history: list[Happened] = []
         self.events: list[Event] = []
 
     @property
@@ -132,6 +133,7 @@ class Run:
         for edge in edges:
             self.operations += 1
             self.since[edge.branch], self.previous[edge.branch] = self.time, edge
+            self.history.append((str(edge), "committed"))
         self.pending = {
             name: state for name, state in self.pending.items() if self.configuration[name] != state
         }

@@ -49,6 +49,7 @@ class Trouble:
             roots = [edge for edge in step.edges if edge.branch in run.hierarchy.roots]
             for edge in dict.fromkeys((failure.edge, *roots)):
                 self._course.tag_risky(edge.address, failure.reason)
+                run.history.append((str(edge), "failed"))
                 run.emit(OperationRisky(t=run.time, address=str(edge), reason=failure.reason))
         self._course.drop_plan()
         run.drop_pending()

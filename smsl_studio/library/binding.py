@@ -10,7 +10,7 @@ sensors that say themselves which facts they read.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
@@ -22,13 +22,19 @@ from smsl_studio.library.bindings_file import BindingsFile, BoundFunction, World
 from smsl_studio.library.bound import (
     BindingFault,
     Bindings,
+    BoundCost,
     BoundOperation,
     BoundSensor,
     leaf_facts,
     noted_touches,
 )
 from smsl_studio.library.loading import Loaded, Plugin
-from smsl_studio.library.operation_library import TABLE, OperationEntry, SensorEntry
+from smsl_studio.library.operation_library import (
+    TABLE,
+    CostEntry,
+    OperationEntry,
+    SensorEntry,
+)
 from smsl_studio.library.table import table_bindings
 
 
@@ -39,10 +45,10 @@ def bind(
     if world == TABLE:
         return table_bindings(blueprint)
     binder = _Binder(blueprint, loaded.serving(world), world, bindings or BindingsFile())
-    operations = dict(binder.operations())
+    operations, costs = dict(binder.operations()), dict(binder.costs())
     sensors = tuple(binder.sensors())
     faults = (*binder.faults, *binder.unknown_keys())
-    return Bindings(operations, sensors, faults, binder.named)
+    return Bindings(operations, sensors, faults, binder.named, costs)
 
 
 class _Binder:
@@ -177,6 +183,21 @@ class _Binder:
                 raise PluginError(f"{entry.name} touches {text}, which is no fact")
             yield found.name, at - 1
 
+    def costs(self) -> Iterator[tuple[Address, BoundCost]]:
+        """The cost function of every edge that has one: the one that matches most exactly."""
+        entries = [(plugin, entry) for plugin in self.plugins for entry in plugin.library.costs]
+        found: dict[str, BoundCost | None] = {}
+        for edge in (one for branch in self.blueprint for one in branch.edges() if entries):
+            if edge.name not in found:
+                found[edge.name] = None
+                try:
+                    found[edge.name] = _cost_of(edge.name, entries)
+                except PluginError as error:
+                    self._fault(f"the cost of {edge.name}", error)
+            bound = found[edge.name]
+            if bound is not None:
+                yield edge.address, bound
+
     def sensors(self) -> Iterator[BoundSensor]:
         for branch, digit in leaf_facts(self.blueprint):
             key = fact_text(branch.name, digit)
@@ -271,3 +292,16 @@ class _Binder:
     def _fault(self, subject: str, error: PluginError) -> None:
         sentence = f"{error.sentence}. {error.advice}".strip().removesuffix(".")
         self.faults.append(BindingFault(subject, sentence, error.place))
+
+
+def _cost_of(name: str, entries: Sequence[tuple[Plugin, CostEntry]]) -> BoundCost | None:
+    best: tuple[tuple[bool, int], BoundCost] | None = None
+    for plugin, entry in entries:
+        texts = entry.pattern.match(name)
+        if texts is None:
+            continue
+        rank = (not entry.pattern.parameters, entry.pattern.literal)
+        if best is None or rank > best[0]:
+            arguments = entry.signature.converted(texts)
+            best = rank, BoundCost(entry.name, entry.function, arguments, plugin.location)
+    return best[1] if best else None

@@ -49,6 +49,16 @@ class BoundSensor:
 
 
 @dataclass(frozen=True, slots=True)
+class BoundCost:
+    """The cost function of one edge: ``function(state, scene, history, **arguments)``."""
+
+    name: str
+    function: Callable[..., Any]
+    arguments: Mapping[str, Any]
+    location: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class BindingFault:
     """A binding that does not fit: what it is about, what is wrong, where it is written."""
 
@@ -72,6 +82,7 @@ class Bindings:
     sensors: tuple[BoundSensor, ...]
     faults: tuple[BindingFault, ...] = ()
     named: Mapping[FactKey, tuple[str, ...]] = field(default_factory=dict)
+    costs: Mapping[Address, BoundCost] = field(default_factory=dict)
 
 
 def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:

@@ -16,6 +16,9 @@
         def move_disk(world, disk: int, peg: str):
             yield                                  # one tick
 
+        @library.cost("Op_{disk}{peg}")
+        def price(state, scene, history, disk: int, peg: str): ...
+
         @library.fault("hanoi", "disk_pushed")
         def push(world, disk: int): ...            # what goes wrong on purpose
 
@@ -95,6 +98,16 @@ class FaultEntry:
     signature: Signature
 
 
+@dataclass(frozen=True, slots=True)
+class CostEntry:
+    """A cost function, and the operations whose edges it prices."""
+
+    function: Callable[..., Any]
+    name: str
+    pattern: Pattern
+    signature: Signature
+
+
 class OperationLibrary:
     """What one plugin registers; ``name`` is the plugin's, functions are ``name.function``."""
 
@@ -104,6 +117,7 @@ class OperationLibrary:
         self.arrangers: dict[str, Callable[..., Any]] = {}
         self.operations: list[OperationEntry] = []
         self.sensors: list[SensorEntry] = []
+        self.costs: list[CostEntry] = []
         self.faults: dict[tuple[str, str], FaultEntry] = {}
 
     def world(
@@ -200,6 +214,26 @@ class OperationLibrary:
             self.operations.append(
                 OperationEntry(function, called, pattern, signature, stop, timeout, resumes, facts)
             )
+            return function
+
+        return keep
+
+    def cost(self, name: str) -> Callable[[FunctionT], FunctionT]:
+        """The decorated ``f(state, scene, history, ...) -> float | None`` says what an edge costs.
+
+        It is asked about every edge whose operation's name matches, at every arrival and whenever
+        facts change: ``state`` is the state the edge leaves, ``scene`` maps ``SB/digit`` to a
+        sensed value or None, ``history`` has a pair (address, ``committed`` or ``failed``) for
+        each edge that was carried out, in order. None leaves the declared cost. It is handed no
+        world: it reads what it is given, and changes nothing.
+        """
+
+        def keep(function: FunctionT) -> FunctionT:
+            signature = signature_of(function, ("state", "scene", "history"))
+            pattern = read_pattern(name, signature.types)
+            _must_name_all(pattern, signature)
+            called = f"{self.name}.{function.__name__}"
+            self.costs.append(CostEntry(function, called, pattern, signature))
             return function
 
         return keep

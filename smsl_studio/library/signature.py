@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import typing
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,7 +15,7 @@ _WORDS = {int: "a whole number", float: "a number", str: "a text", bool: "true o
 
 @dataclass(frozen=True, slots=True)
 class Signature:
-    """The parameters after the world: their types, which are required, whether any name goes."""
+    """The parameters after the world (or what else is given): types, required ones, any name."""
 
     types: Mapping[str, object]
     required: frozenset[str]
@@ -55,20 +55,23 @@ class Signature:
         return value
 
 
-def signature_of(function: Callable[..., Any]) -> Signature:
-    """The signature of ``f(world, ...)``; PluginError where it takes no world first."""
+def signature_of(function: Callable[..., Any], given: Sequence[str] = ("world",)) -> Signature:
+    """The signature of ``f(world, ...)``, or of what is ``given`` first by position; PluginError
+    where it does not take that."""
     parameters = list(inspect.signature(function).parameters.values())
     first = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    if not parameters or parameters[0].kind not in first:
+    leading = [item.kind in first for item in parameters[: len(given)]]
+    if len(leading) < len(given) or not all(leading):
+        what = "parameter" if len(given) == 1 else "parameters"
         raise PluginError(
-            f"{_name(function)} does not take the world as its first parameter",
-            advice=f"Write def {_name(function)}(world, ...).",
+            f"{_name(function)} does not take the {', '.join(given)} as its first {what}",
+            advice=f"Write def {_name(function)}({', '.join(given)}, ...).",
         )
     hints = _hints(function)
     types: dict[str, object] = {}
     required: set[str] = set()
     any_name = False
-    for item in parameters[1:]:
+    for item in parameters[len(given) :]:
         if item.kind is inspect.Parameter.VAR_KEYWORD:
             any_name = True
         elif item.kind is inspect.Parameter.POSITIONAL_ONLY:

@@ -107,8 +107,9 @@ def _reset(event: run.RunReset) -> str:
 
 
 def _costs(event: run.CostsChanged) -> str:
-    prices = ", ".join(f"{name} {cost:g}" for name, cost in [*event.costs.items()][:LONGEST])
-    return f"Costs changed: {prices or 'none'}"
+    prices = [f"{name} {cost:g}" for name, cost in [*event.costs.items()][:LONGEST]]
+    words = [f"Costs changed: {', '.join(prices)}"] if prices else []
+    return "; ".join((*words, *event.faults))
 
 
 WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(

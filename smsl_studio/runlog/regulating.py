@@ -138,7 +138,10 @@ class FaultInjected(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CostsChanged(Event):
-    """Cost functions of a plugin priced edges anew; only those whose cost changed."""
+    """Edges have another price now, by a person or by cost functions; only those that changed.
+
+    ``faults`` are cost functions that failed: what is declared of their edges stands."""
 
     event: ClassVar[str] = "costs_changed"
     costs: Mapping[str, float]
+    faults: tuple[str, ...] = ()

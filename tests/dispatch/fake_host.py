@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address
@@ -10,7 +10,7 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import Hierarchy, standing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError
-from smsl_studio.host.protocol import Bound, Opened, Outcome, SensorInfo, Tick
+from smsl_studio.host.protocol import Bound, Happened, Opened, Outcome, Priced, SensorInfo, Tick
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import Shape
 
@@ -106,6 +106,9 @@ class FakeHost:
 
     def inject(self, fault: str, **parameters: float | str) -> None:
         self.calls.append(f"inject {fault}")
+
+    def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
+        return Priced()
 
     def poses(self) -> tuple[float, ...]:
         return ()
