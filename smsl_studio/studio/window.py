@@ -318,8 +318,9 @@ class Window(QMainWindow):
         self._stop_key.listen(exists)
 
     def _light_source(self, active: Mapping[str, str], _: str) -> None:
-        """The active states stand lit in the text, as long as it is the run's."""
-        self.source.set_active(Address(sb, state) for sb, state in active.items())
+        """The active states stand lit in the text while a run is there."""
+        lit = active if self.run_pane.run.exists else {}
+        self.source.set_active(Address(sb, state) for sb, state in lit.items())
 
     def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
         menu = context_menu(self.session, self.editor, self.actions_table, self.clipping, address)

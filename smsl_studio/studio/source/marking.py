@@ -32,8 +32,10 @@ class Marking:
 
     def set_active(self, addresses: Iterable[Address]) -> None:
         """Light the lines of what is active in a run."""
-        self.active = tuple(addresses)
-        self.mark()
+        found = tuple(addresses)
+        if found != self.active:
+            self.active = found
+            self.mark()
 
     def faults_here(self) -> tuple[ReadError, ...]:
         """The faults of the text that is shown, as it is shown."""

@@ -46,6 +46,11 @@ class Board(QScrollArea):
         self.verticalScrollBar().valueChanged.connect(lambda _: self._follow())
 
     @property
+    def inner(self) -> QWidget:
+        """What scrolls: cards and states stand in it."""
+        return self._inner
+
+    @property
     def cards(self) -> list[CardButton]:
         """The cards in order."""
         return self._inner.cards

@@ -1,0 +1,119 @@
+"""What Supervise shows: nothing over anything, whatever the size; the text lit; several SBs."""
+
+from __future__ import annotations
+
+import itertools
+import json
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtWidgets import QWidget
+
+from tests.stories.at_supervise import AtSupervise
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES
+
+Key = Qt.Key
+REGISTRATION = SAMPLES / "registration-digitization.json"
+HANOI = SAMPLES / "hanoi-corrected.json"
+
+
+def _boxes(at: AtSupervise) -> list[tuple[str, QRect]]:
+    """The boxes of cards and states, where they stand on the board."""
+    board, inner = at.pane.board, at.pane.board.inner
+    found = []
+    for widget in (*board.cards, *board.spots):
+        rect = QRect(widget.mapTo(inner, widget.rect().topLeft()), widget.size())
+        inset = (3, 3, -3, -3) if widget in board.cards else (26, 26, -26, -64)
+        found.append((widget.accessibleName(), rect.adjusted(*inset)))
+    return found
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1440, 900), (1920, 1080)])
+def test_no_card_and_no_state_lies_over_another(sit: Sit, size: tuple[int, int]) -> None:
+    at = AtSupervise(sit(REGISTRATION, size))
+    at.start_paused()
+    boxes = _boxes(at)
+    assert len(boxes) >= 8
+    for (one, here), (other, there) in itertools.combinations(boxes, 2):
+        assert not here.intersects(there), f"{one} lies over {other}"
+    inner = at.pane.board.inner
+    assert all(inner.rect().contains(box) for _, box in boxes)
+    legend = next(w for w in inner.findChildren(QWidget) if w.accessibleName().startswith("Legend"))
+    if legend.isVisible():
+        assert not any(legend.geometry().intersects(box) for _, box in boxes)
+
+
+def test_twenty_operations_scroll_and_the_active_state_stays_in_sight(
+    sit: Sit, tmp_path: Path
+) -> None:
+    states = [f"State_{n:05b}" for n in range(32)]
+    table: dict[str, dict[str, object]] = {name: {"Op_Home": states[31]} for name in states}
+    table[states[0]] = {f"Operation_of_a_rather_long_name_{n}": states[n] for n in range(1, 21)}
+    header = {"NUM_FACTS": 5, "INITIAL": states[0], "ACTIVATING": states[31]}
+    path = tmp_path / "twenty.json"
+    path.write_text(json.dumps({"SB1": {"HEADER": header, **table}}), "utf-8")
+    at = AtSupervise(sit(path, (1280, 800)))
+    at.person.ctrl(Key.Key_2)
+    at.person.choose(at.person.window.run_pane.transport.world, "table")
+    at.person.click(at.person.window.run_pane.transport.by_hand)
+    at.person.ctrl(Key.Key_3)
+    at.press(Key.Key_F5)
+    at.until_phase("Ready")
+    at.person.qtbot.waitUntil(lambda: len(at.pane.board.cards) == 20)
+    board = at.pane.board
+    board.cards[0].setFocus()
+    at.press(*[Key.Key_Down] * 19)
+    last = board.cards[19]
+    assert last.hasFocus()
+    seen = board.viewport().rect()
+    assert seen.contains(QRect(last.mapTo(board.viewport(), last.rect().topLeft()), last.size()))
+    active = next(s for s in board.spots if s.accessibleName().startswith("active state"))
+    middle = active.mapTo(board.viewport(), active.rect().center())
+    assert seen.contains(middle)
+    at.press(Key.Key_Return)
+    assert "number" not in at.asked
+    assert "Operation_of_a_rather_long_name_20" in at.asked
+
+
+def test_the_active_state_is_lit_in_the_text_while_a_run_exists(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.until_in("State_caa")
+    at.person.ctrl(Key.Key_1)
+    at.person.ctrl(Key.Key_U)
+    source = at.person.window.source
+    at.person.until(lambda: bool(source.editor.gutter.active))
+    lines = at.person.blueprint.document.text.splitlines()
+    lit = [lines[line] for line in sorted(source.editor.gutter.active)]
+    assert '"State_caa"' in lit[0]
+    at.run.stop()
+    at.until_phase("Stopped")
+    at.run.end()
+    at.person.until(lambda: not source.editor.gutter.active)
+
+
+def test_several_sbs_one_of_them_is_shown_the_one_that_is_chosen_or_where_it_goes_on(
+    sit: Sit,
+) -> None:
+    at = AtSupervise(sit(REGISTRATION))
+    at.start_paused()
+    assert [b.accessibleName() for b in at.pane.head.branches()] == ["REGISTRATION", "DIGITIZATION"]
+    assert at.pane.view is not None
+    assert at.pane.view.branch == "REGISTRATION"
+    at.person.click(at.pane.head.branches()[1])
+    assert at.pane.view.branch == "DIGITIZATION"
+    assert at.pane.head.branches()[1].isChecked()
+    assert at.pane.check.words.startswith("State1 ")
+
+
+def test_the_check_has_the_paper_s_form_and_every_source(sit: Sit) -> None:
+    at = AtSupervise(sit(REGISTRATION))
+    at.start_paused()
+    table = at.pane.check.table.model()
+    words = [str(table.index(row, 4).data()) for row in range(table.rowCount())]
+    assert words == ["table_REGISTRATION_0", "DIGITIZATION in State1", "table_REGISTRATION_2"]
+    tips = [w.toolTip() for w in at.pane.check.findChildren(QWidget) if "lambda s:" in w.toolTip()]
+    assert tips
+    assert "f1(s): true, Landmarks planned reads 1" in tips[0]
