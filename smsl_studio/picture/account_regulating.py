@@ -51,10 +51,11 @@ _AUTOMATIC = {"on": "Let the run follow its route by itself", "off": "Took the r
 
 def _commanded(event: run.Commanded) -> str:
     plain = f"Commanded {event.command.replace('_', ' ')}"
-    said = _COMMANDS.get(event.command, plain)
+    said = _COMMANDS.get(event.command)
     if event.command == "set_automatic":
-        said = _AUTOMATIC.get(event.value, plain)
-    words = said.format(address=event.address or "the next operation", value=event.value)
+        said = _AUTOMATIC.get(event.value)
+    address = event.address or "the next operation"
+    words = said.format(address=address, value=event.value) if said else plain
     why = f" ({event.reason})" if event.reason else ""
     return f"{words}{why}{f', which was refused: {event.refused}' if event.refused else ''}"
 
