@@ -1,11 +1,12 @@
 """Makes the pictures in docs/images: Draw and Run modes, three samples, two themes, three sizes.
 
-    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--mode draw|run|safe|people]
-        [--sample NAME]
+    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--sample NAME]
+        [--mode draw|run|supervise|safe|people]
 
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
 real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
 file that does not read, of the offer to recover, and of a file that another program has changed.
+``supervise`` are an operation under way, every way cut, and the full map.
 ``people`` are those of a task that two persons must answer, and of the table of levels.
 """
 
@@ -76,7 +77,7 @@ def main() -> int:
     """Take the pictures that were asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
-    parser.add_argument("--mode", choices=("draw", "run", "safe", "people"))
+    parser.add_argument("--mode", choices=("draw", "run", "supervise", "safe", "people"))
     parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
@@ -85,10 +86,12 @@ def main() -> int:
     with TemporaryDirectory() as folder:
         studio = Studio(application, Settings(Path(folder) / "home"), asked.out)
         for scene in SCENES:
-            if asked.sample in (None, scene.sample) and asked.mode not in ("safe", "people"):
+            if asked.sample in (None, scene.sample) and asked.mode in (None, "draw", "run"):
                 studio.take(scene, [asked.mode] if asked.mode else ["draw", "run"])
         if asked.mode in (None, "safe"):
             studio.take_safe(Path(folder))
+        if asked.mode in (None, "supervise"):
+            studio.take_supervise()
         if asked.mode in (None, "people"):
             studio.take_people()
     return 0
@@ -150,6 +153,55 @@ class Studio:
             self._lay_over(window, offer, f"recovery-{theme}-{size[0]}x{size[1]}")
         offer.reject()
         window.close()
+
+    def take_supervise(self) -> None:
+        """Supervise, with a run of Hanoi: an operation under way, every way cut, the full map."""
+        for name, world, come_to in (
+            ("running", "hanoi", self._under_way),
+            ("hold", "table", self._hold),
+            ("map", "table", self._map),
+        ):
+            self._windows.set_theme("light")
+            window = make_window(self._windows)
+            window.files.open_copy(ROOT / "samples" / "hanoi-corrected.json")
+            self._until(partial(self._knows, window))
+            window.set_mode("run")
+            transport = window.run_pane.transport
+            transport.world.setCurrentIndex(transport.world.findData(world))
+            window.set_mode("supervise")
+            come_to(window)
+            for theme, size in self._dressed(window):
+                self._shoot(window, f"supervise-{name}-{theme}-{size[0]}x{size[1]}")
+                if size == FRONT and name == "running":
+                    self._shoot(window, f"supervise-{theme}")
+            window.close()
+
+    def _knows(self, window: Window) -> bool:
+        return window.inspector.current and self._windows.plugins.known
+
+    def _under_way(self, window: Window) -> None:
+        pane = window.run_pane
+        pane.transport.speed.setCurrentText("Max")
+        pane.play()
+        self._until(partial(self._has_done, window, 3))
+        pane.transport.speed.setCurrentText("1×")
+        self._until(lambda: self._well_under_way(window))
+        pane.run.set_speed(0.01)
+
+    def _hold(self, window: Window) -> None:
+        run = window.run_pane.run
+        window.run_pane.step()
+        self._until(partial(self._has_done, window, 1))
+        for item in run.status.possible if run.status else ():
+            run.prune(item.address, "the grip slipped here")
+        window.run_pane.play()
+        self._until(lambda: run.phase == "no_route")
+
+    def _map(self, window: Window) -> None:
+        window.run_pane.step()
+        self._until(partial(self._has_done, window, 1))
+        window.supervise.set_full_map(True)
+        self._until(window.supervise.is_mapped)
 
     def take_people(self) -> None:
         """A task of which one of two has answered, and the table of levels before the next run."""
