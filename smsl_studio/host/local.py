@@ -73,8 +73,10 @@ class LocalHost:
         """Find the code and build the world, so that ``open`` is quick; it raises as that does."""
         if self._engine is None:
             with _prints_aside():
-                self._build()
+                engine = self._build()
                 self._bind()
+                with self._mending("cannot be drawn"):
+                    engine.shapes()
 
     def open(self, start: Mapping[str, str]) -> Opened:
         """Build the world and put it into ``start`` (SB -> state).

@@ -23,10 +23,14 @@ START = {"LAMP": "State_0"}
 ON = Address("LAMP", "State_0", "Op_on")
 
 PLUGIN = """
-import ctypes, os, signal, socket, sys, threading, time
+import ctypes, os, signal, stat, threading, time
 import numpy
 from smsl_studio.errors import PluginError, WorldError
 {top}
+
+def sockets():
+    known = [f for f in range(3, 99) if os.path.exists(f"/proc/self/fd/{{f}}")]
+    return [f for f in known if stat.S_ISSOCK(os.fstat(f).st_mode)]
 
 class Odd:
     def __str__(self): raise ValueError("no")
@@ -109,15 +113,12 @@ def _carried_out(host: Host) -> Tick:
         ("raise KeyboardInterrupt", "ended by itself with exit status 1"),
         ("os.closerange(3, 200); time.sleep(0.3)", "the simulation process was killed by signal 9"),
         ("os.kill(os.getpid(), signal.SIGTERM); time.sleep(5)", r"killed by signal 15"),
-        ("[os.write(f, b'garbage ' * 9) for f in SOCKETS]", "said what is no answer"),
-        ("[os.write(f, b'\\x7f\\xff\\xff\\xff') for f in SOCKETS]", "said what is no answer"),
-        ("[os.write(f, b'\\xff\\xff\\xff\\xff') for f in SOCKETS]", "said what is no answer"),
+        ("[os.write(f, b'garbage ' * 9) for f in sockets()]", "said what is no answer"),
+        ("[os.write(f, b'\\x7f\\xff\\xff\\xff') for f in sockets()]", "said what is no answer"),
+        ("[os.write(f, b'\\xff\\xff\\xff\\xff') for f in sockets()]", "said what is no answer"),
     ],
 )
 def test_what_takes_the_child_down_is_one_error(child: Make, act: str, words: str) -> None:
-    sockets = "__import__('stat').S_ISSOCK(os.fstat(int(f)).st_mode)"
-    known = "[f for f in range(3, 99) if os.path.exists(f'/proc/self/fd/{f}')]"
-    act = act.replace("SOCKETS", f"[f for f in {known} if {sockets}]")
     host = child(act=act)
     with pytest.raises(HostError, match=words):
         _carried_out(host)
@@ -158,8 +159,8 @@ def test_what_an_operation_raises_ends_the_operation(child: Make, act: str, word
         ("return 10**100000", "it reads a value of type int, which is no text"),
         ("return Odd()", "it reads a value of type Odd, which is no text"),
         ("return 1", "it reads 1, which is no text"),
-        ("raise Mute", "Mute: it cannot say what (lamp/plugin.py:29)"),
-        ("raise SystemExit", "SystemExit (lamp/plugin.py:29)"),
+        ("raise Mute", "Mute: it cannot say what (lamp/plugin.py:33)"),
+        ("raise SystemExit", "SystemExit (lamp/plugin.py:33)"),
     ],
 )
 def test_what_is_no_reading_is_none(folder: Callable[..., Path], sense: str, words: str) -> None:
@@ -194,20 +195,20 @@ def test_a_world_that_cannot_be_put_up_is_one_error(
         ("build", "time.sleep(60)"),
         ("sense", "while True: pass"),
         ("act", "while True: print('flood ' * 1000)"),
-        ("act", "[os.write(f, bytes(3)) for f in range(3, 9)]; time.sleep(60)"),
+        ("act", "[os.write(f, bytes(3)) for f in sockets()]; time.sleep(60)"),
     ],
 )
 def test_what_hangs_is_given_up_at_its_limit(
     child: Make, place: str, code: str, capfd: pytest.CaptureFixture[str]
 ) -> None:
     host = child(limit=1.5, **{place: code})
-    with pytest.raises(HostError, match=r"did not answer|no pulse|no answer|ended by itself"):
+    with pytest.raises(HostError, match="did not answer for 1"):
         _carried_out(host)
     assert len(capfd.readouterr().err) < 1_100_000
 
 
 def test_what_takes_all_memory_is_refused_it(child: Make) -> None:
-    host = child(memory=2**30, act="held = [bytearray(2**26) for _ in range(64)]")
+    host = child(memory=2**30, act="held = [bytearray(2**28) for _ in range(9)]")
     tick = _carried_out(host)
     assert tick.outcome is Outcome.RAISED
     assert tick.message.startswith("MemoryError")
