@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from enum import Enum
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, FactKey
@@ -16,42 +14,14 @@ from smsl_studio.dispatch.people.desk import no_words, who_words
 from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.questions import operation_task
 from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.stage import ENDED, Failure, Stage, fault_words
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
-from smsl_studio.host.protocol import Bound, Outcome, Tick
+from smsl_studio.host.protocol import Bound, Outcome
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
 
-ENDED = {
-    Outcome.RETURNED: "returned",
-    Outcome.FAILED: "failed",
-    Outcome.RAISED: "raised",
-    Outcome.IDLE: "lost",
-}
 HAIR = 1e-9
 UNSURE = "the operation was cancelled and may have changed it"
-
-
-class Stage(Enum):
-    """Where the current action stands."""
-
-    NEXT = "next"
-    RUNNING = "running"
-    ASKING = "asking"
-    SETTLING = "settling"
-    DONE = "done"
-    FAILED = "failed"
-
-
-@dataclass(frozen=True)
-class Failure:
-    """Why a joint step ended early. ``risky`` says that the operation itself is to blame,
-    ``unanswered`` that people were asked and did not say what it needed."""
-
-    edge: Edge
-    reason: str
-    risky: bool
-    pending: bool
-    unanswered: bool = False
 
 
 class Carrier:
@@ -252,7 +222,7 @@ class Carrier:
             self._cancel("abort", "timed_out", self._fault)
         else:
             self._ended(ENDED[tick.outcome], tick.message or self._by)
-            self._fault = _fault(self.action.edge, tick)
+            self._fault = fault_words(self.action.edge, tick)
         self._settle()
 
     def _ended(self, outcome: str, message: str) -> None:
@@ -322,14 +292,3 @@ class Carrier:
             pending = bool(self.action.transit)
         self.failure = Failure(self.action.edge, reason, risky, pending, unanswered)
         self.stage = Stage.FAILED
-
-
-def _fault(edge: Edge, tick: Tick) -> str:
-    words = f": {tick.message}" if tick.message else ""
-    if tick.outcome is Outcome.FAILED:
-        return f"{edge} says that it failed{words}"
-    if tick.outcome is Outcome.RAISED:
-        return f"{edge} raised an error{words}"
-    if tick.outcome is Outcome.IDLE:
-        return f"{edge} was lost by the host"
-    return ""

@@ -12,7 +12,7 @@ from functools import partial
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.carrier import Carrier, Failure, Stage
+from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.outlook import Outlook
 from smsl_studio.dispatch.people.admitting import admit
@@ -24,6 +24,7 @@ from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.pricing import Pricing
 from smsl_studio.dispatch.recovery import stands
 from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.stage import Failure, Stage
 from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState

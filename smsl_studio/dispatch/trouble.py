@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.carrier import Failure
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.recovery import candidates, stands, sub_relocalised
 from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.stage import Failure
 from smsl_studio.dispatch.words import all_words, check_words
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
