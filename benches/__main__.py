@@ -32,6 +32,7 @@ BENCHES = (
     "journal",
     "compare",
     "record",
+    "sensors",
     "traces",
     "replay",
     "reaction",

@@ -101,7 +101,7 @@ class FactBus:
                 count += 1
                 if retained:
                     self._counts["retained"] += 1
-                elif _too_long(sample):
+                elif too_long(sample):
                     self._counts["refused"] += 1
                 else:
                     self._hand_on(sample)
@@ -118,6 +118,12 @@ class FactBus:
         with self.lock:
             return self._floods[(*fact, source)]
 
+    @property
+    def flooding(self) -> SourceKey | None:
+        """The source of which most samples were left out for newer ones, if any were."""
+        with self.lock:
+            return max(self._floods, key=self._floods.__getitem__, default=None)
+
     def _hand_on(self, sample: Sample) -> None:
         key = (sample.branch, sample.digit, sample.source)
         for inbox in self._inboxes:
@@ -132,7 +138,8 @@ class FactBus:
             self._floods[key] += 1
 
 
-def _too_long(sample: Sample) -> bool:
+def too_long(sample: Sample) -> bool:
+    """Whether a bus refuses a sample for the length of what it says."""
     return (
         len(sample.branch) > LONGEST
         or len(sample.source) > LONGEST

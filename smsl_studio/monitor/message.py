@@ -47,8 +47,11 @@ def read_status(payload: bytes) -> Status:
     return Status(_count(said, "boot"), state)
 
 
-def read_fact(topic: FactTopic, payload: bytes) -> tuple[str, Sample]:
-    """The node that speaks, and its sample; UnreadableError says why it is none."""
+def read_fact(
+    topic: FactTopic, payload: bytes, received: float | None = None
+) -> tuple[str, Sample]:
+    """The node that speaks, and its sample, which came at ``received``; UnreadableError says why it
+    is none."""
     said = _object(payload)
     if "value" not in said:
         raise UnreadableError("value is missing")
@@ -68,6 +71,7 @@ def read_fact(topic: FactTopic, payload: bytes) -> tuple[str, Sample]:
         _count(said, "boot"),
         _text(said, "reason"),
         quality if value is not None else BAD,
+        received,
     )
     return _text(said, "node"), sample
 
@@ -101,7 +105,7 @@ def _object(payload: bytes) -> dict[str, Any]:
     if len(payload) > LARGEST:
         raise UnreadableError(f"{len(payload):,} bytes, more than {LARGEST:,}")
     try:
-        said = json.loads(payload.decode(), parse_constant=_no_number, object_pairs_hook=_once)
+        said = _JSON.decode(payload.decode())
     except (ValueError, RecursionError) as error:
         raise UnreadableError(f"no JSON: {str(error)[:80]}") from None
     if not isinstance(said, dict):
@@ -121,6 +125,9 @@ def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 def _no_number(text: str) -> NoReturn:
     raise ValueError(f"{text} is no number")
+
+
+_JSON = json.JSONDecoder(object_pairs_hook=_once, parse_constant=_no_number)
 
 
 def _count(said: dict[str, Any], name: str) -> int:

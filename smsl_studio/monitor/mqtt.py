@@ -1,14 +1,17 @@
 """MQTT 5, by paho: the one file that knows it, loaded where a broker is named.
 
-paho reads in a thread of its own. Each message gets the monotonic time at which it was read, and
-goes to the ``Reception``. The session begins clean at every connection, so that a broker hands out
-nothing that it kept while we were away; it is connected again by itself.
+There is one connection for the nodes, one for each declared source, so that none is held up by what
+another floods, and one for whatever else is said of the run, so that a source nobody declared is
+seen and counted. paho reads each in a thread of its own. Each message gets the monotonic time at
+which it was read, and goes to the ``Reception``. Sessions begin clean at every connection, so that
+a broker hands out nothing that it kept while we were away; they are connected again by themselves.
 """
 
 from __future__ import annotations
 
-import contextlib
+import socket
 import threading
+from collections.abc import Callable
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -28,8 +31,10 @@ WAITS = 1, 4
 """The shortest and longest wait (s) before it is connected again."""
 LARGEST_PACKET = 65536
 """Bytes: a broker keeps larger ones for itself."""
-IN_FLIGHT = 100
-"""Messages on their way to us at once; a flood waits at the broker, which drops it there."""
+IN_FLIGHT = 20
+"""Messages of a source on their way to us at once; a flood waits at the broker, and drops there."""
+BUFFER = 16384
+"""Bytes that may wait in this system: a hundred messages."""
 
 
 def host_and_port(text: str) -> tuple[str, int]:
@@ -47,103 +52,144 @@ def host_and_port(text: str) -> tuple[str, int]:
 
 
 class Link:
-    """The connection to one broker, for one reception."""
+    """The connections to one broker, for one reception."""
 
     def __init__(self, broker: str, reception: Reception) -> None:
         self.broker = broker
-        self._host, self._port = host_and_port(broker)
+        self._where = host_and_port(broker)
         self._reception = reception
-        self._client: Client | None = None
-        self._changed = threading.Condition()
-        self._refused = ""
-        self._lost: float | None = monotonic()
-        self._connections = 0
+        self._ears: list[_Ear] = []
+        self._since = monotonic()
 
     def open(self) -> None:
         """Connect and subscribe; RunRefused where there is no broker, or it does not answer."""
-        self._client = client = self._made()
+        reception = self._reception
+        site, run = written(reception.site), written(reception.run)
+        nodes = _Ear(f"{START}{site}/node/+/status", self._hear)
+        sources = [_Ear(topic, self._hear) for topic in reception.topics]
+        others = _Ear(f"{START}{site}/run/{run}/fact/#", self._overhear, quality=0)
         try:
-            client.connect(
-                self._host, self._port, KEEPALIVE, clean_start=True, properties=_asking()
-            )
+            words = nodes.connect(*self._where)
         except (OSError, ValueError) as error:
-            raise self._none(str(error)) from None
-        client.loop_start()
-        with self._changed:
-            self._changed.wait_for(lambda: self.connected or bool(self._refused), ANSWER)
-        if not self.connected:
-            words = self._refused or "it accepts the connection and says nothing"
-            self.close()
-            raise self._none(words)
+            words = str(error)
+        if words:
+            nodes.close()
+            raise RunRefused(
+                f"there is no broker at {self._where[0]}:{self._where[1]}: {words}",
+                advice="Start one, such as mosquitto, or name another: --broker HOST:PORT.",
+            )
+        for ear in (*sources, others):
+            ear.connect_later(*self._where)
+        self._ears = [nodes, *sources, others]
 
     @property
     def connected(self) -> bool:
         """Whether the broker is there, as far as is known."""
-        return self._lost is None
+        return self.lost is None
 
     @property
     def lost(self) -> float | None:
         """For how long (s) the broker has been gone; None while it is there."""
-        since = self._lost
+        if not self._ears:
+            return monotonic() - self._since
+        since = self._ears[0].lost
         return None if since is None else monotonic() - since
 
     @property
     def connections(self) -> int:
         """How often it was connected."""
-        return self._connections
+        return self._ears[0].connections if self._ears else 0
 
     def close(self) -> None:
         """Hear nothing more; twice is harmless."""
-        client, self._client = self._client, None
-        if client is not None:
-            client.disconnect()
-            client.loop_stop()
+        ears, self._ears, self._since = self._ears, [], monotonic()
+        for ear in ears:
+            ear.leave()
+        for ear in ears:
+            ear.close()
 
-    def _none(self, words: str) -> RunRefused:
-        return RunRefused(
-            f"there is no broker at {self._host}:{self._port}: {words}",
-            advice="Start one, such as mosquitto, or name another: --broker HOST:PORT.",
-        )
+    def _hear(self, topic: str, payload: bytes, retained: bool) -> None:
+        self._reception.receive(topic, payload, retained, monotonic())
 
-    def _made(self) -> Client:
+    def _overhear(self, topic: str, payload: bytes, retained: bool) -> None:
+        if topic not in self._reception.topics:
+            self._hear(topic, payload, retained)
+
+
+class _Ear:
+    """One connection that subscribes to one topic, or to one pattern of topics."""
+
+    def __init__(
+        self, topic: str, hear: Callable[[str, bytes, bool], None], quality: int = 1
+    ) -> None:
         from paho.mqtt import client as paho
         from paho.mqtt.enums import CallbackAPIVersion
 
-        client = paho.Client(CallbackAPIVersion.VERSION2, protocol=paho.MQTTv5)
+        self.lost: float | None = monotonic()
+        self.connections = 0
+        self._topic, self._quality, self._hear = topic, quality, hear
+        self._changed = threading.Condition()
+        self._refused = ""
+        self._client = client = paho.Client(CallbackAPIVersion.VERSION2, protocol=paho.MQTTv5)
         client.connect_timeout = ANSWER
         client.reconnect_delay_set(*WAITS)
+        client.on_socket_open = _keep_little
         client.on_connect = self._on_connect
         client.on_disconnect = self._on_disconnect
         client.on_message = self._on_message
-        return client
+
+    def connect(self, host: str, port: int) -> str:
+        """Connect now; the empty text, or why the broker is none. OSError: nobody is there."""
+        self._client.connect(host, port, KEEPALIVE, clean_start=True, properties=_asking())
+        self._client.loop_start()
+        with self._changed:
+            self._changed.wait_for(lambda: self.lost is None or bool(self._refused), ANSWER)
+        if self.lost is None:
+            return ""
+        return self._refused or "it accepts the connection and says nothing"
+
+    def connect_later(self, host: str, port: int) -> None:
+        """Connect as soon as it goes."""
+        self._client.connect_async(host, port, KEEPALIVE, clean_start=True, properties=_asking())
+        self._client.loop_start()
+
+    def leave(self) -> None:
+        """Say goodbye."""
+        self._client.disconnect()
+
+    def close(self) -> None:
+        """End the thread."""
+        self._client.disconnect()
+        self._client.loop_stop()
 
     def _on_connect(self, client: Client, data: Any, flags: Any, code: Any, more: Any) -> None:
-        if code.is_failure:
-            with self._changed:
-                self._refused = str(code)
-                self._changed.notify_all()
-            return
         from paho.mqtt.subscribeoptions import SubscribeOptions
 
-        site, run = written(self._reception.site), written(self._reception.run)
-        # A fact that was kept shall be seen as one, so that it can be refused and counted.
-        options = SubscribeOptions(qos=1, retainAsPublished=True)
-        wanted = f"{START}{site}/node/+/status", f"{START}{site}/run/{run}/fact/#"
-        client.subscribe([(topics, options) for topics in wanted])
         with self._changed:
-            self._lost = None
-            self._connections += 1
+            if code.is_failure:
+                self._refused = str(code)
+            else:
+                # A fact that was kept shall be seen as one, so that it is refused and counted.
+                options = SubscribeOptions(qos=self._quality, retainAsPublished=True)
+                client.subscribe(self._topic, options=options)
+                self.lost = None
+                self.connections += 1
             self._changed.notify_all()
 
     def _on_disconnect(self, client: Client, data: Any, flags: Any, code: Any, more: Any) -> None:
-        with self._changed:
-            self._lost = monotonic() if self._lost is None else self._lost
+        self.lost = monotonic() if self.lost is None else self.lost
 
     def _on_message(self, client: Client, data: Any, message: MQTTMessage) -> None:
-        topic = "(no UTF-8)"
-        with contextlib.suppress(UnicodeDecodeError):
+        try:
             topic = message.topic
-        self._reception.receive(topic, bytes(message.payload), bool(message.retain), monotonic())
+        except UnicodeDecodeError:
+            topic = "(no UTF-8)"
+        self._hear(topic, bytes(message.payload), bool(message.retain))
+
+
+def _keep_little(client: Client, data: Any, opened: Any) -> None:
+    """What waits in the system's buffers is old when it is read."""
+    opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
 
 
 def _asking() -> Any:

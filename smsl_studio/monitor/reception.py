@@ -9,16 +9,16 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from smsl_studio.monitor.bus import FactBus, SourceKey
+from smsl_studio.monitor.bus import FactBus, SourceKey, too_long
 from smsl_studio.monitor.facts import Source
 from smsl_studio.monitor.message import UnreadableError, read_fact, read_status
 from smsl_studio.monitor.nodes import Nodes, NodeState
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.monitor.topics import FactTopic, StatusTopic, read_topic
 
-TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG = (
+TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG, OVERTAKEN = (
     "unknown topic",
     "another site",
     "another run",
@@ -27,6 +27,7 @@ TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG = (
     "unreadable fact",
     "unreadable status",
     "too long",
+    "overtaken before it was read",
 )
 """Why a message counted for nothing."""
 
@@ -77,6 +78,9 @@ class Reception:
         self._declared: Mapping[SourceKey, float] = {
             (source.branch, source.digit, source.name): source.max_age for source in sources
         }
+        topics = (FactTopic(site, run, *key) for key in self._declared)
+        self.topics: Mapping[str, FactTopic] = {str(topic): topic for topic in topics}
+        """Where the declared sources speak."""
         self._bus = FactBus()
         self._inbox = self._bus.subscribe()
         self._lock = threading.Lock()
@@ -87,9 +91,10 @@ class Reception:
 
     def receive(self, topic: str, payload: bytes, retained: bool, now: float) -> None:
         """One message that arrived at ``now`` (s, the receiver's monotonic clock)."""
+        about = self.topics.get(topic) or read_topic(topic)
         with self._lock:
             self._messages += 1
-            match read_topic(topic):
+            match about:
                 case StatusTopic(site, node) if site == self.site:
                     self._status(node, payload, now)
                 case FactTopic(site, run) as about if (site, run) == (self.site, self.run):
@@ -120,8 +125,10 @@ class Reception:
     def received(self) -> Received:
         """What came so far."""
         with self._lock:
-            refusals = (Refusal(kind, *said) for kind, said in sorted(self._refused.items()))
-            replaced = self._bus.counts.replaced
+            refusals = [Refusal(kind, *said) for kind, said in sorted(self._refused.items())]
+            replaced, worst = self._bus.counts.replaced, self._bus.flooding
+            if worst is not None:
+                refusals.append(Refusal(OVERTAKEN, replaced, _who(FactTopic("", "", *worst))))
             return Received(self._messages, self._samples, replaced, tuple(refusals))
 
     def _status(self, node: str, payload: bytes, now: float) -> None:
@@ -135,22 +142,20 @@ class Reception:
     def _fact(self, topic: FactTopic, payload: bytes, retained: bool, now: float) -> None:
         key = (topic.branch, topic.digit, topic.source)
         max_age = self._declared.get(key)
-        who = f"{topic.branch}/{topic.digit} {topic.source}"
         if max_age is None:
-            self._refuse(STRANGER, who)
+            self._refuse(STRANGER, _who(topic))
         elif retained:
-            self._refuse(RETAINED, who)
+            self._refuse(RETAINED, _who(topic))
         else:
             try:
-                node, sample = read_fact(topic, payload)
+                node, sample = read_fact(topic, payload, now)
             except UnreadableError as error:
-                self._refuse(PAYLOAD, f"{who}: {error}")
+                self._refuse(PAYLOAD, f"{_who(topic)}: {error}")
                 return
-            before = self._bus.counts.refused
-            self._bus.publish([replace(sample, received=now)])
-            if self._bus.counts.refused > before:
-                self._refuse(LONG, who)
+            if too_long(sample):
+                self._refuse(LONG, _who(topic))
                 return
+            self._bus.publish((sample,))
             self._samples += 1
             self._silent.discard(key)
             if node:
@@ -159,3 +164,7 @@ class Reception:
     def _refuse(self, kind: str, example: str) -> None:
         count, _ = self._refused.get(kind, (0, ""))
         self._refused[kind] = (count + 1, example[:SHOWN])
+
+
+def _who(topic: FactTopic) -> str:
+    return f"{topic.branch}/{topic.digit} {topic.source}"

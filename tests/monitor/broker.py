@@ -10,7 +10,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -142,6 +142,12 @@ class Speaker:
         """Send, and come back when the broker has it."""
         raw = payload if isinstance(payload, bytes) else json.dumps(payload).encode()
         self._client.publish(topic, raw, qos=1, retain=retain).wait_for_publish(PATIENCE)
+
+    def flood(self, topic: str, messages: Sequence[Mapping[str, Any]]) -> None:
+        """Send all of them as quickly as it goes."""
+        for message in messages:
+            sent = self._client.publish(topic, json.dumps(message).encode())
+        sent.wait_for_publish(PATIENCE)
 
     def close(self) -> None:
         self._client.disconnect()
