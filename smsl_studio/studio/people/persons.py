@@ -12,7 +12,7 @@ from dataclasses import asdict, dataclass, replace
 from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.dispatch.people.names import same_name
-from smsl_studio.studio.people.pin import hashed, matches
+from smsl_studio.studio.people.pin import SHORTEST, hashed, matches
 from smsl_studio.studio.settings import Settings
 
 PERSONS, ME = "people/persons", "people/me"
@@ -32,7 +32,7 @@ class Person:
 
     def opens_with(self, pin: str) -> bool:
         """Whether this person may answer: the PIN is right, or none is asked."""
-        return not self.kept or matches(pin, self.kept)
+        return not self.kept or (len(pin) >= SHORTEST and matches(pin, self.kept))
 
     def with_pin(self, pin: str) -> Person:
         """The same person with this PIN; the empty text takes it away."""

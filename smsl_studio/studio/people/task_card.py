@@ -6,14 +6,11 @@ option is chosen (a click, or its letter), and Enter or the button decides.
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
-    QButtonGroup,
     QFrame,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QVBoxLayout,
     QWidget,
@@ -22,17 +19,16 @@ from PySide6.QtWidgets import (
 from smsl_studio.dispatch.people.task import Task
 from smsl_studio.runlog.events import Event
 from smsl_studio.studio.controls import label
-from smsl_studio.studio.icons import pixmap
-from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.people.answer_part import AnswerPart
-from smsl_studio.studio.people.card_view import CardView, OptionView, card_view
+from smsl_studio.studio.people.answers import Answers
+from smsl_studio.studio.people.card_head import CardHead
+from smsl_studio.studio.people.card_view import CardView, card_view
 from smsl_studio.studio.people.option_row import OptionRow
 from smsl_studio.studio.people.outcome_lines import OutcomeLines
 from smsl_studio.studio.people.outcomes import Outcomes
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.people.places import Places
 from smsl_studio.studio.people.room import Room
-from smsl_studio.studio.people.time_left import TimeLeft
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.theme import Tokens
 
@@ -51,18 +47,17 @@ class TaskCard(QWidget):
 
     def __init__(self, persons: Persons, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._tokens = tokens
         self.tasks: tuple[Task, ...] = ()
         self._time = 0.0
         self._shown = ""
-        self._rows: list[OptionRow] = []
         self.outcomes = Outcomes()
-        self._group = QButtonGroup(self)
-        self._build(persons)
+        self._build(persons, tokens)
         self.answer.who.changed.connect(self._refresh)
         self.answer.who.edit_wanted.connect(self.persons_wanted)
         self.answer.decided.connect(self._decide)
-        self._group.buttonToggled.connect(lambda *_: self._refresh())
+        self.answers.changed.connect(self._refresh)
+        self.answers.settled.connect(self.answer.button.setFocus)
+        self.head.turned.connect(self._turn)
         self._refresh()
 
     def follow(self, run: RunSession) -> None:
@@ -94,7 +89,7 @@ class TaskCard(QWidget):
     @property
     def options(self) -> tuple[OptionRow, ...]:
         """The rows of the answers, in order."""
-        return tuple(self._rows)
+        return tuple(self.answers.rows)
 
     def show_tasks(self, tasks: tuple[Task, ...], time: float) -> None:
         """The open tasks at a simulated time."""
@@ -112,20 +107,12 @@ class TaskCard(QWidget):
         self.outcomes.clear()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        self._tokens = tokens
-        self._bar.set_tokens(tokens)
-        self._places.set_tokens(tokens)
-        self.lines.set_tokens(tokens)
-        for button in (self._before, self._after):
-            button.set_tokens(tokens)
-        for row in self._rows:
-            row.set_tokens(tokens)
-        self._hand.setPixmap(pixmap("hand", tokens.acc, tokens.surf, 16, self.devicePixelRatioF()))
+        for part in (self.head, self.answers, self._places, self.lines):
+            part.set_tokens(tokens)
 
     def take_focus(self) -> None:
         """Have the keys act on the card, with no answer chosen."""
-        if self._rows:
-            self._rows[0].setFocus()
+        self.answers.take_focus()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -137,16 +124,14 @@ class TaskCard(QWidget):
 
     # Building.
 
-    def _build(self, persons: Persons) -> None:
+    def _build(self, persons: Persons, tokens: Tokens) -> None:
         self.frame = QFrame()
         self.frame.setObjectName("taskCard")
-        self._bar, self._places = TimeLeft(self._tokens), Places(self._tokens)
-        self.lines = OutcomeLines(self._tokens)
+        self.head, self.answers = CardHead(tokens), Answers(tokens)
+        self._places, self.lines = Places(tokens), OutcomeLines(tokens)
         self.lines.dismissed.connect(self._dismiss)
         self.answer = AnswerPart(persons)
         self._question, self._detail = label("", "question"), label("", "small")
-        self._options = QVBoxLayout()
-        self._options.setSpacing(8)
         inner = QWidget()
         asked = QVBoxLayout(inner)
         asked.setContentsMargins(PAD, 12, PAD, 4)
@@ -155,7 +140,7 @@ class TaskCard(QWidget):
             text.setWordWrap(True)
             asked.addWidget(text)
         asked.addSpacing(4)
-        asked.addLayout(self._options)
+        asked.addWidget(self.answers)
         self._room = Room(inner)
         below = QVBoxLayout()
         below.setContentsMargins(PAD, 6, PAD, 12)
@@ -165,8 +150,7 @@ class TaskCard(QWidget):
         column = QVBoxLayout(self.frame)
         column.setContentsMargins(1, 1, 1, 1)
         column.setSpacing(0)
-        column.addWidget(self._head())
-        column.addWidget(self._bar)
+        column.addWidget(self.head)
         column.addWidget(self._room, 1)
         column.addLayout(below)
         whole = QVBoxLayout(self)
@@ -176,28 +160,6 @@ class TaskCard(QWidget):
         whole.addWidget(self.lines)
         self.setAccessibleName("Task")
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-
-    def _head(self) -> QWidget:
-        head = QFrame()
-        head.setObjectName("taskHead")
-        head.setFixedHeight(38)
-        self._hand = QLabel()
-        self._hand.setPixmap(pixmap("hand", self._tokens.acc, self._tokens.surf, 16))
-        self.heading, self.left = label("", "strong"), label("", "strong")
-        self._count = label("", "small")
-        self._before = SmallButton("The task before this one", "chevron-left", self._tokens)
-        self._after = SmallButton("The next task", "chevron-right", self._tokens)
-        self._before.clicked.connect(lambda: self._turn(-1))
-        self._after.clicked.connect(lambda: self._turn(1))
-        across = QHBoxLayout(head)
-        across.setContentsMargins(PAD, 0, PAD, 0)
-        across.setSpacing(8)
-        for part in (self._hand, self.heading, self._before, self._count, self._after):
-            across.addWidget(part)
-        across.addStretch(1)
-        across.addWidget(self.left)
-        across.addWidget(label("left", "small"))
-        return head
 
     # How it goes on.
 
@@ -215,7 +177,7 @@ class TaskCard(QWidget):
         self._shown = name
         self.answer.who.start_with_me()
         card = self.card
-        self._put_options(card.options if card else ())
+        self.answers.put(card.options if card else ())
         self._refresh()
 
     def _refresh(self) -> None:
@@ -231,53 +193,22 @@ class TaskCard(QWidget):
         self.changed.emit()
         if card is None:
             return
-        self.heading.setText(card.heading)
-        self.left.setText(card.left)
-        self._bar.show_share(card.share, card.escalation)
+        at = [task.name for task in self.tasks].index(self._shown)
+        self.head.show_card(card, at + 1, len(self.tasks))
         self._question.setText(card.question)
         self._detail.setText(card.detail)
         self._detail.setVisible(bool(card.detail))
         self._places.show_persons(card.persons)
         self._places.setVisible(len(card.persons) > 1 or card.persons[0].place != "Anybody")
-        for row in self._rows:
-            row.setEnabled(not card.objection)
-        several = len(self.tasks) > 1
-        self._count.setText(f"{1 + self._at()} of {len(self.tasks)}")
-        for part in (self._count, self._before, self._after):
-            part.setVisible(several)
-        self.answer.show_card(card, self._chosen(), self.outcomes.refusals.get(name, ""))
-
-    def _at(self) -> int:
-        return [task.name for task in self.tasks].index(self._shown)
-
-    def _put_options(self, options: tuple[OptionView, ...]) -> None:
-        for row in self._rows:
-            self._group.removeButton(row)
-            row.hide()
-            row.deleteLater()
-        self._rows = [OptionRow(option, self._tokens) for option in options]
-        for row in self._rows:
-            self._group.addButton(row)
-            self._options.addWidget(row)
-            row.installEventFilter(self)
-
-    def _chosen(self) -> OptionView | None:
-        row = self._group.checkedButton()
-        return row.option if isinstance(row, OptionRow) else None
-
-    def _clear(self) -> None:
-        """No answer is chosen any more; a group of one choice keeps its last one otherwise."""
-        self._group.setExclusive(False)
-        for row in self._rows:
-            row.setChecked(False)
-        self._group.setExclusive(True)
+        self.answers.open(not card.objection)
+        self.answer.show_card(card, self.answers.chosen, self.outcomes.refusals.get(name, ""))
 
     def _decide(self) -> None:
-        card, chosen, person = self.card, self._chosen(), self.answer.who.person
+        card, chosen, person = self.card, self.answers.chosen, self.answer.who.person
         if card is None or chosen is None or person is None or not self.answer.button.isEnabled():
             return
         # What was said is seen by nobody who answers after.
-        self._clear()
+        self.answers.clear()
         if len(card.persons) > 1:
             self.answer.who.ask_again()
         self.answer.who.pin.clear()
@@ -294,26 +225,11 @@ class TaskCard(QWidget):
 
     def press_letter(self, letter: str) -> bool:
         """Choose the answer of a letter; whether there is one. It decides nothing yet."""
-        for row in self._rows:
-            if letter and row.option.letter == letter.upper() and row.isEnabled():
-                row.setChecked(True)
-                self.answer.button.setFocus()
-                return True
-        return False
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Enter on a row chooses it, and leads to the button, where one Enter more decides."""
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
-            enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-            if isinstance(watched, OptionRow) and enter and not event.isAutoRepeat():
-                watched.setChecked(True)
-                self.answer.button.setFocus()
-                return True
-        return super().eventFilter(watched, event)
+        return self.answers.press(letter)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and self._chosen() is not None:
-            self._clear()
+        if event.key() == Qt.Key.Key_Escape and self.answers.chosen is not None:
+            self.answers.clear()
             return
         typing = isinstance(QApplication.focusWidget(), QLineEdit)
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier

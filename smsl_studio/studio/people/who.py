@@ -24,6 +24,7 @@ class Who(QWidget):
         super().__init__()
         self._persons = persons
         self._person: Person | None = persons.me
+        self._open = False
         self.choice = Combo()
         self.choice.setAccessibleName("Answer as")
         self.choice.setToolTip("Who answers; the record of the run has the name and the role")
@@ -40,7 +41,7 @@ class Who(QWidget):
         across.addWidget(self.choice, 1)
         across.addWidget(self.pin)
         self.choice.activated.connect(self._chosen)
-        self.pin.textChanged.connect(lambda _: self.changed.emit())
+        self.pin.textChanged.connect(self._typed)
         persons.changed.connect(self._refill)
         self._refill()
 
@@ -51,7 +52,7 @@ class Who(QWidget):
 
     def opens(self) -> bool:
         """Whether the one who is chosen may answer here: the PIN is right, or none is asked."""
-        return self._person is not None and self._person.opens_with(self.pin.text())
+        return self._open
 
     @property
     def has_pin(self) -> bool:
@@ -99,3 +100,12 @@ class Who(QWidget):
     def _show_pin(self) -> None:
         self.pin.clear()
         self.pin.setVisible(self.has_pin)
+        self._look()
+
+    def _typed(self) -> None:
+        self._look()
+        self.changed.emit()
+
+    def _look(self) -> None:
+        """Try the PIN once for each change: a hash that is slow to guess is slow to try."""
+        self._open = self._person is not None and self._person.opens_with(self.pin.text())
