@@ -28,7 +28,11 @@ class Address:
     operation: str = ""
 
     def __str__(self) -> str:
-        return "/".join(escape(part) for part in self.path)
+        path = self.path
+        text = "/".join(path)
+        if "~" not in text and text.count("/") == len(path) - 1:
+            return text
+        return "/".join(map(escape, path))
 
     @property
     def path(self) -> tuple[str, ...]:

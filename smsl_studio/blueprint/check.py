@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from types import MappingProxyType
+from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 
@@ -50,7 +52,7 @@ class Term:
     reason: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class CheckResult:
     """The result of a state check: every term, and from them true, false or unknown (None)."""
 
@@ -58,25 +60,34 @@ class CheckResult:
     state: str
     terms: tuple[Term, ...]
 
-    @property
+    @cached_property
     def truth(self) -> bool | None:
         """False where a term is false, else None where one is unknown, else True."""
         if any(term.truth is False for term in self.terms):
             return False
         return None if any(term.truth is None for term in self.terms) else True
 
-    @property
+    @cached_property
     def holds(self) -> tuple[Term, ...]:
         return tuple(term for term in self.terms if term.truth is True)
 
-    @property
+    @cached_property
     def misses(self) -> tuple[Term, ...]:
         return tuple(term for term in self.terms if term.truth is False)
 
-    @property
+    @cached_property
     def unknown(self) -> tuple[Term, ...]:
         return tuple(term for term in self.terms if term.truth is None)
 
+
+class _Expected(NamedTuple):
+    """A state whose facts hang on no sub-SB: what each must read, and the result if all do."""
+
+    pairs: tuple[tuple[FactKey, str], ...]
+    result: CheckResult
+
+
+_KEY = "_expected"
 
 IN_TRANSIT = "in transit"
 """Why a digit is unknown while a crossing below it is pending (clause 6)."""
@@ -99,6 +110,9 @@ def state_check(
     the check unknown, and so does a digit in ``transit``. The SUB_SBS must have no cycle.
     """
     own = blueprint.branches[branch]
+    expected = sensed_so(own, state, scene)
+    if expected is not None:
+        return expected
     terms = []
     for digit, value in enumerate(own.facts(state)):
         sub = sub_below(blueprint, own, digit)
@@ -111,6 +125,26 @@ def state_check(
         else:
             terms.append(_term(own, digit, value, scene, believed))
     return CheckResult(branch, state, tuple(terms))
+
+
+def sensed_so(branch: StateBranch, state: str, scene: Scene) -> CheckResult | None:
+    """The result of a state check all of whose facts are sensed as the state wants them.
+
+    None where one is not, or hangs on a sub-SB: then every term must be looked at. It is what most
+    checks of a run that goes well come to, so that it is made once for each state.
+    """
+    kept: _Expected | None = branch.__dict__.setdefault(_KEY, {}).get(state)
+    if kept is None:
+        pairs = tuple(((branch.name, d), value) for d, value in enumerate(branch.facts(state)))
+        terms = tuple(Term(key, value, value, True) for key, value in pairs)
+        kept = _Expected(pairs if not branch.subs else (), CheckResult(branch.name, state, terms))
+        branch.__dict__[_KEY][state] = kept
+    readings = scene.readings
+    for key, value in kept.pairs:
+        reading = readings.get(key)
+        if reading is None or reading.value != value or not reading.sensed:
+            return None
+    return kept.result if kept.pairs else None
 
 
 def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from types import MappingProxyType
 
@@ -51,13 +51,19 @@ class Edge:
     price: float = 1.0
     requires: tuple[tuple[str, int, str], ...] = ()
     fails: str = ""
+    address: Address = field(init=False, repr=False, compare=False)
+    _text: str = field(init=False, repr=False, compare=False)
 
-    @property
-    def address(self) -> Address:
-        return Address(self.branch, self.source, self.name)
+    def __post_init__(self) -> None:
+        address = Address(self.branch, self.source, self.name)
+        object.__setattr__(self, "address", address)
+        object.__setattr__(self, "_text", str(address))
+
+    def __hash__(self) -> int:
+        return hash(self._text)
 
     def __str__(self) -> str:
-        return str(self.address)
+        return self._text
 
 
 NO_COSTS: Mapping[Address, float] = MappingProxyType({})

@@ -76,6 +76,16 @@ class StateBranch:
 
     def facts(self, state: str) -> tuple[str, ...]:
         """The fact values of a state, digit 0 first."""
+        found = self._facts.get(state)
+        if found is None:
+            found = self._facts[state] = self._read_facts(state)
+        return found
+
+    @cached_property
+    def _facts(self) -> dict[str, tuple[str, ...]]:
+        return {}
+
+    def _read_facts(self, state: str) -> tuple[str, ...]:
         shape = self.shape
         if shape.width == 0 and not shape.opaque:
             note = self.notes.states.get(state)
