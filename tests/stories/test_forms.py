@@ -395,3 +395,18 @@ def test_a_fact_that_no_sensor_reads_can_be_a_persons(sit: Sit) -> None:
     assert (note.aggregation, note.question, note.roles) == (
         "human", "Are all landmarks digitised?", ("surgeon",),
     )  # fmt: skip
+
+
+def test_what_a_pause_and_a_cancel_do_is_said_in_the_form(sit: Sit) -> None:
+    person = sit(REGISTRATION)
+    person.select("REGISTRATION/State_1100/Op_Register")
+    form = person.window.properties.operation
+    person.click(form.resumes)
+    person.write(form.touches, "2, 0, 2")
+    note = person.blueprint["REGISTRATION"].operation_note("State_1100", "Op_Register")
+    assert (note.resumes, note.touches) == (True, (0, 2))
+    person.write(form.touches, "first")
+    assert form.line("touches").refusal.text() == (
+        "“first” is no digit. Write whole numbers, counted from 0."
+    )
+    assert person.blueprint["REGISTRATION"].operation_note("State_1100", "Op_Register") == note

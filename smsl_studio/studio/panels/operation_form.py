@@ -17,6 +17,7 @@ from smsl_studio.studio.controls import Combo, Switch, label, row
 from smsl_studio.studio.panels.asking_lines import AskingLines
 from smsl_studio.studio.panels.lines.binding import BindingLine
 from smsl_studio.studio.panels.lines.choice import ChoiceLine, SwitchLine
+from smsl_studio.studio.panels.lines.digits import DigitsLine
 from smsl_studio.studio.panels.lines.line import Line, Shown
 from smsl_studio.studio.panels.lines.requires import RequiresLine
 from smsl_studio.studio.panels.lines.roles import RolesLine
@@ -98,6 +99,13 @@ class OperationForm(NoteForm):
         )).field  # fmt: skip
         self.stop = self.add("stop", ChoiceLine(
             "On stop", "What a stop does while it runs", STOPS, "As its function says"
+        )).field  # fmt: skip
+        self.resumes = self.add("resumes", SwitchLine(
+            "Resumes", "Whether it goes on after a pause held it; its function says where not said"
+        )).field  # fmt: skip
+        self.touches = self.add("touches", DigitsLine(
+            "Touches", "Digits of facts that are unknown after it was cancelled, besides those it "
+            "changes", "those it changes"
         )).field  # fmt: skip
         self.subs = self.add("subs", ChoiceLine(
             "Sub-SB", "Whether the sub-SB moves first, or the operation itself brings its facts "
