@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
@@ -121,6 +123,7 @@ class _Inner(QWidget):
         self._via = QLabel(self)
         self._legend = Legend(tokens, self)
         self._centres: dict[str, float] = {}
+        self._told: object = None
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens, self._ink = tokens, Ink(tokens)
@@ -138,6 +141,12 @@ class _Inner(QWidget):
         chosen: Address | None,
         sensed: tuple[tuple[int, str], ...],
     ) -> None:
+        # A run tells how it stands many times a second; only whole seconds of it are shown.
+        whole = replace(view, seconds=float(int(view.seconds))) if view is not None else None
+        told = (whole, chosen, sensed)
+        if blueprint is self._blueprint and told == self._told:
+            return
+        self._told = told
         if blueprint is not self._blueprint:
             self._blueprint, self._picture = blueprint, None
         if view is not None and (self._picture is None or self._picture.branch.name != view.branch):

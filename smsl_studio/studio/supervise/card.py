@@ -11,6 +11,7 @@ from smsl_studio.studio.icons import ACTOR_ICON, draw
 from smsl_studio.studio.supervise.partial import (
     NEXT,
     NUMBERED,
+    ONE_AT_A_TIME,
     PAUSED,
     POSSIBLE,
     PRUNED,
@@ -191,9 +192,10 @@ class CardButton(QAbstractButton):
         icon = ACTOR_ICON.get(self.card.actor, "robot")
         draw(painter, icon, QRectF(left, y - 7, 13, 13), t.tx2, t.surf)
         left += 17
-        words = self.card.needs
-        if self.card.standing == REFUSED and not self.card.unmet and self.card.reasons:
-            words = self.card.reasons[0]
+        words, (reason, *_) = self.card.needs, (*self.card.reasons, "")
+        own = reason and not self.card.unmet and not reason.startswith(ONE_AT_A_TIME)
+        if self.card.standing == REFUSED and own:
+            words = reason
         ink = {"unknown": t.unk, "missing": t.risk}.get(self.card.unmet, t.tx2)
         painter.setFont(plain.font)
         painter.setPen(ink)

@@ -35,6 +35,7 @@ class Head(QWidget):
         self._previous = False
         self._names: tuple[str, ...] = ()
         self._shown = self._live = ""
+        self._mapped: tuple[bool, bool] | None = None
         self.setFixedHeight(HIGH)
         self.map = tool("Show full map, logged", "map", "", tokens)
         self.map.setCheckable(True)
@@ -81,6 +82,10 @@ class Head(QWidget):
 
     def show_map(self, on: bool, possible: bool) -> None:
         """Whether the full map is shown, and whether it may be asked for."""
+        if (on, possible) == self._mapped:
+            self.map.setChecked(on)
+            return
+        self._mapped = (on, possible)
         self.map.setChecked(on)
         self.map.setText("Back to the partial view" if on else "Show full map, logged")
         self.map.setEnabled(possible)

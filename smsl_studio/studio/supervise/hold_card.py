@@ -131,7 +131,7 @@ class HoldCard(QFrame):
 
 
 def _plain(detail: str) -> str:
-    """A reason that names its edge once: ``SB/State/Op: is pruned`` for ``SB/State/Op: SB/State/Op
+    """A reason that names its edge once: ``SB/State/Op is pruned``, not ``SB/State/Op: SB/State/Op
     is pruned``."""
     edge, colon, why = detail.partition(": ")
-    return f"{edge}: {why[len(edge) + 1 :]}" if colon and why.startswith(f"{edge} ") else detail
+    return why if colon and why.startswith(f"{edge} ") else detail

@@ -20,6 +20,7 @@ RUNNING, PAUSED, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE 
     "possible",
 )  # fmt: skip
 ACTORS = {"human": "human", "shared": "shared", "robot": "robot", "automatic": "robot"}
+ONE_AT_A_TIME = "one operation at a time"
 NUMBERED = 9
 """So many operations have a key of their own."""
 
@@ -224,7 +225,7 @@ def _reasons(status: DispatchStatus, item: Possible | None) -> tuple[str, ...]:
     if item is None or moving == item.address:
         return ()
     if moving is not None and not (item.pruned or item.risky):
-        return (f"one operation at a time, {moving.operation} is under way",)
+        return (f"{ONE_AT_A_TIME}, {moving.operation} is under way",)
     return item.reasons
 
 
