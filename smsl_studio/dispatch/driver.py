@@ -212,9 +212,10 @@ class Driver:
         """Relocalise, once people have said what only they know of the scene."""
 
         def relocalise() -> None:
-            hold = self.trouble.failed(step, failure)
+            hold = self.trouble.after(failure)
             self.hold(hold or (Hold(failure.reason) if failure.unanswered else None))
 
+        self.trouble.blame(step, failure)
         if failure.unanswered:
             relocalise()
         else:

@@ -42,8 +42,8 @@ class Trouble:
         self._course = course
         self._adopts = adopts
 
-    def failed(self, step: JointStep, failure: Failure) -> Hold | None:
-        """An operation failed: tag it and the root's edge risky, then relocalise."""
+    def blame(self, step: JointStep, failure: Failure) -> None:
+        """An operation failed: tag it and the root's edge risky."""
         run = self._run
         if failure.risky:
             roots = [edge for edge in step.edges if edge.branch in run.hierarchy.roots]
@@ -53,6 +53,10 @@ class Trouble:
                 run.emit(OperationRisky(t=run.time, address=str(edge), reason=failure.reason))
         self._course.drop_plan()
         run.drop_pending()
+
+    def after(self, failure: Failure) -> Hold | None:
+        """Relocalise after a failure: by the sub alone where that explains the scene."""
+        run = self._run
         if not failure.pending and not stands(run, run.configuration):
             alone = sub_relocalised(run, failure.edge.branch)
             if alone is not None:
