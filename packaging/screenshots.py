@@ -43,6 +43,7 @@ from smsl_studio.studio.style import dress  # noqa: E402
 from smsl_studio.studio.theme import LIGHT  # noqa: E402
 from smsl_studio.studio.window import Window  # noqa: E402
 from smsl_studio.studio.windows import Windows  # noqa: E402
+from tests.monitor.broker import Broker, Node  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
@@ -77,7 +78,7 @@ def main() -> int:
     """Take the pictures that were asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
-    parser.add_argument("--mode", choices=("draw", "run", "supervise", "safe", "people"))
+    parser.add_argument("--mode", choices=("draw", "run", "supervise", "safe", "people", "monitor"))
     parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
@@ -94,6 +95,8 @@ def main() -> int:
             studio.take_supervise()
         if asked.mode in (None, "people"):
             studio.take_people()
+        if asked.mode in (None, "monitor"):
+            studio.take_monitor(Path(folder))
     return 0
 
 
@@ -242,6 +245,43 @@ class Studio:
             self._lay_over(window, editor, f"levels-{theme}-{size[0]}x{size[1]}")
         editor.reject()
         window.close()
+
+    def take_monitor(self, folder: Path) -> None:
+        """The monitor page: two nodes, one of them frozen, two pointers that disagree, noise."""
+        path = folder / "three-levels.json"
+        shutil.copy(ROOT / "samples" / path.name, path)
+        broker = Broker(folder)
+        text = f'[mqtt]\nbroker = "{broker.address}"\nsite = "lab"\n[mqtt.facts]\n'
+        facts = (
+            '"SURGERY/2" = "tool_tracker"\n"DIGITIZATION/0" = ["pointer_left", "pointer_right"]\n'
+        )
+        path.with_suffix(".toml").write_text(text + facts, "utf-8")
+        pointers = Node(broker, "DIGITIZATION/0:pointer_left=0", "DIGITIZATION/0:pointer_right=0")
+        tracker = Node(broker, "SURGERY/2:tool_tracker=0", name="tracker")
+        window = make_window(self._windows, str(path))
+        self._until(partial(self._knows, window))
+        window.set_mode("run")
+        pane = window.run_pane
+        pane.transport.by_hand.setChecked(True)
+        pane.play()
+        self._until(lambda: pane.run.phase == "ready")
+        pane.show_monitor()
+        page = pane.monitoring.page
+        assert page is not None
+        pane.run.disturb("table_REGISTRATION_2", "noise", rate=0.2)
+        pointers.say("pointer_right 1")
+        tracker.freeze()
+        self._until(lambda: "1 in conflict" in page.words.text())
+        page.table.selectRow(3)
+        self._wait(2.0)
+        for theme, size in self._dressed(window):
+            page.resize(size[0] - 40, size[1] - 80)
+            self._wait(0.3)
+            self._keep(page.grab().toImage(), f"monitor-{theme}-{size[0]}x{size[1]}")
+        for node in (pointers, tracker):
+            node.kill()
+        window.close()
+        broker.kill()
 
     def _task_after(self, window: Window, said: list[str]) -> Task:
         """The first open task that nobody was told of yet."""

@@ -8,6 +8,7 @@ refreshes nothing. Any thread may call it.
 from __future__ import annotations
 
 import threading
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
@@ -31,6 +32,8 @@ TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG, OVERTAKEN = (
 )
 """Why a message counted for nothing."""
 
+FEW = 100
+"""Samples that are no flood yet."""
 SHOWN = 120
 """Characters of an example that are kept."""
 
@@ -86,6 +89,7 @@ class Reception:
         self._lock = threading.Lock()
         self._nodes = Nodes()
         self._messages = self._samples = 0
+        self._spoken: Counter[SourceKey] = Counter()
         self._refused: dict[str, tuple[int, str]] = {}
         self._silent = set(self._declared)
 
@@ -127,9 +131,15 @@ class Reception:
         with self._lock:
             refusals = [Refusal(kind, *said) for kind, said in sorted(self._refused.items())]
             replaced, worst = self._bus.counts.replaced, self._bus.flooding
-            if worst is not None:
+            if worst is not None and self._floods(worst):
                 refusals.append(Refusal(OVERTAKEN, replaced, _who(FactTopic("", "", *worst))))
             return Received(self._messages, self._samples, replaced, tuple(refusals))
+
+    def _floods(self, key: SourceKey) -> bool:
+        """Whether a source says ten times as much as anybody reads."""
+        spoken = self._spoken[key]
+        left_out = self._bus.replaced(key[:2], key[2])
+        return spoken > FEW and left_out > 0.9 * spoken
 
     def _status(self, node: str, payload: bytes, now: float) -> None:
         try:
@@ -157,6 +167,7 @@ class Reception:
                 return
             self._bus.publish((sample,))
             self._samples += 1
+            self._spoken[key] += 1
             self._silent.discard(key)
             if node:
                 self._nodes.spoke(node, sample, max_age, now)

@@ -95,6 +95,17 @@ def test_a_flood_costs_its_own_samples_only() -> None:
         _say(reception, sequence)
     assert [(one.source, one.sequence) for one in reception.take()] == [("ear", 1), ("eye", 1999)]
     assert reception.received.replaced == 1999
+    assert _refused(reception) == {"overtaken before it was read": (1999, "SB1/0 eye")}
+
+
+def test_a_reading_that_is_overtaken_now_and_then_is_no_flood() -> None:
+    reception = _reception()
+    for sequence in range(600):
+        _say(reception, sequence)
+        if sequence % 5 == 0:
+            reception.take()
+    assert reception.received.replaced == 479
+    assert _refused(reception) == {}
 
 
 def test_a_flood_of_names_is_bounded() -> None:
