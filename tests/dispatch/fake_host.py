@@ -22,7 +22,7 @@ class Fault:
     """What an operation does instead: how it ends, and the facts it writes (None: its target's)."""
 
     outcome: Outcome = Outcome.RETURNED
-    writes: Mapping[FactKey, str] | None = None
+    writes: Mapping[FactKey, str | None] | None = None
     hangs: bool = False
 
 

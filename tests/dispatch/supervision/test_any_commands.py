@@ -4,7 +4,7 @@ must hold of every run. A seeded twentieth of what the bench goes through."""
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -13,10 +13,12 @@ import pytest
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.goals import goals_of
+from smsl_studio.dispatch.planner import Planner
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
-from smsl_studio.host.protocol import Host, Outcome
+from smsl_studio.host.protocol import Host, Opened, Outcome
 from smsl_studio.runlog.events import (
     Commanded,
     Committed,
@@ -30,15 +32,23 @@ from tests.dispatch.generated import blueprint_values
 from tests.dispatch.runs import Story, blueprint
 from tests.dispatch.supervision.runs import host_of
 
-SEEDS = range(50)
-TICKS = 150
+SEEDS = range(300)
+TICKS = 120
 STILL = ("paused", "taken_over", "stopped", "no_route", "fault_hold", "waiting")
-WEIGHTS = {
-    "resume": 6, "step": 4, "ask": 6, "pause": 3, "veto": 3, "restore": 4, "prune": 1, "stop": 1,
-    "reset": 4, "take_over": 1, "give_back": 4, "accept": 3, "adopt": 2, "set_cost": 1,
-    "set_automatic": 1, "inject": 0.5, "full_map": 0.5, "end": 0.1,
-}  # fmt: skip
-"""What is said how often: what lets a run go on more often than what holds it."""
+WORDS = (
+    "resume", "step", "ask", "pause", "veto", "restore", "prune", "stop", "reset", "take_over",
+    "give_back", "accept", "adopt", "set_cost", "set_automatic", "inject", "full_map", "end",
+)  # fmt: skip
+HELPS: dict[str, tuple[str, ...]] = {
+    "ready": ("ask", "step", "resume"),
+    "running": ("veto", "pause", "full_map", "inject"),
+    "paused": ("resume", "step"),
+    "stopped": ("reset",),
+    "taken_over": ("give_back", "accept", "accept", "repair"),
+    "fault_hold": ("resume", "adopt", "repair", "ask"),
+    "no_route": ("restore", "resume"),
+}
+"""What a sensible person would say; without it a run would soon stand still for good."""
 
 Said = tuple[str, tuple[Any, ...]]
 
@@ -47,22 +57,32 @@ class Sloppy(FakeHost):
     """Operations take their time, and some fail in every way there is."""
 
     def __init__(self, made: Blueprint, dice: random.Random) -> None:
-        edges = [str(edge.address) for branch in made for edge in branch.edges()]
-        outcomes = (Outcome.FAILED, Outcome.RAISED, Outcome.RETURNED)
+        edges = [edge.address for branch in made for edge in branch.edges()]
+        outcomes = (Outcome.FAILED, Outcome.RAISED, Outcome.RETURNED, Outcome.RETURNED)
+        covered = {str(edge): {(edge.branch, 0): None} for edge in edges}
         faults = {
-            edge: Fault(dice.choice(outcomes), {} if dice.random() < 0.5 else None,
+            edge: Fault(dice.choice(outcomes), dice.choice((None, {}, covered[edge])),
                         hangs=dice.random() < 0.2)
-            for edge in edges if dice.random() < 0.15
+            for edge in covered if dice.random() < 0.3
         }  # fmt: skip
         stop = dice.choice(("hold", "abort", "finish"))
         lasts, settle = dice.randint(1, 4), dice.choice((0.0, 0.2))
         super().__init__(made, faults, lasts=lasts, settle=settle, stop=stop)
         self.resumes = dice.random() < 0.7
 
+    def open(self, start: Mapping[str, str]) -> Opened:
+        opened = super().open(start)
+        self._good = dict(self.facts)
+        return opened
+
     def inject(self, fault: str, **parameters: float | str) -> None:
-        """Somebody moves a thing."""
+        """Somebody moves a thing, or covers a sensor, or puts all back where it stood."""
+        if fault == "repair":
+            self.facts.update(self._good)
+            return
         key = sorted(self.facts)[int(fault) % len(self.facts)]
-        self.facts[key] = "0" if self.facts[key] == "1" else "1"
+        covered = "0" if int(fault) > 5 else None
+        self.facts[key] = covered if self.facts[key] == "1" else "1"
 
 
 def drawn(story: Story, dice: random.Random) -> list[Said]:
@@ -73,7 +93,9 @@ def drawn(story: Story, dice: random.Random) -> list[Said]:
     shut = [one.address for one in status.possible if one.pruned or one.risky] or edges
     said: list[Said] = []
     while dice.random() < 0.3 and len(said) < 3:
-        word = dice.choices(list(WEIGHTS), list(WEIGHTS.values()))[0]
+        word = dice.choice(WORDS)
+        if dice.random() < 0.7:
+            word = dice.choice(HELPS.get(status.phase, WORDS))
         edge = dice.choice(near if dice.random() < 0.8 else edges)
         given: dict[str, tuple[Any, ...]] = {
             "veto": (None,) if dice.random() < 0.5 else (edge,),
@@ -84,8 +106,9 @@ def drawn(story: Story, dice: random.Random) -> list[Said]:
             "set_automatic": (dice.random() < 0.7,),
             "inject": (str(dice.randint(0, 9)),),
             "full_map": (True,),
+            "repair": ("repair",),
         }
-        said.append((word, given.get(word, ())))
+        said.append(("inject" if word == "repair" else word, given.get(word, ())))
     return said
 
 
@@ -110,15 +133,18 @@ def play(made: Blueprint, host: Host, seed: int, **choices: Any) -> list[tuple[s
 
 
 def random_blueprint(seed: int) -> Blueprint | None:
+    """One that takes some operations to its goals, where the seed gives such a one."""
     made = blueprint(blueprint_values(seed))
+    hierarchy = Hierarchy(made)
     try:
-        start_configuration(Hierarchy(made), {})
+        start = start_configuration(hierarchy, {})
     except RunRefused:
         return None
-    return made
+    legs = Planner(hierarchy).legs(start, goals_of(hierarchy, ()))
+    return made if sum(len(leg.operations) for leg in legs or ()) > 2 else None
 
 
-BLUEPRINTS = [(seed, made) for seed in SEEDS if (made := random_blueprint(seed)) is not None]
+BLUEPRINTS = [(seed, made) for seed in SEEDS if (made := random_blueprint(seed)) is not None][:50]
 
 
 @pytest.mark.parametrize(("seed", "made"), BLUEPRINTS, ids=[str(seed) for seed, _ in BLUEPRINTS])
@@ -143,8 +169,8 @@ def _nothing_begins_while_it_stands_still(told: Sequence[tuple[str, list[Event]]
         if "stop" in done or "take_over" in done:
             assert not began
             assert after in ("stopped", "taken_over", "fault_hold")
-        if before in ("stopped", "taken_over"):
-            assert not began
+        if before in ("stopped", "taken_over") and began:
+            assert {"reset", "accept"} & set(done), "only what unlatches it lets it go on"
 
 
 def _every_commit_was_checked(made: Blueprint, events: Sequence[Event]) -> None:
