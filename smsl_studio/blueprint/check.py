@@ -81,13 +81,16 @@ class CheckResult:
 
 
 class _Expected(NamedTuple):
-    """A state whose facts hang on no sub-SB: what each must read, and the result if all do."""
+    """A state whose facts hang on no sub-SB: what each must read, and the results if all do, or if
+    nobody senses them."""
 
     pairs: tuple[tuple[FactKey, str], ...]
-    result: CheckResult
+    sensed: CheckResult
+    believed: CheckResult
 
 
 _KEY = "_expected"
+BELIEVED = "believed, nobody senses it"
 
 IN_TRANSIT = "in transit"
 """Why a digit is unknown while a crossing below it is pending (clause 6)."""
@@ -110,7 +113,7 @@ def state_check(
     the check unknown, and so does a digit in ``transit``. The SUB_SBS must have no cycle.
     """
     own = blueprint.branches[branch]
-    expected = sensed_so(own, state, scene)
+    expected = as_expected(own, state, scene, believed.get(branch))
     if expected is not None:
         return expected
     terms = []
@@ -127,24 +130,43 @@ def state_check(
     return CheckResult(branch, state, tuple(terms))
 
 
-def sensed_so(branch: StateBranch, state: str, scene: Scene) -> CheckResult | None:
-    """The result of a state check all of whose facts are sensed as the state wants them.
+def as_expected(
+    branch: StateBranch, state: str, scene: Scene, held: str | None
+) -> CheckResult | None:
+    """The result of a state check whose facts are all as the state wants them: every one sensed
+    so, or none sensed and the SB believed (``held``) to be there.
 
-    None where one is not, or hangs on a sub-SB: then every term must be looked at. It is what most
-    checks of a run that goes well come to, so that it is made once for each state.
+    None where that is not so, or a fact hangs on a sub-SB: then every term must be looked at. It
+    is what most checks of a run that goes well come to, so it is made once for each state.
     """
     kept: _Expected | None = branch.__dict__.setdefault(_KEY, {}).get(state)
     if kept is None:
-        pairs = tuple(((branch.name, d), value) for d, value in enumerate(branch.facts(state)))
-        terms = tuple(Term(key, value, value, True) for key, value in pairs)
-        kept = _Expected(pairs if not branch.subs else (), CheckResult(branch.name, state, terms))
-        branch.__dict__[_KEY][state] = kept
+        kept = branch.__dict__[_KEY][state] = _expected(branch, state)
     readings = scene.readings
+    unsensed = 0
     for key, value in kept.pairs:
         reading = readings.get(key)
-        if reading is None or reading.value != value or not reading.sensed:
+        if reading is None or not reading.sensed:
+            unsensed += 1
+        elif reading.value != value:
             return None
-    return kept.result if kept.pairs else None
+    if not kept.pairs:
+        return None
+    if not unsensed:
+        return kept.sensed
+    return kept.believed if held == state and unsensed == len(kept.pairs) else None
+
+
+def _expected(branch: StateBranch, state: str) -> _Expected:
+    name, values = branch.name, branch.facts(state)
+    pairs = tuple(((name, digit), value) for digit, value in enumerate(values))
+    sensed = tuple(Term(key, value, value, True) for key, value in pairs)
+    believed = tuple(Term(key, value, value, True, BELIEVED) for key, value in pairs)
+    return _Expected(
+        pairs if not branch.subs else (),
+        CheckResult(name, state, sensed),
+        CheckResult(name, state, believed),
+    )
 
 
 def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:
@@ -166,7 +188,7 @@ def _term(
     if held is None:
         return Term(key, wanted, None, None, "nobody senses it")
     value = branch.facts(held)[digit]
-    return Term(key, wanted, value, value == wanted, "believed, nobody senses it")
+    return Term(key, wanted, value, value == wanted, BELIEVED)
 
 
 def _sub_term(base: StateBranch, digit: int, wanted: str, inner: CheckResult) -> Term:

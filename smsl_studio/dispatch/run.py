@@ -11,6 +11,7 @@ from smsl_studio.blueprint.check import (
     FactKey,
     Scene,
     Term,
+    as_expected,
     state_check,
 )
 from smsl_studio.blueprint.configuration import Hierarchy
@@ -86,6 +87,10 @@ class Run:
         self, branch: str, state: str, transit: Collection[FactKey] = frozenset()
     ) -> CheckResult:
         """The state check of a state on the scene, without what hangs on digits in transit."""
+        own = self.blueprint.branches[branch]
+        expected = as_expected(own, state, self.senses.scene, state)
+        if expected is not None:
+            return expected
         believed = {**self.configuration, **self.pending, branch: state}
         scene = self.senses.scene
         result = state_check(self.blueprint, branch, state, scene, believed, transit=transit)
@@ -107,13 +112,14 @@ class Run:
     def broken(self) -> tuple[Term, ...]:
         """Integrity (clause 9): the sensed facts that differ from the flags, transit left out."""
         believed, scene = self.believed, self.senses.scene
-        return tuple(
-            term
-            for name, state in believed.items()
-            for term in state_check(
-                self.blueprint, name, state, scene, believed, transit=self.transit
-            ).misses
-        )
+        found: list[Term] = []
+        for name, state in believed.items():
+            own = self.blueprint.branches[name]
+            if as_expected(own, state, scene, state) is None:
+                transit = self.transit
+                check = state_check(self.blueprint, name, state, scene, believed, transit=transit)
+                found.extend(check.misses)
+        return tuple(found)
 
     def relocate(self, configuration: Mapping[str, str]) -> None:
         """SBs stand where the scene has them; no edge of this run led there."""
