@@ -124,10 +124,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
     if look.pruned or look.held_back or look.risky:
         if look.pruned:
             text = replace(text, text=f"{text.text} pruned")
-        rects = _near_sign(sheet, text, shape)
-        crossed = sheet.geometry.covered(edge, rects)
-        rects = [rect for _, rect in sorted(zip(crossed, rects, strict=True), key=lambda p: p[0])]
-        return _first(sheet, edge, text, rects, taken, False)
+        return _first(sheet, edge, text, _near_sign(sheet, edge, text, shape), taken, False)
     if sheet.compact and look.change:
         return _first(sheet, edge, text, _clear_of_names(sheet, edge, text, shape), taken, True)
     if sheet.compact and (look.trail or look.planned or look.possible):
@@ -216,8 +213,8 @@ def _lies_in(rect: Rect, view: Rect) -> bool:
     return rect[0] >= view[0] and rect[1] >= view[1] and rect[2] <= view[2] and rect[3] <= view[3]
 
 
-def _near_sign(sheet: Sheet, text: EdgeText, shape: EdgeShape) -> list[Rect]:
-    """Places around the sign in the middle of a line."""
+def _near_sign(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
+    """Places around the sign in the middle of a line, those that cover nothing else first."""
     unit = sheet.unit
     x, y = shape.at(shape.length / 2)
     w, h = (value / 2 for value in _size(sheet, text))
@@ -231,7 +228,12 @@ def _near_sign(sheet: Sheet, text: EdgeText, shape: EdgeShape) -> list[Rect]:
         (x - w - apart, y),
         (x, y - h - apart - 11.0 * unit),
     ]
-    return [(a - w, b - h, a + w, b + h) for a, b in middles]
+    rects = [(a - w, b - h, a + w, b + h) for a, b in middles]
+    others = (sheet.geometry.label(one) for one in sheet.looks.lit_edges[:MOST] if one != edge)
+    names = [name for name in others if name]
+    covered = sheet.geometry.covered(edge, rects)
+    cost = [n + sum(labels.meet(r, m) for m in names) for r, n in zip(rects, covered, strict=True)]
+    return [rects[at] for at in sorted(range(len(rects)), key=lambda at: cost[at])]
 
 
 def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Rect) -> LitLabel:
