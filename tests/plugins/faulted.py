@@ -118,7 +118,7 @@ def run_with(case: Case, file: str = PLAIN, adopt: bool = False, seed: int = 0) 
                     wrong += _judge(dispatcher, f"{event.operations[0]} committed", event)
             ended = [e for e in new if isinstance(e, OperationEnded)]
             if dispatcher.time >= due:
-                dispatcher.host.inject(case.fault, **case.parameters)
+                dispatcher.inject(case.fault, by="a test", **case.parameters)
                 due = math.inf
             elif edge and ended and not at_first:
                 at_first = ended[0].outcome
