@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
@@ -25,6 +26,9 @@ from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Event, RunFinished
+
+if TYPE_CHECKING:
+    from smsl_studio.host.spare import Spare
 
 HOSTS = ("local", "process")
 NAP = 0.1
@@ -66,12 +70,14 @@ def open_run(
     loaded: Loaded | None = None,
     broker: str = "",
     site: str = "",
+    spare: Spare | None = None,
 ) -> Dispatcher:
     """A dispatcher that is ready to ``open``; the caller ticks it and closes it.
 
     Several starts or goals may be given, one an SB. ``levels`` are set before this run and win
     over what the blueprint declares (see ``blueprint.levels``). AddressError and UsageError for
     what makes no sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
+    ``spare`` (see ``make_spare``) has a child in waiting, so that the run begins at once.
     """
     _one_of(host, HOSTS, "host")
     _one_of(on_mismatch, ("hold", "adopt"), "on_mismatch")
@@ -80,7 +86,9 @@ def open_run(
     shut = operations_at(blueprint, avoid)
     chosen = Levels(blueprint, levels or {})
     _refuse_nonsense(blueprint)
-    made = make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded)
+    made = make_host(
+        blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded, spare=spare
+    )
     return Dispatcher(
         blueprint,
         with_remote(blueprint, made, world, seed, broker=broker, site=site),
@@ -203,15 +211,24 @@ def make_host(
     *,
     plugin_paths: Sequence[Path] = (),
     loaded: Loaded | None = None,
+    spare: Spare | None = None,
 ) -> Host:
-    """A local or a process host; ``loaded`` spares the local one looking for plugins again."""
+    """A local or a process host; ``loaded`` spares the local one looking for plugins again,
+    ``spare`` has a child in waiting for the other."""
     if host == "local":
         from smsl_studio.host.local import LocalHost
 
         return LocalHost(blueprint, world, seed, plugin_paths, loaded)
     from smsl_studio.host.process import ProcessHost
 
-    return ProcessHost(blueprint, world, seed, plugin_paths)
+    return ProcessHost(blueprint, world, seed, plugin_paths, spare=spare)
+
+
+def make_spare(spare: Spare, blueprint: Blueprint, world: str, seed: int) -> None:
+    """Have a child of ``spare`` build this world, ready for a run that may come; does not wait."""
+    from smsl_studio.host.process import ProcessHost
+
+    spare.warm(ProcessHost(blueprint, world, seed).recipe)
 
 
 def known_world(
