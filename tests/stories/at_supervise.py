@@ -52,14 +52,18 @@ class AtSupervise:
 
         self.person.qtbot.waitUntil(there, timeout=PATIENCE)
 
-    def start_paused(self, world: str = "table") -> None:
-        """Choose a world in Run mode, go back, and have the first operation carried out."""
+    def start(self, world: str, key: Key = Key.Key_F5) -> None:
+        """Choose a world in Run mode, go back, and start."""
         transport = self.person.window.run_pane.transport
         self.person.ctrl(Key.Key_2)
         if transport.world.currentText() != world:
             self.person.choose(transport.world, world)
         self.person.ctrl(Key.Key_3)
-        self.person.press(Key.Key_F10)
+        self.person.press(key)
+
+    def start_paused(self, world: str = "table") -> None:
+        """Have the first operation of a run carried out."""
+        self.start(world, Key.Key_F10)
         self.until_phase("Paused")
 
     def press(self, *keys: Key) -> None:
@@ -78,8 +82,8 @@ class AtSupervise:
     def standing(self, operation: str) -> str:
         """How an operation stands."""
         view = self.pane.view
-        assert view is not None
-        return {card.name: card.standing for card in view.cards}[operation]
+        standing = {card.name: card.standing for card in view.cards} if view else {}
+        return standing.get(operation, "")
 
     def until_stands(self, operation: str, standing: str) -> None:
         self.person.qtbot.waitUntil(lambda: self.standing(operation) == standing, timeout=PATIENCE)

@@ -13,6 +13,7 @@ from smsl_studio.runlog.events import (
     RunStopped,
     TakenOver,
 )
+from smsl_studio.studio.people.persons import Person
 from tests.stories.at_supervise import AtSupervise
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -137,6 +138,35 @@ def test_what_a_run_refuses_is_said_in_place(sit: Sit) -> None:
     at.person.qtbot.waitUntil(lambda: "Nobody has taken over" in at.pane.step_in.refusal)
     at.press(Key.Key_Escape)
     assert at.pane.step_in.refusal == ""
+
+
+def test_a_veto_of_what_moves_comes_too_late_and_others_wait_their_turn(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start("hanoi")
+    at.person.qtbot.waitUntil(lambda: at.standing("Op_1c") == "running", timeout=60_000)
+    at.press(Key.Key_V)
+    assert "a veto comes too late" in at.asked
+    at.press(Key.Key_Return)
+    at.press(Key.Key_Escape, at.number("Op_1b"))
+    assert "One operation at a time, Op_1c is under way." in at.asked
+    at.press(Key.Key_Return)
+    assert at.commanded() == []
+    at.press(Key.Key_Escape, Key.Key_P)
+    at.person.type("it slips")
+    at.press(Key.Key_Return)
+    at.until_stands("Op_1c", "pruned")
+
+
+def test_commands_carry_the_name_of_who_works_here(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.windows.persons.put(Person("L. Brandt", "surgeon"))
+    at = AtSupervise(person)
+    at.start_paused()
+    at.press(Key.Key_T, Key.Key_Return)
+    at.until_phase("Taken over")
+    assert at.pane.bar.person == "L. Brandt"
+    told = {event.by for event in at.events if isinstance(event, Commanded | TakenOver)}
+    assert told == {"L. Brandt"}
 
 
 def test_arrows_lead_from_card_to_card_and_every_one_has_a_name(sit: Sit) -> None:

@@ -22,6 +22,7 @@ from smsl_studio.front.recording import new_recording, start_log
 from smsl_studio.front.run_header import asked_for
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
+from smsl_studio.host.remote import WithRemote
 from smsl_studio.library.loading import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
@@ -113,7 +114,8 @@ class RunSession(QObject, Verbs):
     def world_process(self) -> int | None:
         """The number of the process in which the world runs; None where there is none."""
         host = self._dispatcher.host if self._dispatcher is not None else None
-        return host.pid if isinstance(host, ProcessHost) else None
+        world = host.inner if isinstance(host, WithRemote) else host
+        return world.pid if isinstance(world, ProcessHost) else None
 
     def begin(
         self,
@@ -145,7 +147,8 @@ class RunSession(QObject, Verbs):
         self._runner = runner
         self._set_exists(True)
         if stepping:
-            runner.command(_step_first)
+            by = self.who()
+            runner.command(lambda dispatcher: dispatcher.step(by=by))
         runner.start()
         self._clock.start()
         self.changed.emit()
@@ -261,7 +264,3 @@ def _log(
     )
     path = new_recording(folder, blueprint.file, datetime.now())
     return start_log(path, blueprint, choice.world, loaded, asked)
-
-
-def _step_first(dispatcher: Dispatcher) -> None:
-    dispatcher.step()

@@ -108,6 +108,11 @@ class SuperviseBar(QWidget):
         tip = "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
         self.stop.setToolTip(tip)
 
+    @property
+    def person(self) -> str:
+        """In whose name one commands; empty where nobody said who works here."""
+        return self._person.text()
+
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         for button in (self.step, self.play, self.stop):

@@ -356,9 +356,11 @@ class SupervisePane(QWidget):
             if located and status is not None:
                 asking.show_decision(decisions.accept(status))
             return
+        out = self._view is None or self._view.card(decision.address) is None
         gone = not self._run.exists or (
-            decision.command in (decisions.ASK, "") and self._picked is None
-        ) or (decision.command == decisions.ACCEPT and not located)  # fmt: skip
+            (decision.command in (decisions.ASK, "") and out)
+            or (decision.command == decisions.ACCEPT and not located)
+        )
         if gone:
             asking.show_decision(None)
         elif self._picked is not None and self._view is not None:
