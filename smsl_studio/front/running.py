@@ -77,7 +77,7 @@ def open_run(
     Several starts or goals may be given, one an SB. ``levels`` are set before this run and win
     over what the blueprint declares (see ``blueprint.levels``). AddressError and UsageError for
     what makes no sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
-    ``spare`` (see ``make_spare``) has a child in waiting, so that the run begins at once.
+    ``spare`` (see ``make_ready``) has a child in waiting, so that the run begins at once.
     """
     _one_of(host, HOSTS, "host")
     _one_of(on_mismatch, ("hold", "adopt"), "on_mismatch")
@@ -224,7 +224,7 @@ def make_host(
     return ProcessHost(blueprint, world, seed, plugin_paths, spare=spare)
 
 
-def make_spare(spare: Spare, blueprint: Blueprint, world: str, seed: int) -> None:
+def make_ready(spare: Spare, blueprint: Blueprint, world: str, seed: int) -> None:
     """Have a child of ``spare`` build this world, ready for a run that may come; does not wait."""
     from smsl_studio.host.process import ProcessHost
 
