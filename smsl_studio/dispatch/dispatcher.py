@@ -19,6 +19,7 @@ from smsl_studio.dispatch.looking import look, look_at_nothing, phase_at_end
 from smsl_studio.dispatch.start import begin_run
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.dispatch.supervision.commands import Commands
+from smsl_studio.dispatch.supervision.leaving import leave
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
@@ -125,7 +126,7 @@ class Dispatcher(Commands):
             if commands:
                 obey(driver, commands)
             if self._leaving and driver.ended is None:
-                driver.leave()
+                leave(driver)
             if driver.ended is None:
                 driver.go_on()
         except HostError as error:

@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
@@ -18,18 +17,16 @@ from smsl_studio.dispatch.outlook import Outlook
 from smsl_studio.dispatch.people.admitting import admit
 from smsl_studio.dispatch.people.board import Closed
 from smsl_studio.dispatch.people.desk import Desk
-from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.starting import Starting
 from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.pricing import Pricing
-from smsl_studio.dispatch.recovery import stands
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.stage import Failure, Stage
 from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
+from smsl_studio.dispatch.supervision.rechecking import informed
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.trouble import Hold, Trouble
-from smsl_studio.dispatch.words import all_words
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.runlog.events import (
     GoalReached,
@@ -144,7 +141,7 @@ class Driver:
         run, course = self.run, self.course
         self._tell_goals()
         if holds(run.configuration, course.goals):
-            self._arrived()
+            self.arrived()
             return
         step = self._next()
         if step is not None:
@@ -219,7 +216,7 @@ class Driver:
         if failure.unanswered:
             relocalise()
         else:
-            self.informed(relocalise)
+            informed(self, relocalise)
 
     def _tell_goals(self) -> None:
         """Goals count as reached in their order."""
@@ -232,32 +229,13 @@ class Driver:
                 self.loops.forget()
                 run.emit(GoalReached(t=run.time, goal=str(goal)))
 
-    def _arrived(self) -> None:
+    def arrived(self) -> None:
         if self.state.by_hand:
             self.state.once = False
             return
         goals = self.course.goals
         word = "holds" if len(goals) == 1 else "hold"
         self.finish("goal_reached", f"{', '.join(map(str, goals))} {word}.")
-
-    def leave(self) -> None:
-        """Nobody attends the run any more: where it waits for somebody, it is over."""
-        if self.phase == "waiting":
-            self.desk.settled()
-        self.attended = False
-        held, phase = self.state.held, self.phase
-        if held is not None and phase in ("no_route", "fault_hold"):
-            self.finish(held.kind, held.reason)
-        elif phase == "stopped":
-            self.finish("stopped", self.sentence)
-        elif phase == "ready" and holds(self.run.configuration, self.course.goals):
-            self.state.by_hand = False
-            self._arrived()
-        elif phase == "waiting":
-            self.finish("held", f"The run is waiting, and {self.desk.nobody}.")
-        elif phase in ("ready", "paused", "taken_over"):
-            words = phase.replace("_", " ").replace("ready", "run by hand")
-            self.finish("held", f"The run is {words}, and nobody is there to go on with it.")
 
     # what commands need -------------------------------------------------------------------------
 
@@ -271,63 +249,6 @@ class Driver:
         """Nothing moves from now on, and simulated time stands still."""
         self.state.pause(carrying=self.carrier is not None or self.desk.busy)
         self.run.emit(Paused(t=self.run.time))
-
-    def recheck(self) -> None:
-        """Whoever lets the run go on has state and route checked again; the scene decides."""
-        run, held, carrier = self.run, self.state.held, self.carrier
-        if carrier is not None:
-            self._recheck_others(carrier)
-            return
-        if self.desk.busy:
-            return
-        if held is not None:
-            self.loops.forget()
-            self.course.lift_vetoes()
-            self.release()
-            self.informed(lambda: self.hold(self.trouble.relocalise()))
-            return
-        run.look()
-        if not stands(run, run.configuration):
-            self.informed(self._read_again)
-
-    def _recheck_others(self, carrier: Carrier) -> None:
-        """An operation that was held goes on only where all that it does not move is as it was."""
-        run = self.run
-        run.look()
-        moved = {edge.branch for edge in carrier.step.edges}
-        words = all_words(
-            run.blueprint, (term for term in run.broken() if term.fact[0] not in moved)
-        )
-        if words:
-            carrier.abort("hold", f"while it was held, {'; '.join(words)}")
-
-    def _read_again(self) -> None:
-        if not stands(self.run, self.run.configuration):
-            self.hold(self.trouble.relocalise())
-
-    def informed(self, then: Callable[[], None]) -> None:
-        """Do it once people were asked for those facts of the active states that are unknown and
-        theirs to say; at once where there are none, or nobody is there."""
-        run = self.run
-        run.look()
-        facts = in_checks(run, run.checks(run.configuration))
-        if not facts or self.desk.ask(facts, lambda _: then()):
-            then()
-
-    def cut(self, reason: str) -> tuple[FactKey, ...]:
-        """Brake, and end what is carried out; the facts it may have touched."""
-        run, carrier = self.run, self.carrier
-        touched: tuple[FactKey, ...] = ()
-        if carrier is None or carrier.stage is not Stage.RUNNING:
-            run.host.cancel("hold")
-        if carrier is not None:
-            touched = carrier.cut(reason)
-        self.carrier = None
-        self.desk.withdraw()
-        run.drop_pending()
-        self.course.drop_plan()
-        self.release()
-        return touched
 
     def withdraw(self) -> None:
         """What was proposed is so no longer: the next proposal is made anew."""

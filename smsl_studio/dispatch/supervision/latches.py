@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import fact_text
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.people.needed import everywhere
 from smsl_studio.dispatch.recovery import located, stands
+from smsl_studio.dispatch.stage import Stage
 from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.words import all_words
 from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
@@ -19,7 +21,7 @@ if TYPE_CHECKING:
 def stop(driver: Driver, command: Command) -> str:
     """Brake and latch; where nobody attends the run, that is its end."""
     run, state = driver.run, driver.state
-    touched = driver.cut(f"stopped by {command.by}")
+    touched = _cut(driver, f"stopped by {command.by}")
     state.latch()
     state.taken_over, state.stopped, state.touched = "", command.by, touched
     driver.sentence = f"Stopped by {command.by}."
@@ -54,7 +56,7 @@ def end(driver: Driver, command: Command) -> str:
 def take_over(driver: Driver, command: Command) -> str:
     """Automation is locked out; the dispatcher only observes."""
     run, state = driver.run, driver.state
-    driver.cut(f"{command.by} took over")
+    _cut(driver, f"{command.by} took over")
     state.latch()
     state.taken_over = command.by
     driver.sentence = f"{command.by[:1].upper()}{command.by[1:]} has taken over."
@@ -137,3 +139,19 @@ def adopt(driver: Driver, command: Command) -> str:
 def _states(configuration: object) -> str:
     assert isinstance(configuration, dict)
     return ", ".join(f"{name}/{state}" for name, state in configuration.items())
+
+
+def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
+    """Brake, and end what is carried out; the facts it may have touched."""
+    run, carrier = driver.run, driver.carrier
+    touched: tuple[FactKey, ...] = ()
+    if carrier is None or carrier.stage is not Stage.RUNNING:
+        run.host.cancel("hold")
+    if carrier is not None:
+        touched = carrier.cut(reason)
+    driver.carrier = None
+    driver.desk.withdraw()
+    run.drop_pending()
+    driver.course.drop_plan()
+    driver.release()
+    return touched

@@ -8,6 +8,7 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.guards import asked
 from smsl_studio.dispatch.people.admitting import admit
 from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.dispatch.supervision.rechecking import recheck
 from smsl_studio.runlog.events import OperationRefused, Resumed
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def resume(driver: Driver, command: Command) -> str:
     if driver.carrier is None:
         driver.course.drop_plan()
     driver.reviewer.trust()
-    driver.recheck()
+    recheck(driver)
     return ""
 
 
@@ -72,7 +73,7 @@ def step(driver: Driver, command: Command) -> str:
         return "one operation is about to begin already"
     driver.state.step()
     driver.reviewer.trust()
-    driver.recheck()
+    recheck(driver)
     return ""
 
 

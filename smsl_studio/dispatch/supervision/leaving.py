@@ -1,0 +1,30 @@
+"""Whoever attended a run is gone: where it waits for somebody, it is over."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from smsl_studio.dispatch.planner import holds
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.driver import Driver
+
+
+def leave(driver: Driver) -> None:
+    """Nobody attends the run any more: where it waits for somebody, it is over."""
+    if driver.phase == "waiting":
+        driver.desk.settled()
+    driver.attended = False
+    held, phase = driver.state.held, driver.phase
+    if held is not None and phase in ("no_route", "fault_hold"):
+        driver.finish(held.kind, held.reason)
+    elif phase == "stopped":
+        driver.finish("stopped", driver.sentence)
+    elif phase == "ready" and holds(driver.run.configuration, driver.course.goals):
+        driver.state.by_hand = False
+        driver.arrived()
+    elif phase == "waiting":
+        driver.finish("held", f"The run is waiting, and {driver.desk.nobody}.")
+    elif phase in ("ready", "paused", "taken_over"):
+        words = phase.replace("_", " ").replace("ready", "run by hand")
+        driver.finish("held", f"The run is {words}, and nobody is there to go on with it.")
