@@ -183,6 +183,19 @@ def test_a_person_accepts_what_inspection_found_before_anything_moves(
     assert room.active() == {"SB": "State_1"}
 
 
+def test_a_tall_card_shows_its_button_when_an_answer_is_chosen(sit: Sit, tmp_path: Path) -> None:
+    values = {str(n): f"Answer {n}, of which there is a lot to say " * 2 for n in range(8)}
+    facts = {"0": {"values": values, "aggregation": "human", "question": "How is it? " * 20}}
+    room = AtTasks(sit(asking(tmp_path, facts=facts), (1280, 800)), NURSE)
+    room.start()
+    room.person.until(lambda: room.card.card is not None)
+    button = room.card.answer.button
+    room.person.until(lambda: button.visibleRegion().isEmpty())
+    room.person.press(Key.Key_A)
+    room.person.until(lambda: not button.visibleRegion().isEmpty())
+    assert button.hasFocus()
+
+
 def test_everything_of_a_card_can_be_read_at_1280(sit: Sit) -> None:
     room = AtTasks(sit(SAMPLES / "registration-people.json", (1280, 800)), NURSE)
     room.start()

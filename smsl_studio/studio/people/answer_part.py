@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
@@ -18,6 +18,9 @@ CHOOSE, WHO, PIN = "Choose an answer", "Say who you are", "Type your PIN"
 
 class Decide(QPushButton):
     """Enter decides once; a key that is held down does not decide twice."""
+
+    def sizeHint(self) -> QSize:
+        return QSize(super().sizeHint().width(), CONTROL_DECISION)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
@@ -39,7 +42,6 @@ class AnswerPart(QWidget):
         self.refusal = Said("refusal")
         self.button = Decide(CHOOSE)
         self.button.setProperty("role", "primary")
-        self.button.setFixedHeight(CONTROL_DECISION)
         self.button.setEnabled(False)
         self.sentence = label("", "hint")
         column = QVBoxLayout(self)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QLineEdit,
+    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -56,7 +57,7 @@ class TaskCard(QWidget):
         self.answer.who.edit_wanted.connect(self.persons_wanted)
         self.answer.decided.connect(self._decide)
         self.answers.changed.connect(self._refresh)
-        self.answers.settled.connect(self.answer.button.setFocus)
+        self.answers.settled.connect(self._lead_to_button)
         self.head.turned.connect(self._turn)
         self._refresh()
 
@@ -202,6 +203,15 @@ class TaskCard(QWidget):
         self._places.setVisible(len(card.persons) > 1 or card.persons[0].place != "Anybody")
         self.answers.open(not card.objection)
         self.answer.show_card(card, self.answers.chosen, self.outcomes.refusals.get(name, ""))
+
+    def _lead_to_button(self) -> None:
+        """The keys go to the button that decides; a tall card is scrolled so that it is seen."""
+        button, above = self.answer.button, self.parentWidget()
+        button.setFocus()
+        while above is not None:
+            if isinstance(above, QScrollArea):
+                above.ensureWidgetVisible(button)
+            above = above.parentWidget()
 
     def _decide(self) -> None:
         card, chosen, person = self.card, self.answers.chosen, self.answer.who.person
