@@ -143,6 +143,8 @@ def as_expected(
     if kept is None:
         kept = branch.__dict__[_KEY][state] = _expected(branch, state)
     readings = scene.readings
+    if not readings:
+        return kept.believed if held == state and kept.pairs else None
     unsensed = 0
     for key, value in kept.pairs:
         reading = readings.get(key)
