@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
 
@@ -168,7 +169,7 @@ def _nothing(before: Retold, event: Event) -> Changes:
 
 def _entered(before: Retold, t: float, states: Mapping[str, str], by: Sequence[str]) -> Changes:
     """SBs came into states, by these operations."""
-    how = {text.partition("/")[0]: text for text in by}
+    how = {Address.split(text)[0]: text for text in by}
     came = {branch: Entered(t, how.get(branch, "")) for branch in states}
     return {
         "configuration": {**before.configuration, **states},

@@ -66,7 +66,7 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     window = Window(windows)
     window.show()
     if path:
-        window.files.open(Path(path))
+        window.open_path(Path(path))
     if not windows.plugins.known:
         windows.plugins.look()
     if mode != "draw":

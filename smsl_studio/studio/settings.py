@@ -53,6 +53,11 @@ class Settings:
         """The folder of recorded runs; it need not exist."""
         return self.folder / "recordings"
 
+    @property
+    def wanted_recordings(self) -> Path | None:
+        """The folder into which runs are to be recorded; None: they are not."""
+        return self.recordings if self.record_runs else None
+
     def remember(self, path: Path) -> None:
         """Put a file in front of the recent ones."""
         others = [known for known in self.recent if known != path]

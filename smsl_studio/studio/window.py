@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
-from PySide6.QtWidgets import QMainWindow
+from PySide6.QtWidgets import QMainWindow, QMenu
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -47,9 +47,12 @@ from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
 from smsl_studio.studio.people.people import People
+from smsl_studio.studio.replay.replaying import Replaying
+from smsl_studio.studio.replay.watched import Watched
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
+from smsl_studio.studio.showing import Showing
 from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.supervise.pane import SupervisePane
@@ -90,7 +93,7 @@ class Window(QMainWindow):
         self.drawing = Drawing(session, self.editor)
         self.clipping = Clipping(session, self.canvas, lambda words: self.toast.say(words))
         self.run_pane = RunPane(session, tokens)
-        self.run_pane.recordings = lambda: settings.recordings if settings.record_runs else None
+        self.run_pane.recordings = lambda: settings.wanted_recordings
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
         self.findings = Findings(session, tokens, self.inspector.rules)
@@ -102,6 +105,7 @@ class Window(QMainWindow):
         )
         self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)
         self.people.hear(self.supervise)
+        self.replaying = Replaying(lambda: session.blueprint, settings.recordings, tokens, self)
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
@@ -118,27 +122,30 @@ class Window(QMainWindow):
         self.docks.bottom_tabs.add("Findings", self.findings, self.findings.tools)
         self.docks.bottom_tabs.add("History", self.history)
 
-        run, supervise = self.run_pane, self.supervise
+        run, supervise, replay = self.run_pane, self.supervise, self.replaying
         pages = {
             "draw": Page(self.canvas, self.canvas),
             "run": Page(run, run.canvas.canvas, run.transport),
             "supervise": Page(supervise, supervise, supervise.bar),
+            "replay": Page(replay.pane, replay.transport.scrubber, replay.transport),
         }
         self._modes = Modes(pages, self.body, self.docks, self._settings)
 
     def _build_actions(self) -> None:
+        watched = Watched(self.run_pane, self.replaying.replay, lambda: self.mode)
         table = all_actions(
             self, self.session, self.files, self.drawing, self.clipping, self.findings, self.docks,
-            self.run_pane, self._windows, self.comparing, self.supervise,
-            self.people, self.open_task,
+            watched, self._windows, self.comparing, self.supervise,
+            self.people, self.open_task, self.replaying,
         )  # fmt: skip
         self.actions_table = Actions(table, self, self.tokens, self.settle)
 
     def _build_frame(self) -> None:
         actions, tokens = self.actions_table, self.tokens
-        submenus = {
+        submenus: dict[str, tuple[str, Callable[[QMenu], None]]] = {
             "open": ("Open recent", partial(fill_recent, self.files)),
             "new": ("Open sample", partial(fill_samples, self.files)),
+            "open_recording": ("Recordings", self.replaying.fill),
         }
         self.menu_row = MenuRow(actions, tokens, submenus)
         self.menu_row.add_badge(self.people.badge)
@@ -148,6 +155,8 @@ class Window(QMainWindow):
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
         self._modes.dress(self.mode_bar, self.status_line)
+        segments = self.mode_bar.segments
+        self._showing = Showing(self, self.files, self.replaying, self.safety, segments)
         self._captions = Captions(
             self.session, self.files, self.source, self.menu_row, self.status_line, self
         )
@@ -196,9 +205,11 @@ class Window(QMainWindow):
         self.mode_bar.search_wanted.connect(self.open_palette)
         self._windows.plugins.changed.connect(self.show_plugins)
         self.run_pane.run_exists.connect(self._run_exists)
-        self.run_pane.said.connect(self.status_line.show_run)
+        self.run_pane.said.connect(self._show_said)
         self.run_pane.moved.connect(self.outline.set_run)
         self.run_pane.moved.connect(self._light_source)
+        self.replaying.refused.connect(self.toast.refuse)
+        self.replaying.pane.said.connect(self._show_said)
         self.supervise.begin_wanted.connect(self.run_pane.play)
         self.people.task_wanted.connect(self.open_task)
         self.people.changed.connect(actions.refresh)
@@ -223,6 +234,7 @@ class Window(QMainWindow):
         """Show Draw, Run or Supervise."""
         if mode != self.mode:
             self._modes.show(mode, self.width())
+            self._show_said()
         self.actions_table.refresh()
 
     def wear(self, tokens: Tokens) -> None:
@@ -230,7 +242,7 @@ class Window(QMainWindow):
         self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
-        runs = (self.run_pane, self.supervise, self.people)
+        runs = (self.run_pane, self.supervise, self.people, self.replaying)
         others = (self.comparing, self.safety, self.actions_table)
         for part in (self.canvas, *panels, *frame, *runs, *others):
             part.set_tokens(self.tokens)
@@ -240,6 +252,10 @@ class Window(QMainWindow):
     def name(self) -> str:
         """The name of the file that is shown."""
         return self.files.name
+
+    def open_path(self, path: Path) -> None:
+        """Show a blueprint or a recorded run."""
+        self._showing.open(path)
 
     def stop_run(self) -> None:
         self.run_pane.stop()
@@ -317,6 +333,11 @@ class Window(QMainWindow):
         self.mode_bar.show_stop(exists)
         self._stop_key.listen(exists)
 
+    def _show_said(self) -> None:
+        """The status line speaks of the replay while that is shown, else of the run."""
+        shown = self.replaying.pane if self.mode == "replay" else self.run_pane
+        self.status_line.show_run(shown.words)
+
     def _light_source(self, active: Mapping[str, str], _: str) -> None:
         """The active states stand lit in the text while a run is there."""
         lit = active if self.run_pane.run.exists else {}
@@ -355,9 +376,9 @@ class Window(QMainWindow):
 
     def _open_all(self, paths: Sequence[Path]) -> None:
         """The first of several files takes the place of what is here, each other a window."""
-        self.files.open(paths[0])
+        self.open_path(paths[0])
         for path in paths[1:]:
-            self._beside().files.open(path)
+            self._beside().open_path(path)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if not self.files.may_leave():

@@ -12,6 +12,7 @@ from smsl_studio.studio.commands.edit import edit_actions
 from smsl_studio.studio.commands.files import file_actions
 from smsl_studio.studio.commands.help import help_actions
 from smsl_studio.studio.commands.people import Asking, people_actions
+from smsl_studio.studio.commands.replay import replay_actions
 from smsl_studio.studio.commands.run import run_actions
 from smsl_studio.studio.commands.samples import sample_actions
 from smsl_studio.studio.commands.shell import Shell, Supervising, Transport
@@ -22,6 +23,7 @@ from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.panels.findings import Findings
+from smsl_studio.studio.replay.replaying import Replaying
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.windows import Windows
 
@@ -42,6 +44,7 @@ def all_actions(
     supervise: Supervising,
     people: Asking,
     open_task: Callable[[], object],
+    replaying: Replaying,
 ) -> tuple[Action, ...]:
     """Every row, menu by menu."""
     return (
@@ -54,5 +57,6 @@ def all_actions(
         *run_actions(run, windows, shell),
         *supervise_actions(supervise, shell),
         *people_actions(people, open_task),
+        *replay_actions(replaying, windows, shell),
         *help_actions(shell),
     )

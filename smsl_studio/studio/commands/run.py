@@ -17,14 +17,9 @@ def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action,
         run.step()
 
     def watch() -> None:
-        """Who supervises goes on supervising; anybody else sees the run."""
-        if shell.mode != "supervise":
+        """Who supervises or watches a replay goes on with it; anybody else sees the run."""
+        if shell.mode not in ("supervise", "replay"):
             shell.set_mode("run")
-
-    settings = windows.settings
-
-    def record() -> None:
-        settings.record_runs = not settings.record_runs
 
     return (
         Action("run_play", "Run", play, "Run", "play", ("F5",),
@@ -37,6 +32,4 @@ def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action,
                tip="A controlled stop, from anywhere"),
         Action("reload_plugins", "Look for plugins again", windows.plugins.look, "Run", "", (),
                section=2, tip="Read edited and added plugins; a run always has them as they are"),
-        Action("record_runs", "Record runs", record, "Run", checked=lambda: settings.record_runs,
-               section=3, tip="Write every run to a log, so that it can be shown and verified"),
     )  # fmt: skip

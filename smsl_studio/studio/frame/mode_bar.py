@@ -29,7 +29,9 @@ DRAW_TOOLS = (
 )
 SEARCH = 248
 """Pixels of the search field; it gives way where the bar is narrow."""
-MODES = ("mode_draw", "mode_run", "mode_supervise")
+MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
+PASSING = ("mode_replay",)
+"""Modes that are offered only while there is something to show in them."""
 
 
 class ModeBar(QToolBar):
@@ -46,7 +48,9 @@ class ModeBar(QToolBar):
         self._actions = actions
         self.left_button = _tool(actions["left_panel"], icon_only=True)
         self.left_button.hide()
-        self.segments = Segments([(actions[name], actions.table[name].short) for name in MODES])
+        self.segments = Segments(
+            [(name, actions[name], actions.table[name].short) for name in MODES]
+        )
         self.search = SearchBox(tokens)
         self.search.clicked.connect(self.search_wanted)
         self.run = QPushButton(" Run")
@@ -136,14 +140,18 @@ class ModeBar(QToolBar):
 class Segments(QFrame):
     """The modes side by side, exactly one of them chosen."""
 
-    def __init__(self, modes: list[tuple[QAction, str]]) -> None:
+    def __init__(self, modes: list[tuple[str, QAction, str]]) -> None:
         super().__init__()
         self.setObjectName("segments")
         self.setAccessibleName("Mode")
         layout = row(spacing=0)
         layout.setContentsMargins(2, 2, 2, 2)
-        for action, words in modes:
+        self._buttons: dict[str, QToolButton] = {}
+        for name, action, words in modes:
             button = QToolButton()
+            self._buttons[name] = button
+            if name in PASSING:
+                button.hide()
             button.setDefaultAction(action)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             button.setFixedHeight(30)
@@ -152,6 +160,10 @@ class Segments(QFrame):
             layout.addWidget(button)
         self.setLayout(layout)
         self.setFixedHeight(34)
+
+    def show_segment(self, name: str, shown: bool) -> None:
+        """Offer a mode, or no longer."""
+        self._buttons[name].setVisible(shown)
 
 
 class SearchBox(QAbstractButton):

@@ -16,7 +16,7 @@ from smsl_studio.studio.theme import STATUS_LINE
 from smsl_studio.studio.words import counted
 
 ENDING = "Not a medical device"
-LONG = 120
+LONG = 64
 """Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
 
 
@@ -80,8 +80,8 @@ class StatusLine(QStatusBar):
         self._show_parts()
 
     def show_mode(self, mode: str) -> None:
-        """Run and Supervise speak of the run."""
-        self._running = mode in ("run", "supervise")
+        """All modes but Draw speak of the run."""
+        self._running = mode != "draw"
         self._show_parts()
 
     @property

@@ -38,7 +38,7 @@ from smsl_studio.studio.run.possible_panel import PossiblePanel
 from smsl_studio.studio.run.run_canvas import RunCanvas
 from smsl_studio.studio.run.run_session import RunChoice, RunSession
 from smsl_studio.studio.run.state_check import StateCheckView
-from smsl_studio.studio.run.status_words import status_words
+from smsl_studio.studio.run.status_words import Words, status_words
 from smsl_studio.studio.run.timeline import Timeline
 from smsl_studio.studio.run.transport import Transport
 from smsl_studio.studio.run.world_view import WorldView
@@ -61,8 +61,8 @@ class RunPane(QWidget):
 
     run_exists = Signal(bool)
     """Whether there is a run that can be stopped."""
-    said = Signal(object)
-    """A tuple of short sentences for the status line: how the run stands."""
+    said = Signal()
+    """Other ``words`` tell how the run stands."""
     moved = Signal(object, str)
     """(active state of every SB, SB in which an operation runs): empty where there is no run."""
 
@@ -92,6 +92,11 @@ class RunPane(QWidget):
         self._frames.setInterval(FRAME)
         self._frames.timeout.connect(self._draw_world)
         self._refresh()
+
+    @property
+    def words(self) -> Words:
+        """Short sentences for the status line, for its left and its right: how the run stands."""
+        return status_words(self.run, self.transport.speed.currentData(), self.canvas.moved_on)
 
     # What is asked of the run.
 
@@ -336,8 +341,7 @@ class RunPane(QWidget):
         self.moved.emit({}, "")
 
     def _say(self) -> None:
-        moved_on = self.canvas.moved_on
-        self.said.emit(status_words(self.run, self.transport.speed.currentData(), moved_on))
+        self.said.emit()
 
     def _tell(self, events: tuple[Event, ...]) -> None:
         self.events.add_events(events)

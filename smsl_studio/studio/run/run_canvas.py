@@ -18,8 +18,7 @@ from smsl_studio.studio.icons import icon
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_over
 from smsl_studio.studio.run.phases import phase_words
-from smsl_studio.studio.run.run_session import RunSession
-from smsl_studio.studio.session import Session
+from smsl_studio.studio.run.shown import Drawn, ShownRun
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.words import capital, counted
 
@@ -49,7 +48,7 @@ class RunCanvas(QWidget):
     """The address of an operation whose arrow was clicked."""
 
     def __init__(
-        self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
+        self, session: Drawn, run: ShownRun, tokens: Tokens, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._session, self._run, self._tokens = session, run, tokens

@@ -6,10 +6,12 @@ zooms in time at the cursor, a drag pans, a double click shows all again and fol
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
+from typing import Any
 
 import pyqtgraph as pg
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QWidget
 
@@ -28,6 +30,9 @@ SPANS = (0.5, 1.0, 2.0, 4.0, 8.0)
 
 class Timeline(QScrollArea):
     """Lanes over time. ``show_lanes`` replaces them; the view follows the run until it is moved."""
+
+    time_wanted = Signal(float)
+    """A click, at this simulated second."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -55,6 +60,11 @@ class Timeline(QScrollArea):
     def lanes(self) -> tuple[Lane, ...]:
         """What is shown, for keyboards and tests."""
         return self._lanes.lanes
+
+    @property
+    def plot(self) -> pg.PlotWidget:
+        """Where the lanes are drawn."""
+        return self._plot
 
     def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
         """Show these lanes, with the present at ``time`` (simulated s)."""
@@ -100,6 +110,7 @@ class Timeline(QScrollArea):
         self.setWidget(self._inner)
         self._box.moved.connect(self._stop_following)
         self._box.reset.connect(self.follow)
+        self._box.clicked.connect(self.time_wanted)
         self._box.sigXRangeChanged.connect(lambda *_: self._place_badge())
         self._box.sigResized.connect(lambda *_: self._fit_height())
         plot = self._plot
@@ -203,6 +214,7 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
 
     moved = pg.QtCore.Signal()
     reset = pg.QtCore.Signal()
+    clicked = pg.QtCore.Signal(float)
 
     def __init__(self) -> None:
         super().__init__(enableMenu=False, defaultPadding=0)
@@ -219,6 +231,11 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
 
     def mouseDoubleClickEvent(self, event: object) -> None:
         self.reset.emit()
+
+    def mouseClickEvent(self, event: Any) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.clicked.emit(self.mapSceneToView(event.scenePos()).x())
+            event.accept()
 
 
 class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
@@ -252,11 +269,10 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         top = 0.0
         for lane in self.lanes:
             pitch = float(PITCH[lane.kind])
-            for block in lane.blocks:
+            for block in _seen(lane.blocks, left, right, 1.0 / max(transform.m11(), 1e-12)):
                 end = self.time if block.end is None else block.end
-                if end >= left and block.start <= right:
-                    room = QRectF(block.start, top, end - block.start, pitch)
-                    self._paint(painter, transform.mapRect(room), clip, lane.kind, block)
+                room = QRectF(block.start, top, end - block.start, pitch)
+                self._paint(painter, transform.mapRect(room), clip, lane.kind, block)
             top += pitch
         painter.restore()
 
@@ -289,3 +305,17 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         if kind == "operation":
             return (t.accs, t.acc, t.acc) if look == "now" else (t.sunk, t.line2, t.tx)
         return (t.accs, t.accl, t.acc) if look == "beyond" else (t.sunk, None, t.tx)
+
+
+def _seen(blocks: Sequence[Block], left: float, right: float, pixel: float) -> Iterator[Block]:
+    """The blocks between two times; of those that share a pixel, the first."""
+    at = max(bisect_right(blocks, left, key=_start) - 1, 0)
+    while at < len(blocks) and blocks[at].start <= right:
+        block = blocks[at]
+        yield block
+        narrow = block.end is not None and block.end - block.start < pixel
+        at = max(bisect_left(blocks, block.start + pixel, key=_start), at + 1) if narrow else at + 1
+
+
+def _start(block: Block) -> float:
+    return block.start

@@ -1,0 +1,81 @@
+"""All events of a recorded run, line by line; a click goes to the moment after one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtWidgets import QAbstractItemView, QFrame, QListView, QWidget
+
+from smsl_studio.picture.account_words import Causes, told
+from smsl_studio.runlog.events import Event
+from smsl_studio.studio.theme import mono_font
+
+Index = QModelIndex | QPersistentModelIndex
+
+
+class EventsModel(QAbstractListModel):
+    """The words of an event are made when they are looked at: a run may have 100,000."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._events: Sequence[Event] = ()
+        self._by: list[str] = []
+
+    def show(self, events: Sequence[Event]) -> None:
+        causes = Causes()
+        self.beginResetModel()
+        self._events = events
+        self._by = [causes.of(event) for event in events]
+        self.endResetModel()
+
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        return 0 if parent.isValid() else len(self._events)
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        event = self._events[index.row()]
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return event.line()
+        if role not in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
+            return None
+        by = self._by[index.row()]
+        return f"{event.t:7.2f} s  {told(event).what}{f'  ({by})' if by else ''}"
+
+
+class EventTable(QListView):
+    """The line of the newest event that has happened is marked."""
+
+    index_wanted = Signal(int)
+    """So many events have happened after the line that was chosen."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._events = EventsModel(self)
+        self.setModel(self._events)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setObjectName("events")
+        self.setFont(mono_font(12))
+        self.setUniformItemSizes(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setAccessibleName("Events of the recording")
+        self.clicked.connect(self._choose)
+        self.activated.connect(self._choose)
+
+    def show_events(self, events: Sequence[Event]) -> None:
+        """The events of another recording."""
+        self._events.show(events)
+
+    def show_index(self, index: int) -> None:
+        """So many of them have happened."""
+        row = self._events.index(index - 1)
+        if index > 0:
+            self.setCurrentIndex(row)
+            self.scrollTo(row)
+        else:
+            self.clearSelection()
+            self.scrollToTop()
+
+    def _choose(self, index: QModelIndex) -> None:
+        self.index_wanted.emit(index.row() + 1)

@@ -1,0 +1,157 @@
+"""The body of a replay: the canvas lit as it was, facts, events, and the whole run in time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.controls import label
+from smsl_studio.studio.replay.event_table import EventTable
+from smsl_studio.studio.replay.lanes_at import lit, whole_lanes
+from smsl_studio.studio.replay.recording import ANOTHER, Recording
+from smsl_studio.studio.replay.replay import Replay
+from smsl_studio.studio.run import view
+from smsl_studio.studio.run.facts_table import FactsTable
+from smsl_studio.studio.run.framing import head, panel, split
+from smsl_studio.studio.run.lanes import Lane
+from smsl_studio.studio.run.phases import phase_words
+from smsl_studio.studio.run.run_canvas import TROUBLE, RunCanvas
+from smsl_studio.studio.run.state_check import StateCheckView
+from smsl_studio.studio.run.status_words import Words
+from smsl_studio.studio.run.timeline import Timeline
+from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import capital, counted
+
+FACTS = 380
+
+
+class ReplayCanvas(RunCanvas):
+    """The drawing of the recorded run; its arrows are no buttons."""
+
+    def _trouble(self) -> str:
+        run = self._run
+        if run.phase not in TROUBLE:
+            return ""
+        return f"{phase_words(run.phase)[0]}, in the recording: {capital(run.sentence)}"
+
+
+class _Held:
+    """The drawing that a replay belongs to: its own."""
+
+    def __init__(self, replay: Replay, nothing: Blueprint) -> None:
+        self._replay, self._nothing = replay, nothing
+
+    @property
+    def blueprint(self) -> Blueprint:
+        return self._replay.blueprint or self._nothing
+
+
+class ReplayPane(QWidget):
+    """Shows what ``replay`` shows."""
+
+    said = Signal()
+    """Other ``words`` tell which moment is shown."""
+
+    def __init__(
+        self, replay: Replay, nothing: Blueprint, tokens: Tokens, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._replay, self._tokens = replay, tokens
+        self._lanes: tuple[Lane, ...] = ()
+        self.note = QLabel()
+        self.note.setProperty("role", "replay")
+        self.note.setWordWrap(True)
+        self.canvas = ReplayCanvas(_Held(replay, nothing), replay, tokens)
+        self.facts, self.check = FactsTable(tokens), StateCheckView(tokens)
+        self.events = EventTable()
+        self.timeline = Timeline(tokens)
+        self._build()
+        replay.opened.connect(self._show_run)
+        replay.changed.connect(self._show_moment)
+        self.events.index_wanted.connect(replay.to_index)
+        self.timeline.time_wanted.connect(replay.to_time)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        for part in (self.canvas, self.facts, self.check, self.timeline):
+            part.set_tokens(tokens)
+        self._show_moment()
+
+    def _build(self) -> None:
+        facts = panel(head("Facts, as they were sensed"), self.facts, self.check)
+        facts.setMinimumWidth(FACTS)
+        self._count = label("", "small")
+        events = panel(head("Events", self._count), self.events)
+        right = split(Qt.Orientation.Horizontal, (facts, events), (428, 520), (45, 55))
+        above = split(Qt.Orientation.Horizontal, (self.canvas, right), (628, 811), (44, 56))
+        whole = split(Qt.Orientation.Vertical, (above, self.timeline), (626, 160), (1, 0))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.note)
+        column.addWidget(whole, 1)
+
+    def _show_run(self) -> None:
+        recording, whole = self._replay.recording, self._replay.whole
+        self._lanes = ()
+        if recording is None or whole is None:
+            return
+        self.note.setText(note_words(recording))
+        good = not recording.doubt and not recording.differs
+        self.note.setProperty("kind", "good" if good else "bad")
+        self.note.style().unpolish(self.note)
+        self.note.style().polish(self.note)
+        self.events.show_events(recording.retelling.events)
+
+    def _show_moment(self) -> None:
+        replay, status, blueprint = self._replay, self._replay.status, self._replay.blueprint
+        if status is None or blueprint is None or replay.whole is None:
+            return
+        if not self._lanes:
+            self._lanes = whole_lanes(blueprint, status, replay.whole.story)
+        self.canvas.refresh()
+        self.facts.show_rows(view.fact_rows(blueprint, status))
+        check = status.check or view.last_check(blueprint, status, lost=False)
+        self.check.show_check(blueprint, check, waiting=status.running is not None)
+        self.events.show_index(replay.index)
+        self._count.setText(f"{replay.index:,} of {replay.count:,}")
+        self.timeline.show_lanes(lit(self._lanes, replay.time), replay.time)
+        self.said.emit()
+
+    @property
+    def words(self) -> Words:
+        """Short sentences for the status line."""
+        replay, recording = self._replay, self._replay.recording
+        if recording is None:
+            return (), ()
+        world, seed = recording.asked("world"), recording.asked("seed")
+        moment = f"Simulated {replay.time:.1f} s", f"Event {replay.index:,} of {replay.count:,}"
+        left = ("REPLAY", f"World {world}", f"Seed {seed}", *moment, capital(replay.sentence))
+        trust = "Not verified" if recording.doubt else "Verified"
+        return left, (trust, "Recorded, nothing can be commanded")
+
+
+def note_words(recording: Recording) -> str:
+    """What stands above a replay: what it is, and whether it can be trusted."""
+    when = str(recording.asked("wall_time") or "")[:19].replace("T", " ")
+    said = [f"REPLAY of {recording.path.name}"]
+    if when:
+        said.append(f"recorded {when} UTC")
+    file = Path(str(recording.asked("file") or "")).name
+    if file:
+        said.append(f"a run of {file}")
+    who = recording.asked("supervisor")
+    if isinstance(who, str) and who:
+        said.append(f"supervised by {who}")
+    words = ", ".join(said) + ". "
+    if recording.doubt:
+        doubt = recording.run.doubt
+        line = f"line {doubt.place.line}: " if doubt else ""
+        words += f"NOT VERIFIED, {line}{recording.doubt}."
+    else:
+        events = counted(len(recording.retelling), "event")
+        words += f"Verified: {events}, chain and head hold."
+    return f"{words} {ANOTHER}." if recording.differs else words

@@ -1,0 +1,112 @@
+"""A recorded run, opened: its log, whether that verifies, and the blueprint it is a run of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from smsl_studio import front
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import ReadError, StudioError
+from smsl_studio.runlog.events import RunStarted
+from smsl_studio.runlog.log import FORMAT
+from smsl_studio.runlog.reading import LoggedRun, read_log
+from smsl_studio.runlog.retelling import Retelling
+
+SUFFIX = ".jsonl"
+_FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
+ANOTHER = "It was recorded with another version of this blueprint"
+NO_BLUEPRINT = "Open the blueprint of this run first, then the recording again."
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A log that was read. ``differs`` says that ``blueprint`` is not the one that was run."""
+
+    path: Path
+    run: LoggedRun
+    retelling: Retelling
+    blueprint: Blueprint
+    differs: bool
+
+    @property
+    def doubt(self) -> str:
+        """Why the log does not verify; empty where it does."""
+        return str(self.run.doubt.sentence) if self.run.doubt is not None else ""
+
+    def asked(self, key: str) -> Any:
+        """What the header says; None where it says nothing."""
+        return self.run.header.get(key)
+
+
+def is_recording(path: Path) -> bool:
+    """Whether a file is a run log, by how it begins; false where it cannot be read."""
+    try:
+        with path.open("rb") as stream:
+            return stream.read(len(_FIRST)) == _FIRST
+    except OSError:
+        return False
+
+
+def open_recording(path: Path, drawn: Blueprint) -> Recording:
+    """Read a log and find its blueprint: the one that is drawn, else where it was, else beside it.
+
+    ReadError where it is no log, or no blueprint is found that has the states it tells of.
+    """
+    run = read_log(path)
+    started = next((event for event in run.events if isinstance(event, RunStarted)), None)
+    behaviour = _behaviour(run, started)
+    found = [one for one in _candidates(path, run, drawn) if _fits(one, started)]
+    same = next((one for one in found if one.behaviour == behaviour), None)
+    blueprint = same or next(iter(found), None)
+    if blueprint is None:
+        name = Path(str(run.header.get("file", ""))).name or "its blueprint"
+        raise ReadError(f"{name}, of which this is a run, is not found", advice=NO_BLUEPRINT)
+    retelling = Retelling(run.events, by_hand=run.header.get("by_hand") is True)
+    return Recording(path, run, retelling, blueprint, same is None)
+
+
+def recordings_in(folder: Path, most: int = 30) -> tuple[Path, ...]:
+    """The newest recordings of a folder, newest first."""
+    try:
+        dated = [(path.stat().st_mtime, path) for path in folder.glob(f"*{SUFFIX}")]
+    except OSError:
+        return ()
+    return tuple(path for _, path in sorted(dated, reverse=True)[:most])
+
+
+def recording_words(path: Path) -> str:
+    """A recording in a menu: its name, and when it was made."""
+    made = datetime.fromtimestamp(path.stat().st_mtime)
+    return f"{path.stem}  ({made:%d %b %H:%M})"
+
+
+def _behaviour(run: LoggedRun, started: RunStarted | None) -> str:
+    digests = run.header.get("digests")
+    said = digests.get("behaviour") if isinstance(digests, dict) else None
+    return started.behaviour if started is not None else str(said or "")
+
+
+def _candidates(path: Path, run: LoggedRun, drawn: Blueprint) -> Iterable[Blueprint]:
+    yield drawn
+    said = run.header.get("file")
+    if not isinstance(said, str) or not said:
+        return
+    for place in (Path(said), path.parent / Path(said).name):
+        try:
+            yield front.read(place)
+        except StudioError:
+            continue
+
+
+def _fits(blueprint: Blueprint, started: RunStarted | None) -> bool:
+    """Whether a blueprint has the states in which the run began."""
+    if started is None:
+        return bool(blueprint.state_count)
+    return all(
+        name in blueprint.branches and state in blueprint[name].table
+        for name, state in started.start.items()
+    )

@@ -1,0 +1,48 @@
+"""Which file a window shows: a blueprint, or a recorded run in Replay mode."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from smsl_studio.studio.commands.shell import Shell
+from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.frame.mode_bar import Segments
+from smsl_studio.studio.replay.recording import is_recording
+from smsl_studio.studio.replay.replaying import Replaying
+from smsl_studio.studio.safety.safety import Safety
+
+
+class Showing:
+    """Replay is a mode while a recording is open; letting go of it leads back to Run."""
+
+    def __init__(
+        self,
+        shell: Shell,
+        files: Files,
+        replaying: Replaying,
+        safety: Safety,
+        segments: Segments,
+    ) -> None:
+        self._shell, self._files = shell, files
+        self._replaying, self._safety, self._segments = replaying, safety, segments
+        replaying.opened.connect(self._enter)
+        replaying.closed.connect(self._leave)
+
+    def open(self, path: Path) -> None:
+        """Show a blueprint or a recorded run; of that the blueprint too where nothing is drawn."""
+        if not is_recording(path):
+            self._files.open(path)
+            return
+        untouched = self._safety.untouched
+        if self._replaying.open(path) and untouched:
+            found = self._replaying.replay.blueprint
+            if found is not None and Path(found.file).is_file():
+                self._files.open(Path(found.file))
+
+    def _enter(self) -> None:
+        self._segments.show_segment("mode_replay", True)
+        self._shell.set_mode("replay")
+
+    def _leave(self) -> None:
+        self._segments.show_segment("mode_replay", False)
+        self._shell.set_mode("run" if self._shell.mode == "replay" else self._shell.mode)
