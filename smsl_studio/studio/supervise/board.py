@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QWidget
 
@@ -14,7 +14,7 @@ from smsl_studio.picture.picture import Face, Picture
 from smsl_studio.studio.canvas.ink import Ink, Type, draw_sub_mark
 from smsl_studio.studio.canvas.node_paint import NodeLook, full_width
 from smsl_studio.studio.supervise.card import HEIGHT, INSET, CardButton
-from smsl_studio.studio.supervise.columns import Columns, columns
+from smsl_studio.studio.supervise.columns import NARROWEST, Columns, columns
 from smsl_studio.studio.supervise.legend import Legend
 from smsl_studio.studio.supervise.partial import Card, PartialView
 from smsl_studio.studio.supervise.spot import Spot
@@ -42,10 +42,10 @@ class Board(QScrollArea):
         self.setWidget(self._inner)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName("Partial view")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.verticalScrollBar().valueChanged.connect(lambda _: self._follow())
+        for bar in (self.verticalScrollBar(), self.horizontalScrollBar()):
+            bar.valueChanged.connect(lambda _: self._follow())
 
     @property
     def inner(self) -> QWidget:
@@ -65,6 +65,11 @@ class Board(QScrollArea):
     def columns(self) -> Columns | None:
         """Where the columns stand."""
         return self._inner.columns
+
+    @property
+    def shift(self) -> int:
+        """How far it is scrolled to the right."""
+        return self.horizontalScrollBar().value()
 
     @property
     def spots(self) -> list[Spot]:
@@ -91,8 +96,8 @@ class Board(QScrollArea):
         self._follow()
 
     def _follow(self) -> None:
-        top = self.verticalScrollBar().value()
-        self._inner.set_window(QRect(0, top, self.viewport().width(), self.viewport().height()))
+        corner = QPoint(self.horizontalScrollBar().value(), self.verticalScrollBar().value())
+        self._inner.set_window(QRect(corner, self.viewport().size()))
         found = self._inner.columns
         if found is not None:
             self.columns_moved.emit(found)
@@ -171,7 +176,7 @@ class _Inner(QWidget):
         return QSize(800, TOP + count * PITCH + BOTTOM)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(0, self.sizeHint().height())
+        return QSize(NARROWEST, self.sizeHint().height())
 
     # Filling.
 
@@ -316,7 +321,7 @@ class _Inner(QWidget):
         self._legend.resize(self._legend.sizeHint())
         bottom = self._window.y() + self._window.height()
         y = bottom - self._legend.height() - 8
-        self._legend.move(0, y)
+        self._legend.move(self._window.x(), y)
         assert self.columns is not None
         under = self._middle() + 27 + 44
         # Its last line may reach below the wires, but never over a card.

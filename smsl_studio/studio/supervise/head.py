@@ -33,6 +33,7 @@ class Head(QWidget):
         self._tokens = tokens
         self._columns: Columns | None = None
         self._previous = False
+        self._shift = 0
         self._names: tuple[str, ...] = ()
         self._shown = self._live = ""
         self._mapped: tuple[bool, bool] | None = None
@@ -66,10 +67,12 @@ class Head(QWidget):
         self._dress_map()
         self.update()
 
-    def show_columns(self, columns: Columns | None, previous: bool) -> None:
-        """Name the columns where they stand; None: there are none."""
-        if (columns, previous) != (self._columns, self._previous):
-            self._columns, self._previous = columns, previous
+    def show_columns(self, columns: Columns | None, previous: bool, shift: int) -> None:
+        """Name the columns where they stand; None: there are none. ``shift`` says how far what is
+        below is scrolled to the right, ``previous`` whether there is a state before."""
+        told = (columns, previous, shift)
+        if told != (self._columns, self._previous, self._shift):
+            self._columns, self._previous, self._shift = told
             self.update()
 
     def show_branches(self, names: Sequence[str], shown: str, live: str) -> None:
@@ -161,6 +164,6 @@ class Head(QWidget):
                 (found.cards, cards),
                 (found.neighbours, "Neighbours"),
             ):
-                room = QRectF(x - 40, TOP, wide + 80, 18)
+                room = QRectF(x - 40 - self._shift, TOP, wide + 80, 18)
                 painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
         painter.end()

@@ -288,7 +288,7 @@ class SupervisePane(QWidget):
     def _place_heads(self) -> None:
         shown = self.pages.currentWidget() is self.board
         came = self._view is not None and self._view.via is not None
-        self.head.show_columns(self.board.columns if shown else None, came)
+        self.head.show_columns(self.board.columns if shown else None, came, self.board.shift)
 
     def _show_bar(self, status: DispatchStatus | None) -> None:
         run = self._run
