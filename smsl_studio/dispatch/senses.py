@@ -45,7 +45,8 @@ class Senses:
     def look(self) -> tuple[FactChanged, ...]:
         """Read every sensor once, now; what changed."""
         samples = self._host.sense()
-        self.time = max((self.time, *(sample.time for sample in samples)))
+        for sample in samples:
+            self.time = max(self.time, sample.time)
         return self._take(samples)
 
     def listen(self) -> tuple[FactChanged, ...]:

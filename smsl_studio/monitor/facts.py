@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from types import MappingProxyType
 from typing import Protocol
 
@@ -178,6 +179,9 @@ def _answered(fact: _Fact, now: float) -> Said:
 
 def _reading(fact: _Fact, now: float, live: float) -> Reading:
     if fact.alone is not None:
+        newest = fact.alone.sample
+        if newest is not None and fact.alone.says_now(now):
+            return _just_read(newest.value)
         only = fact.alone.said(now, live)
         return Reading(only.value, only.reason, only.age)
     said = [ledger.said(now, live) for ledger in fact.sources.values()]
@@ -186,6 +190,12 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
         elsewhere = any(ledger.live for ledger in fact.sources.values())
         verdict = _patient(fact, verdict, said, live if elsewhere else now)
     return Reading(verdict.value, verdict.reason, verdict.age)
+
+
+@lru_cache(maxsize=256)
+def _just_read(value: str | None) -> Reading:
+    """What is known of a fact whose only source says it at this very moment."""
+    return Reading(value)
 
 
 def _patient(fact: _Fact, verdict: Verdict, said: list[Said], now: float) -> Verdict:

@@ -66,6 +66,17 @@ class Ledger:
         self.latency, self._quickest = latency, quickest
         self.counted += 1
 
+    def says_now(self, now: float) -> bool:
+        """Whether its newest sample came at this very moment and is evidence."""
+        sample = self.sample
+        return (
+            sample is not None
+            and self.received == now
+            and not self.live
+            and sample.value is not None
+            and sample.quality == GOOD
+        )
+
     def said(self, now: float, live: float = 0.0) -> Said:
         """What it says as things stand at ``now``, or ``live`` on the monotonic clock: its value,
         or nothing with the reason."""
