@@ -9,7 +9,7 @@ import pytest
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import UsageError
-from smsl_studio.generate.rules import hanoi, level_values
+from smsl_studio.generate.rules import hanoi, hanoi_failures, level_values
 from smsl_studio.inspection.finding import Severity
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.shipped import samples_dir
@@ -71,3 +71,18 @@ def test_levels_of_switches_expand_each_other_and_are_without_error() -> None:
     assert blueprint.operation_count == 3 * 8 + 3 * 8 + 2 * 4
     assert not [one for one in inspect(blueprint) if one.severity is Severity.ERROR]
     assert sum(map(len, level_values()["Level1"].values())) == 12 * 2**12 + 1
+
+
+def test_hanoi_with_failures_is_the_game_and_a_way_back_for_every_lost_disk() -> None:
+    written = (samples_dir() / "hanoi-failures.json").read_text("utf-8")
+    assert written == hanoi_failures(3).document.text
+    branch, game = hanoi_failures(3)["SB1"], hanoi(3)["SB1"]
+    assert all(dict(branch.table[state]) == dict(game.table[state]) for state in game.table)
+    for state in branch.table.keys() - game.table.keys():
+        facts = branch.facts(state)
+        (lost,) = [disk for disk, value in enumerate(facts) if value in "hx"]
+        for operation, target in branch.table[state].items():
+            assert target in game.table
+            assert operation == f"Op_recover{lost + 1}{branch.facts(target)[lost]}"
+        smaller = set(facts[:lost])
+        assert len(branch.table[state]) == 3 - len(smaller)
