@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.dispatch.driver import Driver
 from smsl_studio.dispatch.planner import holds
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.dispatch.supervision.offers import offers
+from smsl_studio.dispatch.supervision.table import why_refused
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import RunFinished
 
@@ -51,7 +53,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         goals=driver.course.goals,
         scene=run.senses.scene,
         check=None if ended else driver.outlook.awaited(carrier),
-        possible=() if ended else driver.outlook.possible(),
+        possible=() if ended else tuple(_possible(driver, phase)),
         candidates=candidates,
         reason=ended.reason if ended else held.kind if held else "",
         sentence=ended.sentence if ended else driver.sentence or driver.desk.sentence,
@@ -91,6 +93,16 @@ def look_at_nothing(
         sentence=ended.sentence if ended else "",
         operations=0,
     )
+
+
+def _possible(driver: Driver, phase: str) -> Iterator[Possible]:
+    """Every edge out of the active states; none may be asked for while the run is latched."""
+    latched = why_refused("ask", phase, driver.state.taken_over)
+    for one in driver.outlook.possible():
+        if phase in ("stopped", "taken_over"):
+            yield replace(one, permitted=False, reasons=(*one.reasons, latched))
+        else:
+            yield one
 
 
 def _detour(driver: Driver) -> tuple[Address, ...] | None:

@@ -76,10 +76,9 @@ def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
     assert run.pane.transport.play.text() == "Reset"
     person.press(Key.Key_F5)
     run.until_phase("Paused")
-    assert not run.pane.transport.end.isVisible()
     person.press(Key.Key_F8)
     run.until_phase("Stopped")
-    person.click(run.pane.transport.end)
+    run.pane.run.end()
     person.qtbot.waitUntil(lambda: not run.pane.run.exists)
     assert run.phase == "Stopped"
 

@@ -107,13 +107,18 @@ def refuse(driver: Driver, commands: Sequence[Command], reason: str) -> None:
         driver.run.emit(_told(driver, command, reason))
 
 
+def why_refused(word: str, phase: str, by: str) -> str:
+    """Why a run state refuses a command, whatever is said with it; ``by`` has taken over."""
+    words = REFUSED.get(word, {}).get(phase, "")
+    return words.format(by=by[:1].upper() + by[1:])
+
+
 def _why_not(driver: Driver, command: Command, done: Sequence[str]) -> str:
     if driver.ended is not None:
         return "the run is over"
-    words = REFUSED.get(command.word, {}).get(driver.phase, "")
+    words = why_refused(command.word, driver.phase, driver.state.taken_over)
     if words:
-        by = driver.state.taken_over
-        return words.format(by=by[:1].upper() + by[1:]) if by else words
+        return words
     first = next((w for w in done if w in HOLDS_BACK and RANKS[w] < command.rank), "")
     if first and command.word in SETS_GOING:
         return f"{first.replace('_', ' ')} came at the same tick and counts more"

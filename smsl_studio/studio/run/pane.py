@@ -258,7 +258,6 @@ class RunPane(QWidget):
         transport.pause_wanted.connect(self.pause)
         transport.step_wanted.connect(self.step)
         transport.stop_wanted.connect(self.stop)
-        transport.end_wanted.connect(self.run.end)
         transport.speed_changed.connect(self.run.set_speed)
         transport.by_hand_changed.connect(lambda on: self.run.set_automatic(not on))
         self.run.changed.connect(self._refresh)

@@ -30,6 +30,8 @@ ADVICE = {
     "taken_over": "Give it back in Supervise mode.",
 }
 """What may be done in a run that is there still."""
+SAID = ("stopped", "taken_over")
+"""The run states whose sentence says the state itself."""
 TALLER = 1.2
 TOOLS, PADDING = 180, 16
 """Pixels that the tools at the right take, and each SB's button beside its words."""
@@ -153,7 +155,10 @@ class RunCanvas(QWidget):
         if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
             return ""
         advice = ADVICE.get(run.phase, "") if run.exists else "Play starts a new run."
-        return f"{phase_words(run.phase)[0]}: {capital(run.sentence)} {advice}".strip()
+        words = capital(run.sentence)
+        if run.phase not in SAID:
+            words = f"{phase_words(run.phase)[0]}: {words}"
+        return f"{words} {advice}".strip()
 
     def say(self, words: str) -> None:
         """Say a short sentence at the pointer."""

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIntValidator, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from smsl_studio.studio.controls import Combo, Field, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
@@ -20,9 +20,6 @@ WIDE, NARROW, SEEDED, NARROWEST = 1140, 990, 850, 720
 """Pixels from which the choices have labels, buttons their words, the seed is shown, and choices
 are shown at all."""
 
-ENDABLE = ("stopped", "fault_hold", "no_route")
-"""The run states out of which a person may end the run for good."""
-
 
 class Transport(QWidget):
     """A row for the mode bar. It knows no run: it offers choices and says what was pressed."""
@@ -31,7 +28,6 @@ class Transport(QWidget):
     pause_wanted = Signal()
     step_wanted = Signal()
     stop_wanted = Signal()
-    end_wanted = Signal()
     speed_changed = Signal(float)
     by_hand_changed = Signal(bool)
 
@@ -71,15 +67,10 @@ class Transport(QWidget):
         self.play.clicked.connect(
             lambda: self.pause_wanted.emit() if self._running else self.play_wanted.emit()
         )
-        self.end = QPushButton("End run")
-        self.end.setFixedHeight(32)
-        self.end.setToolTip("End the run, which is stopped or holds, for good")
-        self.end.clicked.connect(self.end_wanted)
         self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
-        plain = (self.by_hand, self.speed, self.end, self.step, self.play)
-        parts = (*plain, rule(vertical=True, length=24))
+        parts = (self.by_hand, self.speed, self.step, self.play, rule(vertical=True, length=24))
         for part in (*parts, self.stop):
             across.addWidget(part)
         self._name_play()
@@ -116,7 +107,6 @@ class Transport(QWidget):
         self.stop.setToolTip(
             "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
         )
-        self.end.setVisible(exists and phase in ENDABLE)
         running, stopped = phase in ("running", "opening"), exists and phase == "stopped"
         if (running, stopped) != (self._running, self._stopped):
             self._running, self._stopped = running, stopped

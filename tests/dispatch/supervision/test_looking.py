@@ -64,6 +64,16 @@ def test_who_has_taken_over_or_stopped_and_whether_the_whole_map_is_shown() -> N
     assert (story.phase, story.dispatcher.status.by) == ("stopped", "Weiss")
 
 
+def test_while_it_is_latched_nothing_is_permitted_and_the_reason_is_said() -> None:
+    story = taken_over()
+    for one in story.dispatcher.status.possible:
+        assert not one.permitted
+        assert one.reasons[-1].startswith("Brandt has taken over")
+    said(story, "stop")
+    reasons = {one.reasons[-1] for one in story.dispatcher.status.possible}
+    assert reasons == {"the run is stopped, reset it first"}
+
+
 def test_a_status_is_kept_until_something_happens_and_sources_are_in_it() -> None:
     story = hanoi().tick(2)
     status = story.dispatcher.status
