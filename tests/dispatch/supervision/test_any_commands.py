@@ -29,7 +29,7 @@ from smsl_studio.runlog.events import (
 )
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.generated import blueprint_values
-from tests.dispatch.runs import Story, blueprint
+from tests.dispatch.runs import Story, blueprint, sample
 from tests.dispatch.supervision.runs import host_of
 
 SEEDS = range(300)
@@ -212,7 +212,7 @@ def test_stop_take_over_and_pause_are_read_before_the_next_step_of_the_world() -
 
 def test_both_hosts_tell_the_same_story_under_the_same_commands() -> None:
     """Commands, disturbances and faults in the world too: equal traces, here and in a child."""
-    made = blueprint(blueprint_values(2, shape=1))
+    made = sample("hanoi-corrected")
     child = ProcessHost(made, "table", 3)
     try:
         for seed in range(6):
@@ -226,13 +226,21 @@ def test_both_hosts_tell_the_same_story_under_the_same_commands() -> None:
 def _table_run(made: Blueprint, host: Host, seed: int) -> list[str]:
     dice = random.Random(seed)
     story = Story(made, host, attended=True, seed=3)
-    for _ in range(60):
+    assert story.dispatcher.opened is not None
+    for _ in range(80):
         if story.dispatcher.finished:
             break
         for word, parameters in drawn(story, dice):
             getattr(story.dispatcher, word)(*parameters)
         if dice.random() < 0.1:
             kind = dice.choice(("noise", "dropout", "stuck", "none", "nonsense"))
-            story.dispatcher.disturb(dice.choice(("A/0", "B/0", "C/9")), kind)
+            story.dispatcher.disturb(dice.choice(("SB1/0", "SB1/2", "SB1/9")), kind)
+        if dice.random() < 0.1:
+            fault = dice.choice((*story.dispatcher.opened.world_faults, "meteor"))
+            given: dict[str, dict[str, str]] = {
+                "set": {"fact": "SB1/0", "value": dice.choice("abc")},
+                "elsewhere": {"state": f"SB1/{dice.choice(list(made['SB1'].table))}"},
+            }
+            story.dispatcher.inject(fault, **given.get(fault, {}))
         story.tick()
     return [event.line() for event in story.events]
