@@ -21,7 +21,8 @@ from smsl_studio.errors import AddressError
 
 def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
     """Why a joint step may not begin now, as sentences; empty where it may."""
-    return tuple(dict.fromkeys([*_sources(run, step), *_required(run, step)]))
+    reasons = [*_sources(run, step), *_required(run, step)]
+    return tuple(dict.fromkeys(reasons)) if reasons else ()
 
 
 def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, ...]:
@@ -45,12 +46,14 @@ def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, 
 def _sources(run: Run, step: JointStep) -> Iterator[str]:
     """Every edge that starts in an active state needs that state's check true on sensed facts;
     later ones are checked when the run gets there."""
-    for branch in dict.fromkeys(edge.branch for edge in step.edges):
-        source = next(edge.source for edge in step.edges if edge.branch == branch)
-        if source == run.configuration[branch]:
+    met: set[str] = set()
+    for edge in step.edges:
+        branch, source = edge.branch, edge.source
+        if branch not in met and source == run.configuration[branch]:
             check = run.check(branch, source)
             if check.truth is not True:
                 yield check_words(run.blueprint, check)
+        met.add(branch)
 
 
 def needs(run: Run, edge: Edge) -> Iterator[Term]:
@@ -68,7 +71,7 @@ def _required(run: Run, step: JointStep) -> Iterator[str]:
     """Required facts of SBs that the step has not moved by then must be sensed so."""
     moved: set[str] = set()
     for edge in step.edges:
-        for term in needs(run, edge):
+        for term in needs(run, edge) if edge.requires else ():
             branch, digit = term.fact
             if digit >= 0 and branch not in moved and term.truth is not True:
                 what = fact_words(run.blueprint, term)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -106,15 +106,16 @@ class Senses:
         self._doubts = {key: doubt for key, doubt in self._doubts.items() if doubt.counted}
         self._take(())
 
-    def _take(self, samples: Iterable[Sample]) -> tuple[FactChanged, ...]:
-        self.bus.publish(samples)
+    def _take(self, samples: Sequence[Sample]) -> tuple[FactChanged, ...]:
+        if samples:
+            self.bus.publish(samples)
         if self._remote is not None:
             self.bus.publish(self._remote.heard())
         self._monitor.accept(self._inbox.take(), self.time)
         self.scene = self._monitor.scene(self.time, self._live)
         if self._doubts:
             self._dispel()
-        return tuple(self._changes())
+        return tuple(self._changes()) if self.scene.readings else ()
 
     def _dispel(self) -> None:
         """Let go of the doubts whose sources have all spoken anew; the others make unknown."""

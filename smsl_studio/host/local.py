@@ -6,9 +6,8 @@ give the same trace.
 
 from __future__ import annotations
 
-import contextlib
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -265,22 +264,37 @@ class LocalHost:
             except StudioError as error:
                 raise RunRefused(error.sentence, error.place, error.advice) from None
 
-    @contextlib.contextmanager
-    def _mending(
-        self, what: str, passes: type[BaseException] = KeyboardInterrupt
-    ) -> Iterator[None]:
+    def _mending(self, what: str, passes: type[BaseException] = KeyboardInterrupt) -> _Mending:
         """Whatever library code raises is told as a HostError, but for what ``passes``."""
-        try:
-            yield
-        except (KeyboardInterrupt, passes):
-            raise
-        except BaseException as error:  # SystemExit, and what compiled libraries raise
-            words = words_of(error, self._location)
-            raise HostError(f"the world {self._name!r} {what}: {words}") from None
+        return _Mending(f"the world {self._name!r} {what}", self._location, passes)
 
 
-def _prints_aside() -> contextlib.AbstractContextManager[object]:
-    return contextlib.redirect_stdout(sys.stderr)
+class _Mending:
+    """Turns what library code raises into a HostError; entered at every tick."""
+
+    __slots__ = ("_location", "_passes", "_what")
+
+    def __init__(self, what: str, location: str, passes: type[BaseException]) -> None:
+        self._what, self._location, self._passes = what, location, passes
+
+    def __enter__(self) -> None: ...
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        # SystemExit, and what compiled libraries raise, is library code's, too.
+        if error is not None and not isinstance(error, (KeyboardInterrupt, self._passes)):
+            raise HostError(f"{self._what}: {words_of(error, self._location)}") from None
+
+
+class _prints_aside:  # noqa: N801 -- used as contextlib's own are
+    """What is printed goes to standard error; entered at every tick."""
+
+    __slots__ = ("_kept",)
+
+    def __enter__(self) -> None:
+        self._kept, sys.stdout = sys.stdout, sys.stderr
+
+    def __exit__(self, *_: object) -> None:
+        sys.stdout = self._kept
 
 
 def _bounds(bindings: Bindings) -> dict[Address, Bound]:
