@@ -36,9 +36,14 @@ class CardHead(QWidget):
         line.setFixedHeight(HEIGHT)
         across = QHBoxLayout(line)
         across.setContentsMargins(PAD, 0, PAD, 0)
-        across.setSpacing(8)
-        for part in (self._hand, self.heading, self.before, self.count, self.after):
-            across.addWidget(part)
+        across.setSpacing(6)
+        across.addWidget(self._hand)
+        across.addWidget(self.heading)
+        turning = QHBoxLayout()
+        turning.setSpacing(2)
+        for part in (self.before, self.count, self.after):
+            turning.addWidget(part)
+        across.addLayout(turning)
         across.addStretch(1)
         across.addWidget(self.left)
         across.addWidget(label("left", "small"))
