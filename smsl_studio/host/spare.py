@@ -41,9 +41,9 @@ class Spare:
             self._drop()
             try:
                 child = start_child()
-                child.wire.send(("warm", ()) if recipe is None else ("prepare", (recipe,)))
             except OSError:
                 return
+            child.tell(("warm", ()) if recipe is None else ("prepare", (recipe,)))
             child.prepared = recipe is not None
             self._child, self._for = child, wanted
 
@@ -63,7 +63,8 @@ class Spare:
                 self._drop()
                 return None
             self._child = None
-            return child
+        child.told()
+        return child
 
     def close(self) -> None:
         """End the waiting child; twice is harmless."""

@@ -26,6 +26,21 @@ class Child:
         self.pid: int = process.pid
         self.sentinel: int = process.sentinel
         self._process = process
+        self._telling: threading.Thread | None = None
+
+    def tell(self, message: object) -> None:
+        """Send a command without waiting until a child that is still starting takes it in."""
+        self._telling = threading.Thread(target=self._tell, args=(message,), daemon=True)
+        self._telling.start()
+
+    def _tell(self, message: object) -> None:
+        with contextlib.suppress(OSError):  # its end is seen by whoever waits for the answer
+            self.wire.send(message)
+
+    def told(self) -> None:
+        """Wait until it has taken in what it was told."""
+        if self._telling is not None:
+            self._telling.join()
 
     @property
     def dead(self) -> bool:
@@ -47,13 +62,14 @@ class Child:
 
     def kill(self) -> None:
         """End it and what it started, whatever they do, and free everything."""
-        self.wire.close()
         # It leads a group of its own from its first line on; before that it has started nothing.
         with contextlib.suppress(OSError, AttributeError):
             os.killpg(self.pid, signal.SIGKILL)
         self._process.kill()
         self._process.join()
         self._process.close()
+        self.told()
+        self.wire.close()
 
 
 def start_child() -> Child:

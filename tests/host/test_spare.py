@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.generate.rules import hanoi
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Outcome
 from smsl_studio.host.spare import Spare
@@ -119,3 +120,17 @@ def test_what_a_prepared_child_could_not_do_is_told_by_open(
     with pytest.raises(Exception, match="broke while it was built: SystemExit: 9"):
         host.open(START)
     assert host.pid == waiting
+
+
+def test_a_blueprint_longer_than_the_pipe_is_taken_in_meanwhile(spare: Spare) -> None:
+    blueprint = hanoi(7)
+    assert len(blueprint.document.text) > 2**17
+    start = {"SB1": blueprint["SB1"].initial}
+    spare.warm(ProcessHost(blueprint, "table").recipe)
+    host = ProcessHost(blueprint, "table", spare=spare)
+    waiting = spare.pid
+    assert len(host.open(start).bound) == blueprint.operation_count
+    assert host.pid == waiting
+    host.close()
+    spare.warm(ProcessHost(blueprint, "table").recipe)
+    spare.close()
