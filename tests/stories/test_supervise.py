@@ -70,7 +70,11 @@ def _take_over_and_give_back(at: AtSupervise) -> None:
     at.until_phase("Taken over")
     at.press(Key.Key_T, Key.Key_Return)
     at.person.qtbot.waitUntil(lambda: at.asked.startswith("Located: SB1 in State_cba."))
+    at.press(Key.Key_Escape)
+    at.pane.refresh()
+    assert at.asked == ""
     assert not any(isinstance(event, GivenBack) for event in at.events)
+    at.pane.accept()
     at.press(Key.Key_Return)
     at.until_phase("Paused")
     assert any(isinstance(event, GivenBack) for event in at.events)

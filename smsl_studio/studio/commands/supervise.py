@@ -21,12 +21,12 @@ def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
 
     def row(name: str, words: str, call: Callable[[], object], icon: str, key: str, tip: str,
             enabled: Callable[[], bool] = pane.run_exists) -> Action:  # fmt: skip
-        keys = (key,) if key else ()
+        keys = tuple(key.split())
         return Action(name, words, there(call), "Run", icon, keys, enabled,
                       scope="supervise", section=2, tip=tip)  # fmt: skip
 
     return (
-        row("choose_operation", "Choose an operation", pane.choose_first, "", "1 to 9",
+        row("choose_operation", "Choose an operation", pane.choose_first, "", "1 2 3 4 5 6 7 8 9",
             "Choose one of the operations out of the current state"),
         row("veto", "Veto once", pane.ask_veto, "close", "V",
             "Have the operation that is next, or chosen, skipped once"),

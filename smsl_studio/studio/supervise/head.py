@@ -12,8 +12,8 @@ from smsl_studio.studio.canvas.ink import Type
 from smsl_studio.studio.controls import row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.run.framing import tool
-from smsl_studio.studio.supervise.board import draw_dots
 from smsl_studio.studio.supervise.columns import Columns
+from smsl_studio.studio.supervise.surface import draw_dots
 from smsl_studio.studio.theme import Tokens, text_font
 
 HIGH, LOW = 64, 40

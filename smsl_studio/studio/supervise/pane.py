@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
-
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
@@ -16,11 +13,9 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.status import DispatchStatus
-from smsl_studio.runlog.events import Commanded, Event, OperationRefused
 from smsl_studio.studio.run.run_canvas import RunCanvas
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
@@ -28,7 +23,7 @@ from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.supervise.bar import SuperviseBar
 from smsl_studio.studio.supervise.board import Board
 from smsl_studio.studio.supervise.check_panel import CheckPanel
-from smsl_studio.studio.supervise.decisions import Decision
+from smsl_studio.studio.supervise.deciding import Deciding
 from smsl_studio.studio.supervise.facts import sensed_marks
 from smsl_studio.studio.supervise.head import HIGH, LOW, Head
 from smsl_studio.studio.supervise.hold_card import HoldCard
@@ -36,7 +31,6 @@ from smsl_studio.studio.supervise.notice import Notice
 from smsl_studio.studio.supervise.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.supervise.step_in import StepIn
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.words import capital
 
 RIGHT = 396
 BELOW = 246
@@ -59,8 +53,6 @@ class SupervisePane(QWidget):
         self._run = run
         self._chosen_branch = self._branch = ""
         self._view: PartialView | None = None
-        self._picked: Address | None = None
-        self._came_from: QWidget | None = None
         self.setAccessibleName("Supervise")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.bar = SuperviseBar(tokens)
@@ -70,6 +62,7 @@ class SupervisePane(QWidget):
         self.check = CheckPanel(tokens)
         self.hold, self.step_in = HoldCard(), StepIn(tokens)
         self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in)
+        self.deciding = Deciding(run, self.step_in, self)
         self._build()
         self._connect()
         self.refresh()
@@ -90,8 +83,8 @@ class SupervisePane(QWidget):
     def subject(self) -> Address | None:
         """The operation that a veto or a prune would be about: the chosen one, else the next."""
         status = self._run.status
-        if self._view is not None and self._view.card(self._picked) is not None:
-            return self._picked
+        if self._view is not None and self._view.card(self.deciding.picked) is not None:
+            return self.deciding.picked
         if status is None or not self._run.exists:
             return None
         return status.running or status.carrying or next(iter(status.route), None)
@@ -106,15 +99,13 @@ class SupervisePane(QWidget):
         """Choose one operation and ask what shall be done with it."""
         card = self._view.card(address) if self._view is not None else None
         if card is not None and self._run.exists:
-            self._picked = address
-            self.step_in.say("")
-            self._ask(decisions.choose(card))
+            self.deciding.pick(card)
 
     def accept(self) -> None:
         """Ask for the state that was located, where one was."""
         status = self._run.status
         if status is not None and self.is_located():
-            self._ask(decisions.accept(status))
+            self.deciding.ask(decisions.accept(status))
 
     def set_full_map(self, on: bool) -> None:
         """Show the whole of the SB; that it was looked at stands in the run's record."""
@@ -126,7 +117,7 @@ class SupervisePane(QWidget):
     def show_branch(self, name: str) -> None:
         """Show this SB from now on, whatever happens elsewhere."""
         self._chosen_branch = name
-        self._drop()
+        self.deciding.drop()
         self.refresh()
 
     # What the actions ask.
@@ -163,10 +154,10 @@ class SupervisePane(QWidget):
         self.step_in.ask_hand()
 
     def ask_reset(self) -> None:
-        self._ask(decisions.offered(decisions.RESET_OFFER))
+        self.deciding.ask(decisions.offered(decisions.RESET_OFFER))
 
     def ask_end(self) -> None:
-        self._ask(decisions.offered(decisions.END_OFFER))
+        self.deciding.ask(decisions.offered(decisions.END_OFFER))
 
     def turn_map(self) -> None:
         self.set_full_map(not self.is_mapped())
@@ -229,17 +220,14 @@ class SupervisePane(QWidget):
     def _connect(self) -> None:
         run, bar = self._run, self.bar
         run.changed.connect(self.refresh)
-        run.events_told.connect(self._tell)
         run.refused.connect(lambda error: self.notice.say(f"{error.sentence} {error.advice}"))
         self.board.card_chosen.connect(self.pick)
         self.board.columns_moved.connect(lambda _: self._place_heads())
         self.full_map.chosen.connect(self.pick)
         self.head.branch_wanted.connect(self.show_branch)
         self.head.map_wanted.connect(self.set_full_map)
-        self.step_in.wanted.connect(self._ask)
-        self.step_in.asking.confirmed.connect(self._do)
-        self.step_in.asking.dropped.connect(self._drop)
-        self.hold.wanted.connect(self._ask)
+        self.deciding.changed.connect(self.refresh)
+        self.hold.wanted.connect(self.deciding.ask)
         self.notice.pressed.connect(self.begin_wanted)
         bar.play_wanted.connect(lambda: run.play() if run.exists else self.begin_wanted.emit())
         bar.pause_wanted.connect(run.pause)
@@ -259,19 +247,17 @@ class SupervisePane(QWidget):
             branch = shown_branch(status, self._chosen_branch, self._branch)
             self._branch = branch
             self._view = partial_view(blueprint, status, branch)
-        if self._view is None or self._view.card(self._picked) is None:
-            self._picked = None
         self._show_bar(status)
         if not self.isVisible():
             return
-        self._settle_decision(status)
+        self.deciding.follow(status, self._view)
         mapped = bool(here and run.exists and status is not None and status.full_map)
         board = here and run.exists and self._view is not None
         self.pages.setCurrentWidget(
             self.full_map if mapped else self.board if board else self.notice
         )
         sensed = sensed_marks(blueprint, status, branch) if blueprint and status else ()
-        self.board.show_view(blueprint, self._view if board else None, self._picked, sensed)
+        self.board.show_view(blueprint, self._view if board else None, self.deciding.picked, sensed)
         self._place_heads()
         self.head.setFixedHeight(LOW if mapped else HIGH)
         names = list(status.configuration) if status is not None and not mapped else []
@@ -301,80 +287,6 @@ class SupervisePane(QWidget):
         super().showEvent(event)
         self.refresh()
 
-    # Deciding.
-
-    def _ask(self, decision: Decision) -> None:
-        asking = self.step_in.asking
-        if asking.decision is None:
-            self._came_from = QApplication.focusWidget()
-        self.step_in.say("")
-        asking.show_decision(decision)
-        asking.take_focus()
-        self.refresh()
-
-    def _do(self, decision: Decision, reason: str) -> None:
-        run, address = self._run, decision.address
-        self.step_in.asking.show_decision(None)
-        commands: dict[str, Callable[[], None]] = {}
-        if address is not None:
-            commands = {
-                decisions.ASK: partial(run.ask, address),
-                decisions.VETO: partial(run.veto, address),
-                decisions.PRUNE: partial(run.prune, address, reason),
-                decisions.RESTORE: partial(run.restore, address),
-            }
-        commands.get(decision.command, partial(run.command, decision.command))()
-        self._picked = None
-        self._go_back()
-        self.refresh()
-
-    def _drop(self) -> None:
-        """Nothing is decided; what was chosen is let go of."""
-        if self.step_in.asking.decision is not None:
-            self.step_in.asking.show_decision(None)
-        self._picked = None
-        self.step_in.say("")
-        self._go_back()
-        self.refresh()
-
-    def _go_back(self) -> None:
-        """The keys go back to where they were before something was asked."""
-        back, self._came_from = self._came_from, None
-        (back if back is not None and isValid(back) and back.isVisible() else self).setFocus()
-
-    def _settle_decision(self, status: DispatchStatus | None) -> None:
-        """A question whose ground is gone is asked no more; a located state is asked about."""
-        asking = self.step_in.asking
-        decision = asking.decision
-        located = (
-            status is not None
-            and self._run.exists
-            and status.phase == "taken_over"
-            and len(status.candidates) == 1
-        )
-        if decision is None:
-            if located and status is not None:
-                asking.show_decision(decisions.accept(status))
-            return
-        out = self._view is None or self._view.card(decision.address) is None
-        gone = not self._run.exists or (
-            (decision.command in (decisions.ASK, "") and out)
-            or (decision.command == decisions.ACCEPT and not located)
-        )
-        if gone:
-            asking.show_decision(None)
-        elif self._picked is not None and self._view is not None:
-            card = self._view.card(self._picked)
-            if card is not None and decision.command in (decisions.ASK, decisions.RESTORE, ""):
-                asking.show_decision(decisions.choose(card))
-
-    def _tell(self, events: tuple[Event, ...]) -> None:
-        for event in events:
-            if isinstance(event, Commanded) and event.refused:
-                self.step_in.say(capital(event.refused))
-            elif isinstance(event, OperationRefused):
-                self.step_in.say(" ".join(map(capital, event.reasons)))
-
     # Keys.
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -387,7 +299,7 @@ class SupervisePane(QWidget):
 
     def _press(self, key: Qt.Key) -> bool:
         """Obey a key; whether it means something here."""
-        asking, step_in = self.step_in.asking, self.step_in
+        step_in = self.step_in
         if Qt.Key.Key_1 <= key <= Qt.Key.Key_9:
             self.choose(key - Qt.Key.Key_0)
         elif key == Qt.Key.Key_V:
@@ -397,23 +309,20 @@ class SupervisePane(QWidget):
         elif key == Qt.Key.Key_T:
             step_in.ask_hand()
         elif key == Qt.Key.Key_Escape:
-            self._drop()
+            self.deciding.drop()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-            return self._enter(asking.decision)
+            return self._enter()
         else:
             return False
         return True
 
-    def _enter(self, decision: Decision | None) -> bool:
+    def _enter(self) -> bool:
         """Enter presses the button that has the focus, else it does what was asked about."""
         focus = QApplication.focusWidget()
         if isinstance(focus, QAbstractButton) and self.isAncestorOf(focus):
             focus.click()
             return True
-        if decision is None:
-            return False
-        self.step_in.asking.confirm()
-        return True
+        return self.deciding.confirm()
 
 
 def _column(*parts: QWidget) -> QWidget:
