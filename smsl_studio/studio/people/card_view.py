@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil
 
 from smsl_studio.dispatch.people.names import same_name
 from smsl_studio.dispatch.people.seats import seated
 from smsl_studio.dispatch.people.task import Answered, Task
 from smsl_studio.studio.people.letters import letters
 
+HAIR = 1e-6
+"""Times are sums of ticks: half of 120 s may be a hair more than 60."""
 PLACES = ("First person", "Second person", "Third person", "Fourth person", "Fifth person")
 NUMBERS = ("no", "one", "two", "three", "four", "five")
 YOURS, A_DECISION, YOURS_IS_IN = (
@@ -85,7 +88,7 @@ def card_view(task: Task, time: float, name: str, role: str) -> CardView:
 
 def clock(seconds: float) -> str:
     """``1:42`` of simulated time; whole seconds, so that 0:00 means that there is none left."""
-    whole = max(int(-(-seconds // 1)), 0)
+    whole = max(ceil(seconds - HAIR), 0)
     return f"{whole // 60}:{whole % 60:02}"
 
 

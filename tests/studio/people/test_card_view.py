@@ -40,7 +40,8 @@ def test_time_that_is_left_is_simulated_and_never_below_nothing() -> None:
     assert card.escalation == pytest.approx(0.5)
     assert _of(time=500.0).left == "0:00"
     assert _of(time=500.0).share == 0.0
-    assert [clock(s) for s in (0.0, 0.2, 60.0, 59.5)] == ["0:00", "0:01", "1:00", "1:00"]
+    times = (0.0, 0.2, 60.0, 59.5, 60.0000000001, -3.0)
+    assert [clock(s) for s in times] == ["0:00", "0:01", "1:00", "1:00", "1:00", "0:00"]
 
 
 def test_each_answer_has_a_letter_of_its_own_that_means_nothing_else() -> None:
