@@ -149,7 +149,7 @@ class Carrier:
             return
         run.transit = action.transit
         for edge in action.begins:
-            function = self.bound.function if edge == action.edge else self._function(edge)
+            function = self.bound.function if edge is action.edge else self._function(edge)
             run.emit(
                 OperationStarted(
                     t=run.time,
