@@ -211,6 +211,7 @@ class Window(QMainWindow):
         self.replaying.refused.connect(self.toast.refuse)
         self.replaying.pane.said.connect(self._show_said)
         self.supervise.begin_wanted.connect(self.run_pane.play)
+        self._windows.persons.changed.connect(self.supervise.refresh)
         self.people.task_wanted.connect(self.open_task)
         self.people.changed.connect(actions.refresh)
 
