@@ -14,7 +14,7 @@ from typing import Protocol
 
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.errors import UsageError
+from smsl_studio.errors import HostError, UsageError
 from smsl_studio.host.protocol import Happened, Host, Opened, Priced, SensorInfo, Tick
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.disturbance import Disturbed, checked
@@ -54,6 +54,7 @@ class Remote:
     ) -> None:
         self.sensors = tuple(sensors)
         self._line, self._reception = line, reception
+        self._closed = Flag()
         self._values, self._seed = values, seed
         self._disturbed: dict[tuple[str, int, str], Disturbed] = {}
 
@@ -64,9 +65,10 @@ class Remote:
     def open(self) -> None:
         """Connect, and give every source the time to speak. RunRefused: there is no broker."""
         self._line.open()
-        until, never = monotonic() + HELLO, Flag()
+        until = monotonic() + HELLO
         while self._reception.silent and monotonic() < until:
-            never.wait(LOOK)
+            if self._closed.wait(LOOK):
+                raise HostError("the host is closed")
 
     def heard(self) -> tuple[Sample, ...]:
         """The newest sample of each source since the last time, disturbed where that is on."""
@@ -113,7 +115,8 @@ class Remote:
         )
 
     def close(self) -> None:
-        """Hear nothing more."""
+        """Hear nothing more, and wait for nobody who has not spoken yet."""
+        self._closed.set()
         self._line.close()
 
 

@@ -59,6 +59,8 @@ class Link:
         self._where = host_and_port(broker)
         self._reception = reception
         self._ears: list[_Ear] = []
+        self._nodes: _Ear | None = None
+        self._left = False
         self._since = monotonic()
 
     def open(self) -> None:
@@ -68,10 +70,13 @@ class Link:
         nodes = _Ear(f"{START}{site}/node/+/status", self._hear)
         sources = [_Ear(topic, self._hear) for topic in reception.topics]
         others = _Ear(f"{START}{site}/run/{run}/fact/#", self._overhear, quality=0)
+        self._nodes = nodes
         try:
             words = nodes.connect(*self._where)
         except (OSError, ValueError) as error:
             words = str(error)
+        if self._left:
+            words = "it was left"
         if words:
             nodes.close()
             raise RunRefused(
@@ -102,7 +107,11 @@ class Link:
 
     def close(self) -> None:
         """Hear nothing more; twice is harmless."""
+        self._left = True
         ears, self._ears, self._since = self._ears, [], monotonic()
+        nodes, self._nodes = self._nodes, None
+        if not ears and nodes is not None:
+            nodes.leave()
         for ear in ears:
             ear.leave()
         for ear in ears:
@@ -154,13 +163,22 @@ class _Ear:
         self._client.loop_start()
 
     def leave(self) -> None:
-        """Say goodbye."""
+        """Say goodbye; who waits for the broker's hello need not any more."""
         self._client.disconnect()
+        with self._changed:
+            self._refused = "it was left"
+            self._changed.notify_all()
 
     def close(self) -> None:
-        """End the thread."""
+        """End the thread, also one that is just being connected."""
         self._client.disconnect()
         self._client.loop_stop()
+        left = self._client.socket()
+        if left is not None:
+            left.close()
+        # paho frees what it holds besides when nothing points at it any more.
+        self._client.on_connect = self._client.on_disconnect = None
+        self._client.on_message = self._client.on_socket_open = None
 
     def _on_connect(self, client: Client, data: Any, flags: Any, code: Any, more: Any) -> None:
         from paho.mqtt.subscribeoptions import SubscribeOptions

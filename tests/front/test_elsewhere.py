@@ -12,7 +12,7 @@ import pytest
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli import main
-from smsl_studio.errors import PluginError, UsageError
+from smsl_studio.errors import HostError, PluginError, UsageError
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.reading import read
 from smsl_studio.host.local import LocalHost
@@ -147,6 +147,17 @@ def test_disturbances_reach_whoever_is_meant(declare: Declare) -> None:
     with pytest.raises(UsageError, match="there is no disturbance 'stick'"):
         host.disturb("eye", "stick")
     host.close()
+
+
+def test_a_run_that_is_closed_waits_for_nobody(declare: Declare) -> None:
+    """The ear has not spoken, and never will."""
+    declared = _host(declare(f'{MQTT}[mqtt.facts]\n"SB1/0" = "ear"\n'))
+    assert isinstance(declared, WithRemote)
+    reception = Reception("lab", "trial", declared.remote.sensors)
+    remote = Remote(_Line(), reception, declared.remote.sensors, {}, 0)
+    remote.close()
+    with pytest.raises(HostError, match="the host is closed"):
+        remote.open()
 
 
 def test_a_headless_run_hears_a_node(

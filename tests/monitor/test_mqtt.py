@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -289,6 +290,26 @@ def test_a_broker_that_says_nothing_is_none(broker: Broker) -> None:
     link = Link(broker.address, Reception("lab", "main", ()))
     with pytest.raises(RunRefused, match="it accepts the connection and says nothing"):
         link.open()
+    link.close()
+
+
+def test_no_broker_is_waited_for_once_a_run_is_closed(broker: Broker) -> None:
+    """Whenever in between it is closed."""
+    link = Link(broker.address, Reception("lab", "main", ()))
+    broker.freeze()
+    refused: list[RunRefused] = []
+
+    def open_link() -> None:
+        try:
+            link.open()
+        except RunRefused as error:
+            refused.append(error)
+
+    thread = threading.Thread(target=open_link)
+    thread.start()
+    link.close()
+    thread.join()
+    assert refused
     link.close()
 
 

@@ -96,6 +96,7 @@ def test_an_unknown_fact_turns_known(sit: Sit, tmp_path: Path, broker: Broker, n
     fact = ("SB1", "0")
     at.until_cells(*fact, value="a", quality="good")
     assert at.row(*fact).cells[:2] == ("Fact 1", "eye")
+    assert at.run.pane.run.world_process is not None
     assert page.words.text() == "2 facts: 2 known"
 
     node.say("eye ?")
@@ -179,6 +180,16 @@ def test_the_page_without_a_run_and_after_one(sit: Sit) -> None:
     assert page.words.text() == "2 facts: 2 known. The run is over; this is how it ended"
     assert at.row("SB1").cells[1] == "believed in State_cc"
     assert not page.bar.on.isEnabled()
+
+
+def test_whoever_supervises_has_it_by_the_same_key(sit: Sit) -> None:
+    at = _by_hand(sit, SAMPLES / "hanoi-2.json")
+    at.person.ctrl(Key.Key_3)
+    page = at.open()
+    at.until_cells("SB1", "0", value="a", quality="good")
+    QTest.keyClick(page.table, Key.Key_Escape)
+    assert not page.isVisible()
+    assert at.person.window.mode == "supervise"
 
 
 def test_the_button_at_the_facts_opens_it(sit: Sit) -> None:
