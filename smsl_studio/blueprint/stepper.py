@@ -20,6 +20,7 @@ from smsl_studio.blueprint.configuration import (
 )
 from smsl_studio.blueprint.downhill import Downhill
 from smsl_studio.blueprint.edges import NO_COSTS, Edge, Edges, Kind
+from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import Carried, JointStep, Script
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.search import Move, cheapest, patience
@@ -88,7 +89,7 @@ class Stepper:
     def _carry(self, script: Script, edge: Edge, held: Held) -> Carried:
         """Write the edge, its subs' movements and the bases' edges that must go with it."""
         self._allow(script.configuration, edge)
-        places = self._loaded(edge) if edge.load else {}
+        places = self._loaded(script.configuration, edge) if edge.load else {}
         along = self._along.edges_for(script.configuration, edge, places, held)
         crossed = (
             sub for sub in places if self._along.crossing(script.configuration, sub, places[sub])
@@ -166,8 +167,10 @@ class Stepper:
 
     # its subs -----------------------------------------------------------------------------------
 
-    def _loaded(self, edge: Edge) -> dict[str, str]:
+    def _loaded(self, configuration: Configuration, edge: Edge) -> dict[str, str]:
         """Where a ``load`` edge leaves the subs it changes and everything below them."""
+        failing = self.terms.failing
+        may_fail = failing is None or edge.address in failing
         subs = dict(self.hierarchy.subs[edge.branch])
         found: dict[str, str] = {}
         for digit in (*edge.falls, *edge.rises):
@@ -177,6 +180,9 @@ class Stepper:
         for name, state in found.items():
             if state not in self.hierarchy.blueprint[name].table:
                 raise Unavailable(f"{edge} loads {name} into {state}, which is no state of it")
+            fails = failing_states(self.hierarchy.blueprint[name])
+            if not may_fail and state in fails and configuration[name] not in fails:
+                raise Unavailable(f"{edge} loads {name} into a failure: {fails[state]}")
         return found
 
     def _drive(self, script: Script, edge: Edge, held: Held) -> None:

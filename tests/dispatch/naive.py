@@ -56,8 +56,20 @@ class Naive:
                 falls.append(by_digit[digit])
         return falls, rises, other
 
+    def fails(self, sb: str, state: str) -> bool:
+        """Whether a state holds a value that is declared a failure."""
+        notes = self.plain[sb].get("_facts", {})
+        return any(
+            self.digit(state, int(digit)) in note["failure"] for digit, note in notes.items()
+        )
+
+    def healthy(self, config: Config, root: str) -> bool:
+        return not any(self.fails(sb, config[sb]) for sb in self.tree(root))
+
     def usable(self, config: Config, sb: str, op: str) -> bool:
         if f"{sb}/{config[sb]}/{op}" in self.avoid:
+            return False
+        if self.fails(sb, self.plain[sb][config[sb]][op]) and not self.fails(sb, config[sb]):
             return False
         for key, value in self.note(sb, op).get("requires", {}).items():
             name, digit = key.split("/")
@@ -132,6 +144,8 @@ class Naive:
                 head = self.head(sub)
                 places.update(self.below(sub, head["ACTIVATING" if sub in rises else "INITIAL"]))
             for sub, state in places.items():
+                if self.fails(sub, state) and not self.fails(sub, config[sub]):
+                    return None
                 active = self.head(sub)["ACTIVATING"]
                 if (state == active) != (config[sub] == active):
                     loaded = {base: (op, end) for base, end in places.items()}
@@ -209,14 +223,16 @@ class Naive:
                 if part is not None:
                     yield part
 
-    def best(self, start: Config, root: str, goals: Config) -> float | None:
-        """The lowest cost of a sequence of permitted operations to the goals, or None."""
+    def best(self, start: Config, root: str, goals: Config | None) -> float | None:
+        """The lowest cost of a sequence of permitted operations to the goals, or None; without
+        goals, to where nothing has failed."""
         heap: list[Any] = [(0.0, sorted(start.items()))]
         done = set()
         while heap:
             cost, items = heapq.heappop(heap)
             here = dict(items)
-            if all(here[sb] == state for sb, state in goals.items()):
+            there = goals is None and self.healthy(here, root)
+            if there or (goals and all(here[sb] == state for sb, state in goals.items())):
                 return float(cost)
             if str(items) in done:
                 continue

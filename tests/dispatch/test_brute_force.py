@@ -50,6 +50,27 @@ def test_the_planner_finds_what_brute_force_finds(seed: int) -> None:
             assert cost == best if len(goals) == 1 else cost >= best
 
 
+@pytest.mark.parametrize("seed", range(100))
+def test_out_of_and_around_failures_the_planner_finds_what_brute_force_finds(seed: int) -> None:
+    for naive, start, root, wanted in cases(seed, 3):
+        for sb in naive.tree(root)[:: 1 + seed % 2]:
+            naive.plain[sb]["_facts"] = {"0": {"failure": [str(seed % 2)]}}
+        hierarchy = Hierarchy(blueprint(naive.plain))
+        goals = [Address(sb, wanted[sb]) for sb in hierarchy.order if sb in wanted]
+        legs = Planner(hierarchy).legs(start, goals)
+        if all(start[sb] == state for sb, state in wanted.items()):
+            assert legs == ()
+        elif naive.healthy(start, root):
+            best = naive.best(start, root, wanted)
+            assert (legs is None) == (best is None)
+            if legs is not None and len(goals) == 1:
+                assert legs[0].cost == best
+        elif legs is not None and legs[0].goal is None:
+            assert legs[0].cost == naive.best(start, root, None)
+        elif naive.best(start, root, None) is None:
+            assert legs is None
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_run_reaches_what_brute_force_reaches_and_never_disagrees(seed: int) -> None:
     for naive, start, root, wanted in cases(seed, 1):
