@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -10,13 +11,12 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.replay.event_table import EventTable
-from smsl_studio.studio.replay.lanes_at import lit, whole_lanes
 from smsl_studio.studio.replay.recording import ANOTHER, Recording
 from smsl_studio.studio.replay.replay import Replay
 from smsl_studio.studio.run import view
-from smsl_studio.studio.run.facts_table import FactsTable
+from smsl_studio.studio.run.facts_table import COLUMNS, FactsTable
 from smsl_studio.studio.run.framing import head, panel, split
-from smsl_studio.studio.run.lanes import Lane
+from smsl_studio.studio.run.lanes import Lane, lanes
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_canvas import TROUBLE, RunCanvas
 from smsl_studio.studio.run.state_check import StateCheckView
@@ -66,6 +66,7 @@ class ReplayPane(QWidget):
         self.note.setWordWrap(True)
         self.canvas = ReplayCanvas(_Held(replay, nothing), replay, tokens)
         self.facts, self.check = FactsTable(tokens), StateCheckView(tokens)
+        self.facts.setColumnHidden(COLUMNS.index("Age"), True)
         self.events = EventTable()
         self.timeline = Timeline(tokens)
         self._build()
@@ -81,11 +82,12 @@ class ReplayPane(QWidget):
         self._show_moment()
 
     def _build(self) -> None:
-        facts = panel(head("Facts, as they were sensed"), self.facts, self.check)
-        facts.setMinimumWidth(FACTS)
         self._count = label("", "small")
-        events = panel(head("Events", self._count), self.events)
-        right = split(Qt.Orientation.Horizontal, (facts, events), (428, 520), (45, 55))
+        events = panel(head("Events", None, self._count), self.events)
+        facts = panel(head("Facts, as they were sensed"), self.facts)
+        facts.setMinimumWidth(FACTS)
+        below = split(Qt.Orientation.Horizontal, (facts, panel(self.check)), (428, 383), (1, 1))
+        right = split(Qt.Orientation.Vertical, (events, below), (300, 250), (1, 0))
         above = split(Qt.Orientation.Horizontal, (self.canvas, right), (628, 811), (44, 56))
         whole = split(Qt.Orientation.Vertical, (above, self.timeline), (626, 160), (1, 0))
         column = QVBoxLayout(self)
@@ -104,21 +106,24 @@ class ReplayPane(QWidget):
         self.note.setProperty("kind", "good" if good else "bad")
         self.note.style().unpolish(self.note)
         self.note.style().polish(self.note)
-        self.events.show_events(recording.retelling.events)
+        self.events.show_events(recording.retelling.events, recording.blueprint)
 
     def _show_moment(self) -> None:
         replay, status, blueprint = self._replay, self._replay.status, self._replay.blueprint
         if status is None or blueprint is None or replay.whole is None:
             return
         if not self._lanes:
-            self._lanes = whole_lanes(blueprint, status, replay.whole.story)
+            over = replace(status, running=None, running_since=None)
+            self._lanes = lanes(blueprint, over, replay.whole.story)
         self.canvas.refresh()
-        self.facts.show_rows(view.fact_rows(blueprint, status))
+        # How old a reading was is in no record, only when it changed.
+        rows = (replace(row, age=None) for row in view.fact_rows(blueprint, status))
+        self.facts.show_rows(tuple(rows))
         check = status.check or view.last_check(blueprint, status, lost=False)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         self.events.show_index(replay.index)
         self._count.setText(f"{replay.index:,} of {replay.count:,}")
-        self.timeline.show_lanes(lit(self._lanes, replay.time), replay.time)
+        self.timeline.show_lanes(self._lanes, replay.time)
         self.said.emit()
 
     @property

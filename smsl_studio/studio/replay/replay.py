@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -136,6 +137,7 @@ class Replay(QObject):
             self.status = as_status(self.recording.blueprint, told)
             self.story = self.whole.until(told)
         self.time = time
+        self.status = replace(self.status, time=max(time, told.time))
         self.changed.emit()
 
     def _go_on(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
 from smsl_studio.studio.controls import Combo, label, rule
@@ -15,6 +16,8 @@ from smsl_studio.studio.theme import Tokens
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "16×": 16.0, "64×": 64.0}
 MARK = "REPLAY"
+WIDE, NARROW = 1140, 780
+"""Pixels from which buttons have their words, and from which the phase is shown beside them."""
 
 
 class ReplayTransport(QWidget):
@@ -29,7 +32,7 @@ class ReplayTransport(QWidget):
         self.mark.setToolTip("What is shown was recorded. Nothing can be commanded here")
         self.scrubber = Scrubber(tokens)
         self.moment = label("", "mono")
-        self.moment.setFixedWidth(150)
+        self.moment.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.moment.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.phase = _chip("", "quiet")
         self.speed = Combo()
@@ -61,6 +64,15 @@ class ReplayTransport(QWidget):
         for part in (self.scrubber, self.back, self.step, self.play):
             part.set_tokens(tokens)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The scrubber keeps its room: where there is little, the others say less."""
+        super().resizeEvent(event)
+        for button in (self.back, self.step, self.play):
+            button.set_short(self.width() < WIDE)
+        self.play.setMinimumWidth(112 if self.width() >= WIDE else 0)
+        self.phase.setVisible(self.width() >= NARROW)
+        self.leave.setText("Close replay" if self.width() >= WIDE else "Close")
+
     def _connect(self) -> None:
         replay = self._replay
         self.scrubber.time_wanted.connect(replay.to_time)
@@ -80,7 +92,7 @@ class ReplayTransport(QWidget):
     def _show_moment(self) -> None:
         replay = self._replay
         self.scrubber.show_time(replay.time)
-        self.moment.setText(f"{replay.time:.2f} of {replay.end:.2f} s")
+        self.moment.setText(f"{replay.time:{len(f'{replay.end:.2f}')}.2f} of {replay.end:.2f} s")
         self.back.setEnabled(replay.index > 0)
         self.step.setEnabled(replay.index < replay.count)
         words, kind = phase_words(replay.phase)

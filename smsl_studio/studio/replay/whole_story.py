@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Iterable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog.events import Committed
@@ -11,27 +12,35 @@ from smsl_studio.studio.run.story import Span, Story
 
 
 class WholeStory:
-    """All spans and trails of a run, told once; ``until`` cuts them at a moment."""
+    """All spans and trails of a run, told once; ``until`` says which there were at a moment.
+
+    Who goes round and round leaves one trail, so that any moment of a long run is as near.
+    """
 
     def __init__(self, retelling: Retelling) -> None:
         self.story = Story()
         self.story.tell(retelling.events)
         self._close(retelling.end)
-        self._committed: dict[str, list[int]] = {}
+        self._visits = {name: _first(lane) for name, lane in self.story.states.items()}
+        self._starts = {
+            name: [span.start for span in lane] for name, lane in self.story.states.items()
+        }
+        self._trail: dict[str, dict[Address, int]] = {}
         for index, event in enumerate(retelling.events, 1):
-            if isinstance(event, Committed):
-                for text in event.operations:
-                    self._committed.setdefault(Address.split(text)[0], []).append(index)
+            for text in event.operations if isinstance(event, Committed) else ():
+                address = Address(*Address.split(text))
+                self._trail.setdefault(address.branch, {}).setdefault(address, index)
 
     def until(self, told: Retold) -> Story:
-        """What the story was then. Spans that went on have no end yet."""
+        """What the story was then: which states were visited, the trail, what was shut out."""
         story = Story(time=told.time, finished=told.finished)
-        story.states = {name: _until(lane, told.time) for name, lane in self.story.states.items()}
         story.risky, story.pruned = dict(told.risky), dict(told.pruned)
-        for branch, trail in self.story.trail.items():
-            count = bisect_right(self._committed.get(branch, []), told.index)
-            # Who goes round and round leaves one trail.
-            story.trail[branch] = list(dict.fromkeys(trail[:count]))
+        for name, lane in self.story.states.items():
+            visited = [span for span in self._visits[name] if span.start <= told.time]
+            now = bisect_right(self._starts[name], told.time)
+            story.states[name] = [*visited, *lane[now - 1 : now]] if now else []
+        for branch, trail in self._trail.items():
+            story.trail[branch] = [edge for edge, index in trail.items() if index <= told.index]
         return story
 
     def _close(self, end: float) -> None:
@@ -42,5 +51,9 @@ class WholeStory:
                 lane[-1].end = end
 
 
-def _until(lane: list[Span], time: float) -> list[Span]:
-    return lane[: bisect_right(lane, time, key=lambda span: span.start)]
+def _first(lane: Iterable[Span]) -> list[Span]:
+    """The first time of each state."""
+    found: dict[str, Span] = {}
+    for span in lane:
+        found.setdefault(span.words, span)
+    return list(found.values())

@@ -24,6 +24,8 @@ LABELS, WIDEST, EMPTY = 94, 190, 160
 EARLY = 0.0125
 """The share of the shown time that lies before the start, so that "0 s" has room."""
 PITCH = {"state": 27, "operation": 27, "fact": 22}
+NARROW = 2.0
+"""Pixels below which a block has no corners and no words."""
 SPANS = (0.5, 1.0, 2.0, 4.0, 8.0)
 """Simulated seconds shown of a run that is young; later the whole run is shown."""
 
@@ -245,10 +247,13 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         super().__init__()
         self.tokens = tokens
         self.lanes: tuple[Lane, ...] = ()
+        self._starts: list[list[float]] = []
         self.time = 0.0
 
     def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
         self.prepareGeometryChange()
+        if lanes is not self.lanes:
+            self._starts = [[block.start for block in lane.blocks] for lane in lanes]
         self.lanes, self.time = lanes, time
         self.update()
 
@@ -267,22 +272,34 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         clip = transform.mapRect(self.mapRectFromScene(view.sceneBoundingRect()))
         painter.setClipRect(clip)
         top = 0.0
-        for lane in self.lanes:
+        pixel = NARROW / max(transform.m11(), 1e-12)
+        for lane, starts in zip(self.lanes, self._starts, strict=True):
+            narrow = self._colours(lane.kind, "past")[0]
             pitch = float(PITCH[lane.kind])
-            for block in _seen(lane.blocks, left, right, 1.0 / max(transform.m11(), 1e-12)):
+            for at in _seen(lane.blocks, starts, left, right, pixel):
+                block = lane.blocks[at]
                 end = self.time if block.end is None else block.end
-                room = QRectF(block.start, top, end - block.start, pitch)
-                self._paint(painter, transform.mapRect(room), clip, lane.kind, block)
+                room = transform.mapRect(QRectF(block.start, top, end - block.start, pitch))
+                if room.width() < NARROW:
+                    painter.fillRect(room.adjusted(0, 2, NARROW, -2), narrow)
+                    continue
+                past = block.look == "past" and lane.kind != "fact"
+                look = "now" if past and self._holds(block) else block.look
+                self._paint(painter, room, clip, lane.kind, block, look)
             top += pitch
         painter.restore()
 
+    def _holds(self, block: Block) -> bool:
+        """Whether a past moment is shown, and this block held then."""
+        return block.end is not None and block.start <= self.time < block.end
+
     def _paint(
-        self, painter: QPainter, room: QRectF, clip: QRectF, kind: str, block: Block
+        self, painter: QPainter, room: QRectF, clip: QRectF, kind: str, block: Block, look: str
     ) -> None:
         inset = 2.0 if kind == "fact" else 1.5
         box = room.adjusted(0.5, inset, -0.5, -inset)
-        fill, line, ink = self._colours(kind, block.look)
-        dashed = block.look in ("predicted", "unknown")
+        fill, line, ink = self._colours(kind, look)
+        dashed = look in ("predicted", "unknown")
         style = Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine
         painter.setPen(QPen(line, 1.2, style) if line is not None else Qt.PenStyle.NoPen)
         painter.setBrush(fill)
@@ -307,15 +324,13 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         return (t.accs, t.accl, t.acc) if look == "beyond" else (t.sunk, None, t.tx)
 
 
-def _seen(blocks: Sequence[Block], left: float, right: float, pixel: float) -> Iterator[Block]:
-    """The blocks between two times; of those that share a pixel, the first."""
-    at = max(bisect_right(blocks, left, key=_start) - 1, 0)
-    while at < len(blocks) and blocks[at].start <= right:
-        block = blocks[at]
-        yield block
-        narrow = block.end is not None and block.end - block.start < pixel
-        at = max(bisect_left(blocks, block.start + pixel, key=_start), at + 1) if narrow else at + 1
-
-
-def _start(block: Block) -> float:
-    return block.start
+def _seen(
+    blocks: Sequence[Block], starts: Sequence[float], left: float, right: float, pixel: float
+) -> Iterator[int]:
+    """Which blocks lie between two times; of those that share a place, the first."""
+    at = max(bisect_right(starts, left) - 1, 0)
+    while at < len(blocks) and starts[at] <= right:
+        yield at
+        end = blocks[at].end
+        narrow = end is not None and end - starts[at] < pixel
+        at = max(bisect_left(starts, starts[at] + pixel), at + 1) if narrow else at + 1
