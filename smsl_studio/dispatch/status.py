@@ -38,9 +38,11 @@ class Possible:
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """Something a person may do about a hold: the command, on what, and a sentence for a button.
+    """Something a person may do now: the command, on what, and a sentence for a button.
 
-    ``command`` is restore, adopt, ask, resume, take_over or end.
+    ``command`` is restore, adopt, ask, resume, take_over or end where the run holds, reset or end
+    where it is stopped, accept, give_back or stop where somebody has taken over, and stop where a
+    veto came too late.
     """
 
     command: str
@@ -58,7 +60,8 @@ class DispatchStatus:
     (latched), ``done``. ``docs/supervision.md`` draws them.
     ``pending`` are the states of SBs in transit, not committed. ``running`` is the edge whose
     library function runs, ``carrying`` the edge that was asked for. ``route`` are the edges still
-    to be carried out, in order; ``detour`` those if the next one were vetoed (None: no way).
+    to be carried out, in order; ``detour`` those if the next one were vetoed (None: no way, or
+    nobody attends the run).
     ``check`` is the state check that is awaited, or that of the active state of the SB in
     question. ``since`` has the time at which each SB entered its state, ``previous`` the edge that
     led there. ``sources`` are all sources of all facts. ``by`` is who has taken over or stopped.
