@@ -99,8 +99,13 @@ class Course:
     @property
     def closed(self) -> Mapping[Address, str]:
         """Every edge that routes go round, with the reason."""
+        return {**self._lasting, **self.vetoed, **self.shut}
+
+    @property
+    def _lasting(self) -> Mapping[Address, str]:
+        """The same without vetoes, which hold only where they were said."""
         risky = {address: f"risky: {reason}" for address, reason in self.risky.items()}
-        return {**risky, **self.vetoed, **self.shut}
+        return {**risky, **self.shut}
 
     def asked(self, configuration: Mapping[str, str], edge: Edge) -> JointStep | Unavailable:
         """The joint step of an edge that a person asks for, though it be risky or vetoed itself,
@@ -126,12 +131,17 @@ class Course:
         permitted leads on.
         """
         self._lift_vetoes(configuration)
+        return self._next(configuration, self.planner)
+
+    def _next(
+        self, configuration: Mapping[str, str], planner: Planner
+    ) -> tuple[JointStep | None, Leg | None]:
         leg, step = self._at
         fresh = False
         if leg < len(self._legs) and step == len(self._legs[leg].steps):
             leg, step, fresh = leg + 1, 0, True
         if leg >= len(self._legs) or self._legs[leg].before[step] != dict(configuration):
-            legs = self.planner.legs(configuration, self.goals)
+            legs = planner.legs(configuration, self.goals)
             if not legs:
                 self.drop_plan()
                 return None, None
@@ -167,9 +177,12 @@ class Course:
     def _prospect(
         self, configuration: Mapping[str, str]
     ) -> tuple[JointStep | None, tuple[Address, ...]]:
+        """The same as ``next_step``, for who only looks: nothing is kept, no veto is lifted."""
         kept = self._legs, self._at, self._ahead
+        stale = self.vetoed and self._vetoed_at != dict(configuration)
+        planner = self._planner_of(self._lasting) if stale else self.planner
         try:
-            step, _ = self.next_step(configuration)
+            step, _ = self._next(configuration, planner)
             following = self.ahead
         except PlanningError:
             step, following = None, ()
@@ -215,16 +228,16 @@ class Course:
         found = (edge for leg in legs or () for edge in leg.operations)
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))
 
-    def lift_vetoes(self) -> None:
+    def lift_vetoes(self, addresses: Collection[Address]) -> None:
         """What was vetoed has been skipped and may be used again."""
-        if self.vetoed:
-            self.vetoed.clear()
+        lifted = [self.vetoed.pop(address, None) for address in addresses]
+        if any(lifted):
             self.version += 1
             self._planner, self._asked, self._detours = None, {}, {}
 
     def _lift_vetoes(self, configuration: Mapping[str, str]) -> None:
         if self.vetoed and self._vetoed_at != dict(configuration):
-            self.lift_vetoes()
+            self.lift_vetoes(tuple(self.vetoed))
 
     def _repriced(self, changed: Mapping[Address, float]) -> Mapping[Address, float]:
         if changed:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
@@ -33,9 +33,9 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
     run, carrier, state = driver.run, driver.carrier, driver.state
     current = carrier.remaining if carrier else ()
     route = (*(edge.address for edge in current), *driver.course.ahead)
-    if not route and phase == "paused" and not holds(run.configuration, driver.course.goals):
+    if not route and phase == "paused" and not holds(_here(driver), driver.course.goals):
         # What was asked for by hand has no plan behind it; one sees what would come all the same.
-        route = driver.course.prospect(run.configuration)
+        route = driver.course.prospect(_here(driver))
     held = state.held
     candidates = driver.trouble.candidates if held is not None else ()
     if state.offered is not None:
@@ -107,16 +107,20 @@ def _possible(driver: Driver, phase: str) -> Iterator[Possible]:
 
 def _detour(driver: Driver) -> tuple[Address, ...] | None:
     """The way to the goals if the next operation were vetoed."""
-    run, carrier, course = driver.run, driver.carrier, driver.course
-    here = dict(run.configuration)
-    if carrier is not None:
-        here.update(carrier.step.after)
+    course = driver.course
+    if driver.carrier is not None:
         following = course.ahead[0] if course.ahead else None
     else:
         following = driver.next_edge()
     if following is None:
         return None
     try:
-        return course.detour(here, following)
+        return course.detour(_here(driver), following)
     except PlanningError:
         return None
+
+
+def _here(driver: Driver) -> Mapping[str, str]:
+    """Where the run stands, or will when what it carries out has ended."""
+    carrier = driver.carrier
+    return {**driver.run.configuration, **(carrier.step.after if carrier else {})}

@@ -21,13 +21,15 @@ from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
 class Hold:
     """Why a run cannot go on by itself; ``kind`` is how it ends where nobody is there to decide.
 
-    ``blocking`` are the edges that stand in the way.
+    ``blocking`` are the edges that stand in the way, ``skipped`` the vetoed ones that a run
+    without a route has skipped.
     """
 
     reason: str
     details: Sequence[str] = ()
     kind: str = "held"
     blocking: tuple[Address, ...] = ()
+    skipped: tuple[Address, ...] = ()
 
 
 class Trouble:
@@ -111,7 +113,8 @@ class Trouble:
         sentence = f"Nothing permitted leads from {here} to {goal}"
         if blocking:
             sentence += f"; it would with {', '.join(map(str, blocking))}"
-        return Hold(f"{sentence}.", (*words, *details), "no_route", tuple(blocking))
+        skipped = tuple(course.vetoed)
+        return Hold(f"{sentence}.", (*words, *details), "no_route", tuple(blocking), skipped)
 
     def _blocking(self) -> Mapping[Address, str]:
         try:

@@ -24,7 +24,7 @@ def recheck(driver: Driver) -> None:
         return
     if held is not None:
         driver.loops.forget()
-        driver.course.lift_vetoes()
+        driver.course.lift_vetoes(held.skipped)
         driver.release()
         informed(driver, lambda: driver.hold(driver.trouble.relocalise()))
         return
