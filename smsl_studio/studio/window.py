@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -46,16 +46,13 @@ from smsl_studio.studio.panels.history import History
 from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
-from smsl_studio.studio.people.people import People
-from smsl_studio.studio.replay.replaying import Replaying
 from smsl_studio.studio.replay.watched import Watched
-from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.runs import Runs
 from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.showing import Showing
 from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.stop_key import StopKey
-from smsl_studio.studio.supervise.pane import SupervisePane
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tidings import Tidings
 from smsl_studio.studio.typed_field import take_over
@@ -92,20 +89,14 @@ class Window(QMainWindow):
         self.editor = CanvasEditor(session, self.canvas)
         self.drawing = Drawing(session, self.editor)
         self.clipping = Clipping(session, self.canvas, lambda words: self.toast.say(words))
-        self.run_pane = RunPane(session, tokens)
-        self.run_pane.recordings = lambda: settings.wanted_recordings
+        self.runs = Runs(session, settings, self._windows.persons, tokens, self)
+        self.run_pane, self.supervise = self.runs.pane, self.runs.supervise
+        self.people, self.replaying = self.runs.people, self.runs.replaying
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
         self.findings = Findings(session, tokens, self.inspector.rules)
         self.history = History(session, tokens)
         self.body = Body()
-        self.supervise = SupervisePane(session, self.run_pane.run, tokens)
-        self.people = People(
-            session, self.run_pane.run, self.run_pane.levels, self._windows.persons, tokens, self
-        )
-        self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)
-        self.people.hear(self.supervise)
-        self.replaying = Replaying(lambda: session.blueprint, settings.recordings, tokens, self)
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
@@ -122,13 +113,7 @@ class Window(QMainWindow):
         self.docks.bottom_tabs.add("Findings", self.findings, self.findings.tools)
         self.docks.bottom_tabs.add("History", self.history)
 
-        run, supervise, replay = self.run_pane, self.supervise, self.replaying
-        pages = {
-            "draw": Page(self.canvas, self.canvas),
-            "run": Page(run, run.canvas.canvas, run.transport),
-            "supervise": Page(supervise, supervise, supervise.bar),
-            "replay": Page(replay.pane, replay.transport.scrubber, replay.transport),
-        }
+        pages = {"draw": Page(self.canvas, self.canvas), **self.runs.pages()}
         self._modes = Modes(pages, self.body, self.docks, self._settings)
 
     def _build_actions(self) -> None:
@@ -206,12 +191,9 @@ class Window(QMainWindow):
         self._windows.plugins.changed.connect(self.show_plugins)
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self._show_said)
-        self.run_pane.moved.connect(self.outline.set_run)
-        self.run_pane.moved.connect(self._light_source)
+        self.runs.light(self.outline, self.source)
         self.replaying.refused.connect(self.toast.refuse)
         self.replaying.pane.said.connect(self._show_said)
-        self.supervise.begin_wanted.connect(self.run_pane.play)
-        self._windows.persons.changed.connect(self.supervise.refresh)
         self.people.task_wanted.connect(self.open_task)
         self.people.changed.connect(actions.refresh)
 
@@ -243,9 +225,8 @@ class Window(QMainWindow):
         self.tokens = tokens
         panels = (self.outline, self.library, self.properties, self.source, self.findings)
         frame = (self.menu_row, self.mode_bar, self.command_palette, self.fix_card, self.toast)
-        runs = (self.run_pane, self.supervise, self.people, self.replaying)
-        others = (self.comparing, self.safety, self.actions_table)
-        for part in (self.canvas, *panels, *frame, *runs, *others):
+        others = (self.runs, self.comparing, self.safety, self.actions_table)
+        for part in (self.canvas, *panels, *frame, *others):
             part.set_tokens(self.tokens)
         self.actions_table.refresh()
 
@@ -338,11 +319,6 @@ class Window(QMainWindow):
         """The status line speaks of the replay while that is shown, else of the run."""
         shown = self.replaying.pane if self.mode == "replay" else self.run_pane
         self.status_line.show_run(shown.words)
-
-    def _light_source(self, active: Mapping[str, str], _: str) -> None:
-        """The active states stand lit in the text while a run is there."""
-        lit = active if self.run_pane.run.exists else {}
-        self.source.set_active(Address(sb, state) for sb, state in lit.items())
 
     def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
         menu = context_menu(self.session, self.editor, self.actions_table, self.clipping, address)

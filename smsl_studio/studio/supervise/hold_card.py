@@ -78,6 +78,8 @@ class HoldCard(QFrame):
         sentence = capital(status.sentence)
         if sentence == f"{self._heading.text()}.":
             sentence = ""
+        if status.phase == "taken_over":
+            sentence = "The automation is locked out and only observes. Give it back with T."
         self._sentence.setText(sentence)
         self._sentence.setVisible(bool(sentence) and not self._brief)
         self._details.setText("\n".join(map(_plain, status.details)))

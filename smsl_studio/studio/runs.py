@@ -1,0 +1,65 @@
+"""What a window has of runs: the run itself, its supervision, its people, and recorded ones."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.frame.modes import Page
+from smsl_studio.studio.panels.outline import Outline
+from smsl_studio.studio.people.people import People
+from smsl_studio.studio.people.persons import Persons
+from smsl_studio.studio.replay.replaying import Replaying
+from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.supervise.pane import SupervisePane
+from smsl_studio.studio.theme import Tokens
+
+
+class Runs:
+    """Made and wired once for each window; the panes of three modes are among them."""
+
+    def __init__(
+        self,
+        session: Session,
+        settings: Settings,
+        persons: Persons,
+        tokens: Tokens,
+        window: QWidget,
+    ) -> None:
+        self.pane = RunPane(session, tokens)
+        self.pane.recordings = lambda: settings.wanted_recordings
+        self.supervise = SupervisePane(session, self.pane.run, tokens)
+        self.supervise.begin_wanted.connect(self.pane.play)
+        persons.changed.connect(self.supervise.refresh)
+        self.people = People(session, self.pane.run, self.pane.levels, persons, tokens, window)
+        self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)
+        self.people.hear(self.supervise)
+        self.replaying = Replaying(lambda: session.blueprint, settings.recordings, tokens, window)
+
+    def pages(self) -> dict[str, Page]:
+        """The modes in which runs are shown."""
+        run, supervise, replay = self.pane, self.supervise, self.replaying
+        return {
+            "run": Page(run, run.canvas.canvas, run.transport),
+            "supervise": Page(supervise, supervise, supervise.bar),
+            "replay": Page(replay.pane, replay.transport.scrubber, replay.transport),
+        }
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for part in (self.pane, self.supervise, self.people, self.replaying):
+            part.set_tokens(tokens)
+
+    def light(self, outline: Outline, source: Source) -> None:
+        """Show in the outline and in the text where the run stands."""
+
+        def lit(active: Mapping[str, str], _: str) -> None:
+            there = active if self.pane.run.exists else {}
+            source.set_active(Address(sb, state) for sb, state in there.items())
+
+        self.pane.moved.connect(outline.set_run)
+        self.pane.moved.connect(lit)
