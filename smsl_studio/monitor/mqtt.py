@@ -86,6 +86,8 @@ class Link:
         for ear in (*sources, others):
             ear.connect_later(*self._where)
         self._ears = [nodes, *sources, others]
+        if self._left:
+            self.close()
 
     @property
     def connected(self) -> bool:
