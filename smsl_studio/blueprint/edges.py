@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from types import MappingProxyType
+from typing import Protocol
 
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
@@ -66,6 +67,16 @@ class Edge:
         return self._text
 
 
+class Extra(Protocol):
+    """What an edge costs on top of its cost; of those that are not closed in themselves (no
+    function, into a failure), only ``closed`` ones cost more."""
+
+    @property
+    def closed(self) -> Mapping[Address, str]: ...
+
+    def __call__(self, edge: Edge) -> float: ...
+
+
 NO_COSTS: Mapping[Address, float] = MappingProxyType({})
 
 
@@ -82,7 +93,7 @@ class Edges:
         hierarchy: Hierarchy,
         exact: Collection[Address] = (),
         costs: Mapping[Address, float] = NO_COSTS,
-        extra: Callable[[Edge], float] | None = None,
+        extra: Extra | None = None,
     ) -> None:
         self.hierarchy = hierarchy
         self.blueprint = hierarchy.blueprint

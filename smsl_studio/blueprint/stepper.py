@@ -5,7 +5,7 @@ Pure: a configuration in, a value out. Dispatch, inspection and ``explore`` shar
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -19,7 +19,7 @@ from smsl_studio.blueprint.configuration import (
     standing,
 )
 from smsl_studio.blueprint.downhill import Downhill
-from smsl_studio.blueprint.edges import NO_COSTS, Edge, Edges, Kind
+from smsl_studio.blueprint.edges import NO_COSTS, Edge, Edges, Extra, Kind
 from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import Carried, JointStep, Script
 from smsl_studio.blueprint.model import StateBranch
@@ -43,7 +43,7 @@ class Terms:
     exact: Collection[Address] = ()
     failing: Collection[Address] | None = ()
     costs: Mapping[Address, float] = field(default_factory=lambda: NO_COSTS)
-    extra: Callable[[Edge], float] | None = None
+    extra: Extra | None = None
 
 
 class Stepper:

@@ -16,15 +16,15 @@ class Blocks:
     """Why edges may not be used: closed with a reason, without a function, into a failure."""
 
     def __init__(self, closed: Mapping[Address, str], bound: Collection[Address]) -> None:
-        self._closed, self._bound = closed, bound
+        self.closed, self._bound = closed, bound
 
-    def extra(self, edge: Edge) -> float:
+    def __call__(self, edge: Edge) -> float:
         """What an edge costs on top: the penalty where it is blocked."""
         return PENALTY if self.reason(edge) else 0.0
 
     def reason(self, edge: Edge) -> str:
         """Why no route uses an edge; empty where routes may."""
-        closed = self._closed.get(edge.address)
+        closed = self.closed.get(edge.address)
         if closed is not None:
             return closed
         if edge.function and edge.address not in self._bound:

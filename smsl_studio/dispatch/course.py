@@ -215,8 +215,8 @@ class Course:
         where no way is drawn at all, or where there is one.
         """
         blocks = Blocks(self.closed, self._bound)
-        terms = Terms({}, None, self._exact, None, self.prices.now, blocks.extra)
-        legs = Planner(self._hierarchy, terms).legs(configuration, self.goals)
+        terms = Terms({}, None, self._exact, None, self.prices.now, blocks)
+        legs = Planner(self._hierarchy, terms, self._ways).legs(configuration, self.goals)
         edges = (edge for leg in legs or () for step in leg.steps for edge in step.edges)
         return blocks.among(edges)
 

@@ -20,6 +20,8 @@ from smsl_studio.graph.goal_tree import GoalTree
 
 MOST = 8
 """Trees that are kept of one SB: its goal, ways out of failure, and what is asked in between."""
+Asked = tuple[frozenset[str], bool]
+"""Goals, and whether everything is open, closed edges only dearer."""
 NOTHING: frozenset[tuple[str, int]] = frozenset()
 
 
@@ -34,8 +36,13 @@ class Ways:
     def alone(self, stepper: Stepper, branch: str) -> bool:
         """Whether an SB's ways depend on nothing but its own state, under these terms."""
         terms = stepper.terms
+        opened = terms.extra is not None and branch in self._lone
         plain = terms.extra is None and terms.failing is not None and not terms.failing
-        return plain and not self.hierarchy.bases[branch] and not self.hierarchy.subs[branch]
+        return (
+            (plain or opened)
+            and not self.hierarchy.bases[branch]
+            and not self.hierarchy.subs[branch]
+        )
 
     def way(
         self, stepper: Stepper, start: Configuration, branch: str, goals: Collection[str]
@@ -53,7 +60,7 @@ class _Lone:
     def __init__(self, branch: StateBranch, stepper: Stepper) -> None:
         self._branch = branch
         self._graph = graph_of(branch)
-        self._trees: dict[frozenset[str], tuple[GoalTree, Mapping[int, float]]] = {}
+        self._trees: dict[Asked, tuple[GoalTree, Mapping[int, float]]] = {}
         self._steps: dict[tuple[int, float | None], JointStep] = {}
         self._never = frozenset((*self._unbound(stepper), *self._into_failure()))
         self._declared = _declared(branch, self._graph)
@@ -65,6 +72,7 @@ class _Lone:
         name, graph = self._branch.name, self._graph
         numbered = ((self._number(a), cost) for a, cost in stepper.terms.costs.items())
         costs = {number: cost for number, cost in numbered if number is not None}
+        costs.update(self._dearer(stepper))
         tree = self._tree(stepper, start, frozenset(goals), costs)
         edges = tree.route(graph.index[start[name]])
         if edges is None:
@@ -80,10 +88,11 @@ class _Lone:
     ) -> GoalTree:
         """The tree for some goals under the terms of now; ``costs`` are those not as declared."""
         graph, terms = self._graph, stepper.terms
-        closed = set(self._never)
+        closed = set(self._never) if terms.extra is None else set()
         closed.update(e for a in terms.shut if (e := self._number(a)) is not None)
         closed.update(e for e in self._asking if not self._granted(stepper, start, e))
-        tree, priced = self._trees.pop(goals, (None, {}))
+        key = goals, terms.extra is not None
+        tree, priced = self._trees.pop(key, (None, {}))
         if tree is None:
             numbers = [graph.index[goal] for goal in goals if goal in graph.index]
             tree = GoalTree(graph, numbers, self._declared, closed)
@@ -99,10 +108,21 @@ class _Lone:
                     if costs.get(edge) != priced.get(edge)
                 }
             )
-        self._trees[goals] = tree, costs
+        self._trees[key] = tree, costs
         if len(self._trees) > MOST:
             del self._trees[next(iter(self._trees))]
         return tree
+
+    def _dearer(self, stepper: Stepper) -> Iterator[tuple[int, float]]:
+        """The edges that cost more than they are said to."""
+        extra = stepper.terms.extra
+        if extra is None:
+            return
+        closed = (self._number(address) for address in extra.closed)
+        for number in {*self._never, *(one for one in closed if one is not None)}:
+            edge = stepper.edges.get(self._address(number))
+            assert edge is not None
+            yield number, edge.cost
 
     def _cost(self, edge: int) -> float:
         return 1.0 if self._declared is None else self._declared[edge]
