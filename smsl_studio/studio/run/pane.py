@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
 
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
@@ -165,6 +166,14 @@ class RunPane(QWidget):
         self._views.setIcon(icon("camera", tokens))
         self._home.setIcon(icon("fit", tokens))
         self._refresh()
+
+    @property
+    def next_run(self) -> tuple[Blueprint, str, int] | None:
+        """Blueprint, world and seed of the run that Play would begin; None where there is none."""
+        world = self.transport.world.currentData()
+        if self.run.exists or self._loaded is None or self._session.broken is not None or not world:
+            return None
+        return self._session.blueprint, world, int(self.transport.seed.text() or 0)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

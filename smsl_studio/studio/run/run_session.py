@@ -23,6 +23,7 @@ from smsl_studio.front.run_header import asked_for
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.host.remote import WithRemote
+from smsl_studio.host.spare import Spare
 from smsl_studio.library.loading import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
@@ -80,6 +81,8 @@ class RunSession(QObject, Verbs):
         """The folder into which the next run is recorded; None: it is not."""
         self.record: Path | None = None
         """The log of the run that is there, or was the last one."""
+        self.spare: Spare | None = None
+        """A child in waiting for the next run; None: each starts its own."""
         self._clock = QTimer(self)
         self._clock.setInterval(FRAME)
         self._clock.timeout.connect(self._listen)
@@ -140,7 +143,8 @@ class RunSession(QObject, Verbs):
             self.record = log.path if log is not None else None
             return log
 
-        runner = Runner(lambda: _opened(blueprint, choice), speed, self, record)
+        spare = self.spare
+        runner = Runner(lambda: _opened(blueprint, choice, spare), speed, self, record)
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
@@ -236,7 +240,7 @@ class RunSession(QObject, Verbs):
             self.exists_changed.emit(exists)
 
 
-def _opened(blueprint: Blueprint, choice: RunChoice) -> Dispatcher:
+def _opened(blueprint: Blueprint, choice: RunChoice, spare: Spare | None) -> Dispatcher:
     return front.open_run(
         blueprint,
         choice.world,
@@ -246,6 +250,7 @@ def _opened(blueprint: Blueprint, choice: RunChoice) -> Dispatcher:
         automatic=not choice.by_hand,
         attended=True,
         levels=choice.levels,
+        spare=spare,
     )
 
 
