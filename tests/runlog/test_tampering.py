@@ -7,8 +7,10 @@ from random import Random
 
 import pytest
 
+import smsl_studio as smsl
 from smsl_studio.errors import ReadError
 from smsl_studio.runlog.reading import Doubt, read_log, read_records
+from smsl_studio.shipped import samples_dir
 from tests.runlog.logs import CHANGES, EVENTS, is_verified, tampered, write_log
 
 
@@ -26,6 +28,21 @@ def test_two_hundred_changed_logs_do_not_verify(logs: tuple[bytes, bytes]) -> No
     changed = [tampered(*logs, random) for _ in range(200)]
     assert [how for how, raw in changed if is_verified(raw)] == []
     assert len({how for how, _ in changed}) == len(CHANGES)
+
+
+def test_a_log_of_people_and_faults_is_as_safe(tmp_path: Path) -> None:
+    """What people commanded and answered, and what was injected, is in the chain like the rest."""
+    blueprint = smsl.read(samples_dir() / "hanoi-corrected.json")
+    pair = []
+    for name in ("hanoi-taken-over", "hanoi-faults"):
+        script = smsl.read_script(samples_dir() / "scripts" / f"{name}.jsonl", blueprint)
+        smsl.run(blueprint, script=script, log=tmp_path / name)
+        pair.append((tmp_path / name).read_bytes())
+    assert b'"commanded"' in pair[0]
+    assert all(map(is_verified, pair))
+    random = Random(6)
+    changed = [tampered(pair[0], pair[1], random) for _ in range(100)]
+    assert [how for how, raw in changed if is_verified(raw)] == []
 
 
 def answer(path: Path) -> Doubt | ReadError | None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QListWidget, QListWidgetItem, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.account_words import told
 from smsl_studio.runlog import events as run
 from smsl_studio.studio.theme import mono_font
 
@@ -85,4 +86,5 @@ def sentence(event: run.Event) -> str:
         case run.RunFinished():
             return f"Finished, {event.reason.replace('_', ' ')}: {event.sentence}"
         case _:
-            return event.event.replace("_", " ").capitalize()
+            by = getattr(event, "by", "")
+            return f"{told(event).what}{f'  ({by})' if by else ''}"
