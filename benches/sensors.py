@@ -97,9 +97,9 @@ class _Bench:
         (folder / "hanoi-2.toml").write_text(text, "utf-8")
         self.begun = 0
         self._chance = Random(1)
+        blueprint = read(folder / "hanoi-2.json")
         self._broker = Broker(folder)
         self._node = Node(self._broker, "SB1/0:eye=a", "SB1/1:scale=a")
-        blueprint = read(folder / "hanoi-2.json")
         self._run: Dispatcher = front.open_run(
             blueprint, "table", host="local", automatic=False, broker=self._broker.address
         )

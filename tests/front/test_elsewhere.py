@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from shutil import copy
 
@@ -26,6 +26,13 @@ from tests.monitor.broker import MAX_AGE, Broker, Node, Speaker, until, with_age
 
 MQTT = '[mqtt]\nbroker = "127.0.0.1:1"\nsite = "lab"\nrun = "trial"\n'
 Declare = Callable[[str], Blueprint]
+
+
+@pytest.fixture
+def broker(tmp_path: Path) -> Iterator[Broker]:
+    made = Broker(tmp_path)
+    yield made
+    made.kill()
 
 
 @pytest.fixture
@@ -161,9 +168,8 @@ def test_a_run_that_is_closed_waits_for_nobody(declare: Declare) -> None:
 
 
 def test_a_headless_run_hears_a_node(
-    tmp_path: Path, declare: Declare, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, broker: Broker, declare: Declare, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    broker = Broker(tmp_path)
     declare('[mqtt]\nsite = "lab"\n[mqtt.facts]\n"SB1/1" = "eye"\n')
     node = Node(broker, "SB1/1:eye=a")
     try:
@@ -178,14 +184,12 @@ def test_a_headless_run_hears_a_node(
         assert (last["reason"], "no reading yet" in last["sentence"]) == ("refused", True)
     finally:
         node.kill()
-        broker.kill()
 
 
 def test_a_run_waits_for_sensors_elsewhere_however_fast_it_may_go(
-    tmp_path: Path, declare: Declare
+    broker: Broker, declare: Declare
 ) -> None:
     """The eye is told of the move when it begins: by the time the check decides, it says so."""
-    broker = Broker(tmp_path)
     blueprint = declare('[mqtt]\nsite = "lab"\n[mqtt.facts]\n"SB1/0" = "eye"\n')
     node = Node(broker, "SB1/0:eye=a")
 
@@ -200,12 +204,10 @@ def test_a_run_waits_for_sensors_elsewhere_however_fast_it_may_go(
         assert (done.reason, done.sentence) == ("goal_reached", "SB1/State_ba holds.")
     finally:
         node.kill()
-        broker.kill()
 
 
-def test_a_value_that_comes_from_elsewhere_decides(tmp_path: Path, declare: Declare) -> None:
+def test_a_value_that_comes_from_elsewhere_decides(broker: Broker, declare: Declare) -> None:
     """The table has moved the disk long since; the edge is committed when the eye says so."""
-    broker = Broker(tmp_path)
     blueprint = declare('[mqtt]\nsite = "lab"\n[mqtt.facts]\n"SB1/0" = "eye"\n')
     node, speaker = Node(broker, "SB1/0:eye=a"), Speaker(broker)
     dispatcher = front.open_run(
@@ -232,4 +234,3 @@ def test_a_value_that_comes_from_elsewhere_decides(tmp_path: Path, declare: Decl
         dispatcher.close()
         speaker.close()
         node.kill()
-        broker.kill()
