@@ -12,6 +12,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.host.spare import Spare
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.canvas import accessible_tree
 from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
@@ -30,7 +31,8 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     application = make_application(sys.argv)
     settings = Settings()
     dress(application, tokens_of(settings.theme, application))
-    windows = Windows(application, settings)
+    spare = Spare()
+    windows = Windows(application, settings, spare=spare)
     first, *_ = [make_window(windows, path, mode) for path in paths or [""]]
     QTimer.singleShot(0, first, lambda: offer_recovery(windows, first))
     sys.excepthook = crash_hook(windows.keep, windows.warn)
@@ -44,6 +46,7 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     finally:
         stop.stop()
         windows.plugins.stop()
+        spare.close()
         sys.excepthook = sys.__excepthook__
         for end, handler in zip(ends, before, strict=True):
             signal.signal(end, handler or signal.SIG_DFL)

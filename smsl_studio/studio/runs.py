@@ -7,12 +7,14 @@ from collections.abc import Mapping
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.host.spare import Spare
 from smsl_studio.studio.frame.modes import Page
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.people.people import People
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.replay.replaying import Replaying
 from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.run.warming import Wanted, Warming
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.source.pane import Source
@@ -40,6 +42,19 @@ class Runs:
         self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)
         self.people.hear(self.supervise)
         self.replaying = Replaying(lambda: session.blueprint, settings.recordings, tokens, window)
+        self.warming = Warming(self._next, window)
+        for changed in (session.blueprint_changed, self.pane.run.exists_changed,
+                        self.pane.transport.world.currentIndexChanged,
+                        self.pane.transport.seed.textChanged):  # fmt: skip
+            changed.connect(lambda *_: self.warming.soon())
+
+    def keep_warm(self, spare: Spare | None) -> None:
+        """Have the next run's world stand ready while a mode is shown in which it can begin."""
+        self.warming.spare = self.pane.run.spare = spare
+
+    def _next(self) -> Wanted | None:
+        shown = self.pane.isVisible() or self.supervise.isVisible()
+        return self.pane.next_run if shown else None
 
     def pages(self) -> dict[str, Page]:
         """The modes in which runs are shown."""

@@ -90,6 +90,7 @@ class Window(QMainWindow):
         self.drawing = Drawing(session, self.editor)
         self.clipping = Clipping(session, self.canvas, lambda words: self.toast.say(words))
         self.runs = Runs(session, settings, self._windows.persons, tokens, self)
+        self.runs.keep_warm(self._windows.spare)
         self.run_pane, self.supervise = self.runs.pane, self.runs.supervise
         self.people, self.replaying = self.runs.people, self.runs.replaying
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
@@ -217,6 +218,7 @@ class Window(QMainWindow):
         """Show Draw, Run or Supervise."""
         if mode != self.mode:
             self._modes.show(mode, self.width())
+            self.runs.warming.soon()
             self._show_said()
         self.actions_table.refresh()
 

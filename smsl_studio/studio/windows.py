@@ -9,6 +9,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
+from smsl_studio.host.spare import Spare
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.plugins import Plugins
 from smsl_studio.studio.safety.safety import Safety
@@ -38,11 +39,16 @@ class Windows(QObject):
     """The windows that are open, oldest first; each tells when it comes and goes."""
 
     def __init__(
-        self, application: QApplication, settings: Settings, plugins: Plugins | None = None
+        self,
+        application: QApplication,
+        settings: Settings,
+        plugins: Plugins | None = None,
+        spare: Spare | None = None,
     ) -> None:
         super().__init__()
         self.application, self.settings = application, settings
         self.plugins = plugins or Plugins()
+        self.spare = spare
         self.persons = Persons(settings)
         self._open: list[Shown] = []
         self._closed: list[Shown] = []

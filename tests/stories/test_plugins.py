@@ -5,11 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
 
+from smsl_studio.host.spare import Spare
 from smsl_studio.studio.plugins import Plugins
+from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
 
+Key = Qt.Key
 CODE = """
 def register(library):
     @library.world("lamp", engine="table")
@@ -102,3 +106,30 @@ def test_trying_an_operation_can_be_cancelled(sit: Sit) -> None:
     person.click(alone.button)
     person.until(lambda: alone.button.text() == "Try alone")
     assert "Stopped" in alone.words.text()
+
+
+def test_a_world_in_waiting_is_what_the_next_run_begins_in(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi-2.json")
+    spare = Spare()
+    person.window.runs.keep_warm(spare)
+    try:
+        run = AtRun(person)
+        person.until(lambda: spare.pid is not None)
+        waiting = spare.pid
+        person.press(Key.Key_F5)
+        run.until_runs()
+        assert run.pane.run.world_process == waiting
+        person.press(Key.Key_F8)
+    finally:
+        person.window.run_pane.shut()
+        spare.close()
+
+
+def test_while_one_draws_no_world_is_kept_ready(sit: Sit) -> None:
+    person = sit(SAMPLES / "hanoi-2.json")
+    spare = Spare()
+    person.window.runs.keep_warm(spare)
+    AtRun(person)
+    person.ctrl(Key.Key_1)
+    person.window.runs.warming._warm()
+    assert spare.pid is None
