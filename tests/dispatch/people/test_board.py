@@ -209,6 +209,10 @@ def test_what_is_withdrawn_is_over() -> None:
         ("Müller", "Mu\u0308ller", True),
         ("A\u200bB", "AB", True),
         ("Straße", "STRASSE", True),
+        ("Ann\ufe0f", "Ann", True),
+        ("An\x00n", "Ann", True),
+        ("Ann\u3164", "Ann\u2800", True),
+        ("Ann\tBerg", "Ann Berg", True),
         ("A. Berg", "B. Berg", False),
     ],
 )
