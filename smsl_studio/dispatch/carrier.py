@@ -141,11 +141,9 @@ class Carrier:
 
     def _begin(self, shut: Mapping[Address, str]) -> None:
         action, run = self.action, self._run
-        barred = next((e for e in (action.edge, *action.begins) if e.address in shut), None)
+        barred = next((edge for edge in self.uncommitted if edge in shut), None)
         if barred is not None:
-            self._fail(
-                f"{barred} is {shut[barred.address]}", risky=False, pending=bool(run.transit)
-            )
+            self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
             return
         run.transit = action.transit
         for edge in action.begins:

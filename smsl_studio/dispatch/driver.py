@@ -82,7 +82,7 @@ class Driver:
             self.run.emit(*self.run.senses.listen())
             return
         if self.desk.busy and not self._outlived():
-            self._wait(watched=phase == "waiting")
+            self._wait(watched=phase == "waiting" and not self.desk.keeps)
         elif self.carrier is not None:
             self._carry(self.carrier)
         elif not self.starting.over and phase in ("running", "ready"):
@@ -168,6 +168,7 @@ class Driver:
     def begin(self, step: JointStep) -> None:
         """Carry a step out, from this tick on; every guard was asked."""
         self.release()
+        self.desk.withdraw()
         self.state.too_late = None
         self.carrier = Carrier(self.run, step)
         self._carry(self.carrier)
@@ -233,6 +234,7 @@ class Driver:
         if self.state.by_hand:
             self.state.once = False
             return
+        self._tell_goals()
         goals = self.course.goals
         word = "holds" if len(goals) == 1 else "hold"
         self.finish("goal_reached", f"{', '.join(map(str, goals))} {word}.")
@@ -250,11 +252,18 @@ class Driver:
         self.state.pause(carrying=self.carrier is not None or self.desk.busy)
         self.run.emit(Paused(t=self.run.time))
 
+    def paused_or_held(self, why: str) -> None:
+        """Whoever is asked about an operation wants a pause; unattended, the run is over."""
+        if self.attended:
+            self.now_paused()
+        else:
+            self.hold(Hold(why))
+
     def withdraw(self) -> None:
         """What was proposed is so no longer: the next proposal is made anew."""
         self.course.drop_plan()
         self.reviewer.forget()
-        if self.carrier is None:
+        if self.carrier is None and not self.desk.keeps:
             self.desk.withdraw()
 
     # waiting and ending -------------------------------------------------------------------------
@@ -276,6 +285,7 @@ class Driver:
     def release(self) -> None:
         """The run holds no longer."""
         self.state.held, self.sentence, self._broken_since = None, "", None
+        self.trouble.candidates = ()
 
     def finish(self, reason: str, sentence: str) -> None:
         """The run is over; the last event, which is told at the end of the tick, says why."""

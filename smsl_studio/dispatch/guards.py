@@ -30,6 +30,8 @@ def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, 
 
     What the scene, the supervisor and people say to it is asked next.
     """
+    if not address.operation:
+        return (f"{address} is no operation",)
     try:
         edge = course.edge(run.blueprint.resolve(address))
     except AddressError as error:

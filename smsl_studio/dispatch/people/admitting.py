@@ -151,7 +151,7 @@ def _obey(driver: Driver, step: JointStep, closed: Closed) -> None:
     assert decision != GO_ON.value, "that is a yes"
     run.emit(Commanded(t=run.time, command=decision, by=by, address=str(address)))
     if decision == PAUSE.value:
-        driver.now_paused()
+        driver.paused_or_held(f"{by} wants a pause before {address}")
     elif decision == PRUNE.value:
         driver.course.prune(address, "")
         run.emit(OperationPruned(t=run.time, address=str(address), reason=""))

@@ -36,6 +36,13 @@ class Desk:
         self._board = TaskBoard()
         self._names: tuple[str, ...] = ()
         self._then: Then | None = None
+        self._keeps = False
+
+    @property
+    def keeps(self) -> bool:
+        """Whether people are asked where the procedure stands: whatever is said about edges
+        meanwhile, that stays open, and until it is answered the scene is not judged."""
+        return self.busy and self._keeps
 
     @property
     def busy(self) -> bool:
@@ -61,8 +68,9 @@ class Desk:
         """Why an open question stays so, where nobody is there."""
         return " ".join((NOBODY, *(_quoted(task.question) for task in self._board.tasks[:1])))
 
-    def ask(self, questions: Sequence[Question], then: Then) -> str:
-        """Put questions to people; why that is no use, empty where they were put."""
+    def ask(self, questions: Sequence[Question], then: Then, keep: bool = False) -> str:
+        """Put questions to people; why that is no use, empty where they were put. ``keep``: they
+        are about where the procedure stands, not about what it does next."""
         if not self._someone():
             return f"{NOBODY} {_quoted(questions[0].question)}"
         self.withdraw()
@@ -71,7 +79,7 @@ class Desk:
             task, events = self._board.open(question, self._run.time)
             self._run.emit(*events)
             names.append(task.name)
-        self._names, self._then = tuple(names), then
+        self._names, self._then, self._keeps = tuple(names), then, keep
         return ""
 
     def answer(self, task: str, option: str, role: str, by: str) -> str:

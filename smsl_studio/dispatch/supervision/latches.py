@@ -78,7 +78,7 @@ def give_back(driver: Driver, command: Command) -> str:
     def said(_: object) -> None:
         driver.sentence = _offer(driver) or driver.sentence
 
-    return driver.desk.ask(facts, said)
+    return driver.desk.ask(facts, said, keep=True)
 
 
 def _offer(driver: Driver) -> str:

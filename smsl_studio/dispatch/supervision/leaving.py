@@ -20,7 +20,7 @@ def leave(driver: Driver) -> None:
         driver.finish(held.kind, held.reason)
     elif phase == "stopped":
         driver.finish("stopped", driver.sentence)
-    elif phase == "ready" and holds(driver.run.configuration, driver.course.goals):
+    elif phase in ("ready", "paused") and _at_goals(driver):
         driver.state.by_hand = False
         driver.arrived()
     elif phase == "waiting":
@@ -28,3 +28,11 @@ def leave(driver: Driver) -> None:
     elif phase in ("ready", "paused", "taken_over"):
         words = phase.replace("_", " ").replace("ready", "run by hand")
         driver.finish("held", f"The run is {words}, and nobody is there to go on with it.")
+
+
+def _at_goals(driver: Driver) -> bool:
+    """Whether it stands where it should, and nothing is open that could change that."""
+    if driver.carrier is not None or driver.desk.busy:
+        return False
+    driver.run.look()
+    return holds(driver.run.configuration, driver.course.goals) and not driver.run.broken()

@@ -27,11 +27,16 @@ def ask(driver: Driver, command: Command) -> str:
         reasons = ("the run has not begun yet",)
     elif driver.phase == "running":
         reasons = ("the run is automatic, pause it first",)
+    elif driver.desk.keeps:
+        reasons = ("people are being asked where the procedure stands",)
     else:
         run.look()
         answer = asked(run, driver.course, address)
         if isinstance(answer, JointStep):
-            return admit(driver, answer, chosen=True)
+            refused = admit(driver, answer, chosen=True)
+            # What was held by a pause until now, a question, is no longer what the run waits for.
+            driver.state.frozen &= bool(refused)
+            return refused
         reasons = answer
     run.emit(OperationRefused(t=run.time, address=str(address), reasons=reasons))
     return "; ".join(reasons)

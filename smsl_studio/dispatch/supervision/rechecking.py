@@ -39,7 +39,7 @@ def informed(driver: Driver, then: Callable[[], None]) -> None:
     run = driver.run
     run.look()
     facts = in_checks(run, run.checks(run.configuration))
-    if not facts or driver.desk.ask(facts, lambda _: then()):
+    if not facts or driver.desk.ask(facts, lambda _: then(), keep=True):
         then()
 
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
 
 RISKS = ("", "low", "medium", "high")
+DECISIONS = (ALLOW, VETO, PRUNE, PAUSE, ASK)
 
 
 class Reviewer:
@@ -75,14 +76,22 @@ class Reviewer:
         self._doubtful, self._trusted = None, False
 
     def _review(self, supervisor: Supervisor, run: Run, step: JointStep) -> Verdict:
-        return supervisor.review(proposal(run, step))
+        """What the supervisor says; where it fails or says nothing known, a person is asked."""
+        try:
+            verdict = supervisor.review(proposal(run, step))
+            if verdict.decision in DECISIONS:
+                return verdict
+            words = f"{verdict.decision!r} is no decision"
+        except Exception as error:
+            words = f"it failed, {type(error).__name__}: {error}"
+        return Verdict(ASK, words)
 
     def _obey(self, driver: Driver, verdict: Verdict, name: str, step: JointStep) -> None:
         run, reason, address = driver.run, verdict.reason, step.asked.address
         said = {"by": name, "address": str(address), "reason": reason}
         run.emit(Commanded(t=run.time, command=verdict.decision, **said))
         if verdict.decision == PAUSE:
-            driver.now_paused()
+            driver.paused_or_held(f"{name} wants a pause before {address}: {reason}")
             return
         if verdict.decision == ASK:
             why = f"{name} asks: {reason}"

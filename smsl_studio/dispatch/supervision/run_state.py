@@ -65,7 +65,7 @@ class RunState:
         return self.stopped or self.taken_over
 
     def pause(self, carrying: bool) -> None:
-        self.paused, self.pausing, self.frozen = True, False, carrying
+        self.paused, self.pausing, self.once, self.frozen = True, False, False, carrying
 
     def resume(self) -> None:
         self.paused = self.pausing = self.frozen = self.once = False

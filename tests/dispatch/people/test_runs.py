@@ -405,12 +405,14 @@ def test_a_prune_of_what_a_person_is_doing_ends_it() -> None:
     assert story.phase in ("no_route", "fault_hold")
 
 
-def test_what_failed_is_to_blame_also_where_the_question_about_it_is_withdrawn() -> None:
+def test_what_failed_is_to_blame_before_the_question_about_it_is_answered() -> None:
     story = Attended(line(go={"actor": "human"}, facts=HUMAN)).say("0").say("could_not")
     assert story.asked[-1] == ("fact", "SB/0"), "what did it leave behind?"
     assert [event.address for event in story.of("operation_risky")] == [GO]
     story.dispatcher.prune(Address("SB", "State1", "on"), "bent")
     story.run()
+    assert story.phase == "waiting", "a prune changes nothing about where it stands"
+    story.say("0")
     assert story.started == [GO]
     assert story.phase in ("no_route", "fault_hold")
 

@@ -1,0 +1,247 @@
+"""What is said while a run is paused, settles, or asks where it stands: nothing is lost by it."""
+
+from __future__ import annotations
+
+import pytest
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.supervisor import ALLOW, PAUSE, Proposal, Verdict
+from tests.dispatch.fake_host import FakeHost
+from tests.dispatch.people.tasks import Attended
+from tests.dispatch.runs import Story, blueprint, branch
+from tests.dispatch.supervision.runs import FIRST, facts_of, fault_hold, hanoi, paused, said
+
+CONFIRMED = blueprint(
+    {
+        "SB": branch(
+            {"0": "go>1, alt>2", "1": "", "2": "x>1"},
+            activating="1",
+            operations={"go": {"confirm": ["surgeon"]}},
+        )
+    }
+)
+NESTED = blueprint(
+    {
+        "A": branch(
+            {"00": "go>01", "01": "done>11", "11": ""},
+            initial="00",
+            activating="11",
+            subs={"B": 1},
+        ),
+        "B": branch({"0": "u>2", "2": "v>1", "1": "d>0"}, initial="0", activating="1"),
+    }
+)
+PEOPLE = blueprint(
+    {
+        "HEAD": branch(
+            {"0": "fix>1", "1": "free>0"},
+            activating="1",
+            facts={"0": {"aggregation": "human"}},
+            operations={"fix": {"actor": "human"}},
+        ),
+        "R": branch({"0": "go>1, alt>2", "1": "", "2": "x>1"}, activating="1"),
+    }
+)
+ALT = Address("SB", "State0", "alt")
+
+
+class Agent:
+    """Says what it was told to say, then allows."""
+
+    name = "agent"
+
+    def __init__(self, *verdicts: object) -> None:
+        self._verdicts = list(verdicts)
+
+    def review(self, proposal: Proposal) -> Verdict:
+        said = self._verdicts.pop(0) if self._verdicts else Verdict(ALLOW)
+        if isinstance(said, Exception):
+            raise said
+        return said  # type: ignore[return-value]
+
+
+# a pause ------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("pruned", [False, True])
+def test_what_is_asked_for_while_a_question_is_paused_is_carried_out(pruned: bool) -> None:
+    story = Attended(CONFIRMED).tick(2)
+    said(story, "pause")
+    assert story.tasks
+    if pruned:
+        said(story, "prune", Address("SB", "State0", "go"), "bent")
+    assert not said(story, "ask", ALT).refused
+    story.run()
+    assert (story.phase, story.configuration) == ("paused", {"SB": "State2"})
+    assert story.outcomes == [("withdrawn", "")]
+    assert story.words.index("task_closed") < story.words.index("operation_started")
+
+
+def test_a_refused_question_leaves_the_paused_one_paused() -> None:
+    story = Attended(CONFIRMED).tick(2)
+    said(story, "pause")
+    assert said(story, "ask", Address("SB", "State1", "go")).refused
+    assert (story.phase, len(story.tasks)) == ("paused", 1)
+
+
+def test_a_step_that_is_paused_in_the_middle_can_be_stepped_on() -> None:
+    story = paused()
+    said(story, "step")
+    said(story, "pause")
+    assert not said(story, "step").refused
+    assert story.run().phase == "paused"
+    assert len(story.commits) == 2
+
+
+def test_a_step_that_ends_in_a_pause_tells_it_once() -> None:
+    story = hanoi(host={"stop": "finish"})
+    said(story, "pause")
+    story.run()
+    said(story, "step")
+    said(story, "pause")
+    before = story.words.count("paused")
+    assert story.run().phase == "paused"
+    assert story.words.count("paused") == before + 1
+
+
+def test_a_step_that_an_agent_pauses_can_be_stepped_again() -> None:
+    story = hanoi(supervisor=Agent(Verdict(PAUSE, "look first")))
+    said(story, "pause")
+    said(story, "step")
+    assert (story.phase, story.started) == ("paused", [])
+    assert not said(story, "step").refused
+    story.run()
+    assert (story.phase, len(story.commits)) == ("paused", 1)
+
+
+# an agent -----------------------------------------------------------------------------------------
+
+
+def test_a_pause_that_an_agent_wants_ends_a_run_that_nobody_attends() -> None:
+    story = hanoi(attended=False, supervisor=Agent(Verdict(PAUSE, "look first"))).tick(3)
+    assert story.end.event == "run_finished"
+    assert story.end.reason == "held"
+    assert story.end.sentence == f"agent wants a pause before {FIRST}: look first"
+
+
+@pytest.mark.parametrize("wrong", [Verdict("deny"), ValueError("no model"), None])
+def test_an_agent_that_fails_decides_nothing(wrong: object) -> None:
+    story = hanoi(supervisor=Agent(wrong))
+    story.run()
+    assert story.phase == "waiting"
+    assert story.dispatcher.status.tasks[0].kind == "supervise"
+    assert story.started == []
+    unattended = hanoi(attended=False, supervisor=Agent(wrong)).tick(3)
+    assert unattended.end.reason == "held"
+    assert unattended.started == []
+
+
+# in the middle of a joint step --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("held", [False, True])
+def test_a_base_edge_pruned_while_its_sub_settles_moves_the_sub_no_further(held: bool) -> None:
+    story = Story(NESTED, FakeHost(NESTED, lasts=2, settle=0.5), attended=True)
+    while "operation_ended" not in story.words:
+        story.tick()
+    if held:
+        said(story, "pause")
+    said(story, "prune", Address("A", "State00", "go"), "bent")
+    story.run()
+    assert story.started == ["A/State00/go", "B/State0/u"]
+    assert story.configuration["A"] == "State00"
+
+
+# where the procedure stands -----------------------------------------------------------------------
+
+
+def unsure() -> Attended:
+    """Somebody could not fix the head; the run asks whether it is fixed."""
+    story = Attended(PEOPLE, FakeHost(PEOPLE)).tick()
+    story.say("0")
+    story.dispatcher.answer("", "could_not", by="Ann")
+    story.tick()
+    assert [task.kind for task in story.tasks] == ["fact"]
+    return story
+
+
+def test_a_prune_takes_back_no_question_about_where_it_stands() -> None:
+    story = unsure()
+    facts_of(story)["R", 0] = "2"
+    said(story, "prune", Address("R", "State0", "alt"), "bent")
+    assert [task.kind for task in story.tasks] == ["fact"]
+    story.tick(5).say("0")
+    assert story.phase == "fault_hold"
+    assert story.dispatcher.status.candidates == ({"HEAD": "State0", "R": "State2"},)
+    assert not said(story, "adopt").refused
+
+
+def test_nothing_is_begun_by_hand_before_it_is_known_where_it_stands() -> None:
+    story = unsure()
+    said(story, "pause")
+    answer = said(story, "ask", Address("R", "State0", "alt"))
+    assert answer.refused == "people are being asked where the procedure stands"
+    assert story.started == ["HEAD/State0/fix"]
+
+
+def test_a_prune_takes_back_no_question_of_giving_back() -> None:
+    story = Attended(PEOPLE, FakeHost(PEOPLE)).tick()
+    story.say("0")
+    said(story, "take_over")
+    said(story, "give_back")
+    said(story, "prune", Address("R", "State0", "alt"), "bent")
+    story.say("0")
+    assert not said(story, "accept").refused
+
+
+def test_what_a_hold_offered_to_adopt_is_not_offered_by_the_next() -> None:
+    story = fault_hold()
+    said(story, "adopt")
+    story.run()
+    assert story.phase == "done"
+    story = fault_hold()
+    said(story, "adopt")
+    said(story, "pause")
+    for edge in [one.address for one in story.dispatcher.status.possible]:
+        said(story, "prune", edge, "bent")
+    said(story, "resume")
+    story.run()
+    assert story.phase == "no_route"
+    assert story.dispatcher.status.candidates == ()
+
+
+# words --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("wrong", [Address("SB1", "", ""), Address("SB1", "State_aaa", "")])
+def test_what_is_no_operation_cannot_be_asked_for(wrong: Address) -> None:
+    story = paused()
+    assert said(story, "ask", wrong).refused == f"{wrong} is no operation"
+
+
+# the end ------------------------------------------------------------------------------------------
+
+
+def test_a_script_that_steps_to_the_goal_has_reached_it() -> None:
+    story = hanoi()
+    said(story, "pause")
+    story.run()
+    while story.configuration["SB1"] != "State_ccc":
+        said(story, "step")
+        story.run()
+    assert story.phase == "paused"
+    story.dispatcher.leave()
+    story.tick()
+    assert story.end.reason == "goal_reached"
+
+
+def test_a_paused_run_whose_facts_say_otherwise_has_reached_nothing() -> None:
+    story = hanoi(goals=["SB1/State_caa"])
+    said(story, "pause")
+    story.run()
+    said(story, "step")
+    story.run()
+    facts_of(story)["SB1", 0] = "b"
+    story.dispatcher.leave()
+    story.tick()
+    assert story.end.reason == "held"
