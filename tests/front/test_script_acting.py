@@ -108,6 +108,12 @@ def test_an_act_comes_in_the_middle_of_an_operation(lamp: dict[str, Any]) -> Non
     assert (late.reason, [act.do for act in late.left]) == ("goal_reached", ["stop"])
 
 
+def test_an_operation_that_has_ended_takes_its_act_along() -> None:
+    run = _run({"during": "State_aaa/Op_1c", "after": 0.12, "do": "stop"})
+    assert run.events[-1].t > 0.12
+    assert (run.reason, [act.do for act in run.left]) == ("goal_reached", ["stop"])
+
+
 def test_time_stands_still_in_a_pause_so_the_next_act_comes_at_once(lamp: dict[str, Any]) -> None:
     plain = _run(**lamp)
     edge = _started(plain)[0].as_json()["address"]

@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 
 import smsl_studio as smsl
+from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.runlog.events import Event, FactChanged, RunStarted
 from smsl_studio.runlog.retelling import EVERY, Retelling, Retold, after
@@ -57,6 +58,30 @@ def test_the_events_alone_say_how_a_run_stands(name: str) -> None:
     blueprint = smsl.read(samples_dir() / f"{name}.json")
     events = _retold(smsl.open_run(blueprint, host="local"))
     assert Retelling(events).at(len(events)).phase == "goal_reached"
+
+
+def test_who_asks_for_an_operation_while_it_holds_finds_it_paused_afterwards() -> None:
+    blueprint = smsl.read(samples_dir() / "hanoi-corrected.json")
+    dispatcher = smsl.open_run(blueprint, host="local", attended=True)
+
+    shut = [Address("SB1", "State_caa", name) for name in ("Op_1a", "Op_1b", "Op_2b")]
+
+    def act(tick: int) -> None:
+        if tick == 1:
+            for edge in shut:
+                dispatcher.prune(edge, "shut")
+        elif tick == 10:
+            assert dispatcher.phase == "no_route"
+            dispatcher.restore(shut[1])
+            dispatcher.ask(shut[1])
+        elif tick == 20:
+            assert dispatcher.phase == "paused"
+            dispatcher.stop()
+        elif tick == 22:
+            dispatcher.end()
+
+    events = _retold(dispatcher, act)
+    assert Retelling(events).at(len(events)).phase == "stopped"
 
 
 def test_any_moment_is_the_same_from_a_snapshot_and_from_the_start() -> None:
