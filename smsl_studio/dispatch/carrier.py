@@ -9,6 +9,7 @@ from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import Action, JointStep
 from smsl_studio.dispatch.effects import changed_by, touched
+from smsl_studio.dispatch.guards import doubts
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.desk import no_words, who_words
 from smsl_studio.dispatch.people.needed import in_checks
@@ -144,6 +145,10 @@ class Carrier:
         barred = next((edge for edge in self.uncommitted if edge in shut), None)
         if barred is not None:
             self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
+            return
+        unsure = self._index and doubts(run, self.step, action.edge)
+        if unsure:
+            self._fail("; ".join(unsure), risky=False, pending=bool(run.transit))
             return
         run.transit = action.transit
         for edge in action.begins:

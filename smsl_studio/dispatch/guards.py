@@ -6,7 +6,7 @@ stepper; here are the questions to the scene. The supervisor is asked last (``re
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
@@ -58,6 +58,16 @@ def _sources(run: Run, step: JointStep) -> Iterator[str]:
         met.add(branch)
 
 
+def doubts(run: Run, step: JointStep, edge: Edge) -> tuple[str, ...]:
+    """Why an edge of a step that is under way may not run its function now: what it starts from,
+    or requires of SBs that the step does not move, does not check true any more."""
+    source = run.believed[edge.branch]
+    check = run.check(edge.branch, source, run.transit)
+    words = [] if check.truth is True else [check_words(run.blueprint, check)]
+    moved = {one.branch for one in step.edges}
+    return tuple(dict.fromkeys([*words, *_unmet(run, edge, moved)]))
+
+
 def needs(run: Run, edge: Edge) -> Iterator[Term]:
     """The facts of other SBs that an edge requires, as they stand now."""
     for branch, digit, value in edge.requires:
@@ -73,9 +83,15 @@ def _required(run: Run, step: JointStep) -> Iterator[str]:
     """Required facts of SBs that the step has not moved by then must be sensed so."""
     moved: set[str] = set()
     for edge in step.edges:
-        for term in needs(run, edge) if edge.requires else ():
-            branch, digit = term.fact
-            if digit >= 0 and branch not in moved and term.truth is not True:
-                what = fact_words(run.blueprint, term)
-                yield f"{edge} requires {branch}/{digit} to be {term.wanted}: {what}"
+        if edge.requires:
+            yield from _unmet(run, edge, moved)
         moved.add(edge.branch)
+
+
+def _unmet(run: Run, edge: Edge, moved: Collection[str]) -> Iterator[str]:
+    """What an edge requires of SBs that are not moved, and is not sensed so."""
+    for term in needs(run, edge):
+        branch, digit = term.fact
+        if digit >= 0 and branch not in moved and term.truth is not True:
+            what = fact_words(run.blueprint, term)
+            yield f"{edge} requires {branch}/{digit} to be {term.wanted}: {what}"

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervisor import Proposal, Verdict
 from smsl_studio.host.protocol import Outcome
 from tests.dispatch.fake_host import FakeHost, Fault
-from tests.dispatch.runs import Story, sample
+from tests.dispatch.runs import Story, blueprint, branch, sample
 
 
 def by_hand(made: Any, host: FakeHost | None = None, **choices: Any) -> Story:
@@ -153,3 +155,42 @@ def test_a_risky_edge_may_still_be_asked_for_by_hand() -> None:
     assert (one.risky, one.permitted, one.pruned) == (True, True, False)
     host.faults.clear()
     assert story.ask("Op_1c").configuration == {"SB1": "State_caa"}
+
+
+NESTED = blueprint(
+    {
+        "A": branch(
+            {"00": "go>11", "11": ""},
+            initial="00",
+            activating="11",
+            subs={"B": 1},
+            operations={"go": {"requires": {"C/0": "0"}}},
+        ),
+        "B": branch({"0": "u>2", "2": "v>1", "1": "d>0"}, initial="0", activating="1"),
+        "C": branch({"0": "z>1", "1": ""}, activating="1"),
+    }
+)
+
+
+class Covered(FakeHost):
+    """Sensors can be covered while it runs."""
+
+    covered: tuple[tuple[str, int], ...] = ()
+
+    def _samples(self) -> tuple[Any, ...]:
+        samples = super()._samples()
+        return tuple(one for one in samples if (one.branch, one.digit) not in self.covered)
+
+
+@pytest.mark.parametrize("covered", [("A", 0), ("C", 0)])
+def test_clause_4_an_own_function_does_not_begin_on_facts_that_became_unknown(
+    covered: tuple[str, int],
+) -> None:
+    host = Covered(NESTED, lasts=5)
+    story = Story(NESTED, host, attended=True).tick(3)
+    host.covered = (covered,)
+    story.run()
+    assert story.phase == "fault_hold"
+    assert f"Fact 1 of {covered[0]} is unknown" in story.dispatcher.status.sentence
+    assert host.calls == ["B/State0/u", "B/State2/v"]
+    assert story.commits == [("B/State0/u",)]
