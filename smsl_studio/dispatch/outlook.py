@@ -42,12 +42,28 @@ class Outlook:
 
     def details(self) -> tuple[str, ...]:
         """Why each edge out of the active states does not help, edge by edge."""
-        return tuple(
-            f"{one.address}: {'; '.join(one.reasons)}"
-            if one.reasons
-            else f"{one.address}: possible, but no way leads on from {one.target}"
-            for one in self.possible()
-        )
+        return tuple(f"{one.address}: {self._hindrance(one)}" for one in self.possible())
+
+    def _hindrance(self, one: Possible) -> str:
+        """Why an edge does not help, though a person may ask for it."""
+        if one.reasons:
+            return "; ".join(one.reasons)
+        closed = self._course.closed.get(one.address)
+        if closed is not None:
+            return f"it is {closed}"
+        edge = self._course.edge(one.address)
+        if edge is not None and edge.fails:
+            return f"no route uses it, it leads into a failure: {edge.fails}"
+        if one.address.branch not in self._movers:
+            return f"possible, but no goal moves {one.address.branch}"
+        return f"possible, but no way leads on from {one.target}"
+
+    @property
+    def _movers(self) -> set[str]:
+        """The SBs that move for the goals: the trees of the roots they are below."""
+        known = self._run.hierarchy
+        roots = {root for goal in self._course.goals for root in known.roots_of(goal.branch)}
+        return {name for root in roots for name in known.tree(root)}
 
     def awaited(self, carrier: Carrier | None) -> CheckResult | None:
         """The check that decides next: the running operation's target, else the active state."""

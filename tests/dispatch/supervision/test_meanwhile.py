@@ -219,6 +219,36 @@ def test_what_is_no_operation_cannot_be_asked_for(wrong: Address) -> None:
     assert said(story, "ask", wrong).refused == f"{wrong} is no operation"
 
 
+@pytest.mark.parametrize(
+    ("word", "said_so"),
+    [
+        ("veto", "A/State0/h: it is vetoed"),
+        ("", "A/State0/f: no route uses it, it leads into a failure: Fact 1 would be f"),
+        ("", "C/State0/z: possible, but no goal moves C"),
+        ("", "A/State0/x: possible, but no way leads on from State2"),
+    ],
+)
+def test_without_a_route_each_edge_says_what_is_true_of_it(word: str, said_so: str) -> None:
+    made = blueprint(
+        {
+            "A": branch(
+                {"0": "h>1, f>f, x>2", "f": "rec>0", "1": "", "2": ""},
+                initial="0",
+                activating="1",
+                facts={"0": {"failure": ["f"]}},
+            ),
+            "C": branch({"0": "z>1", "1": ""}, activating="1"),
+        }
+    )
+    avoid = [] if word else ["A/State0/h"]
+    story = Story(made, attended=True, automatic=False, goals=["A/State1"], avoid=avoid).tick()
+    if word:
+        said(story, word)
+    said(story, "set_automatic", True)
+    assert story.run().phase == "no_route"
+    assert said_so in story.dispatcher.status.details
+
+
 # the end ------------------------------------------------------------------------------------------
 
 
