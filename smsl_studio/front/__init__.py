@@ -9,9 +9,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from smsl_studio.front.hosting import worlds
     from smsl_studio.front.reading import inspect, read, refusals
     from smsl_studio.front.routes import plan_route
-    from smsl_studio.front.running import Run, open_run, run, worlds
+    from smsl_studio.front.running import Run, open_run, run
     from smsl_studio.front.script.reading import read_script
     from smsl_studio.front.suiting import worlds_for
     from smsl_studio.front.sweeping import sweep
@@ -41,7 +42,7 @@ _HOMES = {
     "Run": "running",
     "run": "running",
     "open_run": "running",
-    "worlds": "running",
+    "worlds": "hosting",
     "worlds_for": "suiting",
     "sweep": "sweeping",
     "try_edge": "trying",

@@ -1,8 +1,7 @@
-"""Running a blueprint: the dispatcher, a host and a log, wired once; the headless loop."""
+"""Running a blueprint: the dispatcher, a host and a log, wired once."""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,14 +15,14 @@ from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.accepting import to_accept
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.elsewhere import with_remote
+from smsl_studio.front.headless import to_its_end
+from smsl_studio.front.hosting import known_world, make_host
 from smsl_studio.front.reading import refusals
 from smsl_studio.front.recording import Recording, start_log
 from smsl_studio.front.run_header import asked_for
 from smsl_studio.front.script.acting import Acting
 from smsl_studio.front.script.script import Act, Script
-from smsl_studio.host.describing import describe
-from smsl_studio.host.protocol import Host
-from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Event, RunFinished
 
@@ -31,11 +30,6 @@ if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
 
 HOSTS = ("local", "process")
-NAP = 0.1
-"""The longest (wall seconds) a paced run sleeps before it looks whether it shall stop."""
-
-BLINK = 1e-4
-"""What is left of a pause (wall seconds) that is not worth sleeping for."""
 Several = Written | Iterable[Written] | None
 
 
@@ -190,7 +184,7 @@ def run(
         if refusal is not None:
             recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
         if dispatcher is not None:
-            _loop(dispatcher, recording, speed, stop_when, acting)
+            to_its_end(dispatcher, recording, speed, stop_when, acting)
     except (SaveError, WorldError) as error:
         failed = "failed" if recording.told else "refused"
         recording.end(failed, str(error), dispatcher)
@@ -201,90 +195,6 @@ def run(
     last = events[-1]
     assert isinstance(last, RunFinished), "the last event of a run is run_finished"
     return Run(last.reason, last.sentence, tuple(events), acting.left if acting else ())
-
-
-def make_host(
-    blueprint: Blueprint,
-    world: str,
-    seed: int,
-    host: str,
-    *,
-    plugin_paths: Sequence[Path] = (),
-    loaded: Loaded | None = None,
-    spare: Spare | None = None,
-) -> Host:
-    """A local or a process host; ``loaded`` spares the local one looking for plugins again,
-    ``spare`` has a child in waiting for the other."""
-    if host == "local":
-        from smsl_studio.host.local import LocalHost
-
-        return LocalHost(blueprint, world, seed, plugin_paths, loaded)
-    from smsl_studio.host.process import ProcessHost
-
-    return ProcessHost(blueprint, world, seed, plugin_paths, spare=spare)
-
-
-def make_ready(spare: Spare, blueprint: Blueprint, world: str, seed: int) -> None:
-    """Have a child of ``spare`` build this world, ready for a run that may come; does not wait."""
-    from smsl_studio.host.process import ProcessHost
-
-    spare.warm(ProcessHost(blueprint, world, seed).recipe)
-
-
-def known_world(
-    world: str, plugin_paths: Sequence[Path] = (), host: str = "local"
-) -> Loaded | None:
-    """The plugins, if the world needs any; WorldError with a near name where there is none.
-
-    For a run whose world lives in a child no plugin's code runs here: it is described.
-    """
-    if world == TABLE:
-        return None
-    loaded = discover(plugin_paths) if host == "local" else describe(plugin_paths)
-    loaded.world(world)
-    return loaded
-
-
-def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
-    """The names of the worlds there are, ``table`` first."""
-    return discover(plugin_paths).worlds
-
-
-def _loop(
-    dispatcher: Dispatcher,
-    recording: Recording,
-    speed: float | None,
-    stop_when: Callable[[], bool] | None,
-    acting: Acting | None,
-) -> None:
-    stopping = False
-
-    def asked() -> bool:
-        return stop_when is not None and stop_when()
-
-    def tell(events: tuple[Event, ...]) -> None:
-        recording.tell(events)
-        if acting is not None:
-            acting.hear(events)
-
-    tell(dispatcher.open())
-    if dispatcher.opened is not None and dispatcher.opened.remote is not None:
-        # Sensors elsewhere speak in wall time, and have to be waited for.
-        speed = min(speed or 1.0, 1.0)
-    began = time.monotonic()
-    while not dispatcher.finished:
-        if not stopping and asked():
-            dispatcher.stop()
-            dispatcher.leave()
-            stopping = True
-        elif acting is not None and not stopping:
-            acting.before(dispatcher)
-        tell(dispatcher.tick())
-        while speed is not None and not asked():
-            ahead = dispatcher.time / speed - (time.monotonic() - began)
-            if ahead < BLINK:
-                break
-            time.sleep(min(ahead, NAP))
 
 
 def _refuse_nonsense(blueprint: Blueprint) -> None:

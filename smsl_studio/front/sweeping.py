@@ -7,7 +7,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.running import known_world, make_host
+from smsl_studio.front.hosting import known_world, make_host
 from smsl_studio.front.trying import edge_alone
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.operation_library import TABLE

@@ -10,7 +10,7 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.words import truth_word
-from smsl_studio.front.running import make_host
+from smsl_studio.front.hosting import make_host
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.operation_library import TABLE

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QTimer
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.running import make_ready
+from smsl_studio.front.hosting import make_ready
 from smsl_studio.host.spare import Spare
 
 QUIET = 700
