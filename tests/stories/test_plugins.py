@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.host.spare import Spare
 from smsl_studio.studio.plugins import Plugins
@@ -39,6 +39,29 @@ def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (folder / "plugin.py").write_text(_code("Op_1b"))
     monkeypatch.setenv("SMSL_PLUGIN_PATH", str(folder.parent))
     return folder / "plugin.py"
+
+
+CRASHING = """
+import ctypes
+
+def register(library):
+    @library.world("lamp", engine="table")
+    def build(world, blueprint, seed):
+        return None
+
+    @library.arrange("lamp")
+    def put(world, facts):
+        world.set_facts(facts)
+
+    @library.sensor("eye_{n}", fact="{n}")
+    def eye(world, n: int):
+        return world.fact("SB1", n - 1)
+
+    @library.operation("Op_{disk}{peg}")
+    def work(world, disk: int, peg: str):
+        yield
+        ctypes.string_at(0)
+"""
 
 
 def _offered(plugins: Plugins) -> list[str]:
@@ -133,3 +156,29 @@ def test_while_one_draws_no_world_is_kept_ready(sit: Sit) -> None:
     person.ctrl(Key.Key_1)
     person.window.runs.warming._warm()
     assert spare.pid is None
+
+
+def test_an_operation_that_crashes_its_process_costs_the_run_and_the_work_goes_on(
+    sit: Sit, plugin: Path
+) -> None:
+    plugin.write_text(CRASHING)
+    person = sit(SAMPLES / "hanoi.json")
+    corner = person.place("SB1/State_bbb")
+    person.drag(corner, corner + QPoint(0, 30))
+    drawn = person.blueprint.document.text
+    run = AtRun(person)
+    run.choose(world="lamp")
+    person.press(Key.Key_F5)
+    run.until_phase("Fault hold")
+    assert "SIGSEGV" in run.pane.canvas.banner
+    assert "in the middle of SB1/State_aaa/Op_1c" in run.pane.canvas.banner
+    person.ctrl(Key.Key_1)
+    assert person.blueprint.document.text == drawn
+    assert person.window.session.edited
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text != drawn, "one goes on editing, and undoing"
+    plugin.write_text(CRASHING.replace("ctypes.string_at(0)", "pass"))
+    AtRun(person)
+    person.press(Key.Key_F5)
+    run.until_phase("Fault hold")
+    assert "SIGSEGV" not in run.pane.canvas.banner, "the mended plugin is what the next run has"
