@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
@@ -10,9 +9,11 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.levels import HUMAN, Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.host.protocol import Bound
+from smsl_studio.library.table import TIMEOUT
 
-BY_HAND = Bound("", exact=False, stop="hold", timeout=math.inf)
-"""A person carries it out: no function runs, and its task has its own time."""
+BY_HAND = Bound("", exact=False, stop="hold", timeout=TIMEOUT)
+"""A person carries it out: no function runs, and its task has its own time. What is limited is
+the writing down of what was done, where nobody can touch the world (see ``Carrier``)."""
 
 
 def with_people(
@@ -42,7 +43,7 @@ class _WithPeople(Mapping[Address, Bound]):
         found = self._bound.get(edge)
         if found is None:
             return BY_HAND
-        return replace(BY_HAND, exact=found.exact, touches=found.touches)
+        return replace(BY_HAND, exact=found.exact, touches=found.touches, timeout=found.timeout)
 
     def __contains__(self, edge: object) -> bool:
         return edge in self._bound or (isinstance(edge, Address) and self._human(edge))

@@ -47,6 +47,16 @@ def test_a_person_who_could_not_makes_it_risky_like_a_function_that_fails() -> N
     assert story.configuration == {"SB": "State0"}
 
 
+def test_what_was_done_is_written_down_within_a_limit() -> None:
+    """On the table that is the function's place, and a fault may befall it."""
+    story = Attended(line(go={"actor": "human", "timeout": 3.0})).run()
+    story.dispatcher.inject("hang")
+    story.say("done").wait(5.0)
+    (ended,) = story.of("operation_ended")
+    assert (ended.outcome, ended.message) == ("timed_out", f"{GO} took longer than its 3 s")
+    assert story.phase == "fault_hold"
+
+
 def test_the_word_of_a_person_is_no_evidence() -> None:
     """In a world where nothing has moved, the state check says so."""
     made = line(go={"actor": "human"})
