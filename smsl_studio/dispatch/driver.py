@@ -64,6 +64,7 @@ class Driver:
         self.outlook = Outlook(run, course)
         self.pricing = Pricing(run, course)
         self.carrier: Carrier | None = None
+        self.proposed: Address | None = None
         self.ended: RunFinished | None = None
         self.sentence = ""
         self._told: set[Address] = set()
@@ -242,7 +243,9 @@ class Driver:
     # what commands need -------------------------------------------------------------------------
 
     def next_edge(self) -> Address | None:
-        """The operation that the route begins next from here."""
+        """The operation that people are asked about, else what the route begins next from here."""
+        if self.proposed is not None and self.desk.busy and not self.desk.keeps:
+            return self.proposed
         if holds(self.run.configuration, self.course.goals):
             return None
         return self.course.next_operation(self.run.configuration)

@@ -29,6 +29,9 @@ RANKS: Mapping[str, int] = {
 """Every other command has the rank ``RUN``."""
 
 HOLDS_BACK = ("stop", "take_over", "pause", "step")
+STANDS = ("stop", "take_over", "pause")
+"""What holds back others even where it changes nothing: whoever says it wants the run to stand."""
+
 SETS_GOING = ("step", "ask", "resume", "give_back", "accept", "adopt", "reset", "set_automatic")
 
 

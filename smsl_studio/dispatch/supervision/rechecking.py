@@ -21,6 +21,7 @@ def recheck(driver: Driver) -> None:
         _recheck_others(driver, carrier)
         return
     if driver.desk.busy:
+        run.look()
         return
     if held is not None:
         driver.loops.forget()

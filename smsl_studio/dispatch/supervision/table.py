@@ -7,6 +7,7 @@ why not.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.supervision import latches, moving, terms, trials
@@ -14,6 +15,7 @@ from smsl_studio.dispatch.supervision.command import (
     HOLDS_BACK,
     RANKS,
     SETS_GOING,
+    STANDS,
     Command,
     in_order,
 )
@@ -83,7 +85,8 @@ def obey(driver: Driver, commands: Sequence[Command]) -> None:
     stands before its effects. Where the host dies meanwhile, all are answered first."""
     done: list[str] = []
     gone: HostError | None = None
-    for command in in_order(commands):
+    for one in in_order(commands):
+        command = one
         events = driver.run.events
         at = len(events)
         try:
@@ -91,10 +94,11 @@ def obey(driver: Driver, commands: Sequence[Command]) -> None:
                 f"the world is gone: {gone.sentence}" if gone else _why_not(driver, command, done)
             )
             if not refused:
+                command = meant(driver, command)
                 refused = DO[command.word](driver, command)
         except HostError as error:
             gone, refused = error, f"the world is gone: {error.sentence}"
-        if not refused:
+        if not refused or command.word in STANDS:
             done.append(command.word)
         events.insert(at, _told(driver, command, refused))
     if gone is not None:
@@ -123,6 +127,13 @@ def _why_not(driver: Driver, command: Command, done: Sequence[str]) -> str:
     if first and command.word in SETS_GOING:
         return f"{first.replace('_', ' ')} came at the same tick and counts more"
     return ""
+
+
+def meant(driver: Driver, command: Command) -> Command:
+    """The command with what it is about, where that was left open: the record must name it."""
+    if command.word != "veto" or command.address is not None or driver.carrier is not None:
+        return command
+    return replace(command, address=driver.next_edge())
 
 
 def _told(driver: Driver, command: Command, refused: str) -> Commanded:

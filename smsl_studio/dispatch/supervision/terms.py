@@ -26,12 +26,10 @@ def veto(driver: Driver, command: Command) -> str:
             which = address or carrier.step.asked.address
             return f"too late, {which} is being carried out; a stop ends it"
     if address is None:
-        address = driver.next_edge()
-        if address is None:
-            return "there is no next operation"
-    elif unknown := _unknown(driver, address):
+        return "there is no next operation"
+    if unknown := _unknown(driver, address):
         return unknown
-    elif address.state != here[address.branch]:
+    if address.state != here[address.branch]:
         return f"{address} is not next; a prune shuts it out until it is restored"
     driver.course.veto(address, here)
     driver.withdraw()

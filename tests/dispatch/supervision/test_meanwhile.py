@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from smsl_studio.blueprint.address import Address
@@ -9,7 +11,16 @@ from smsl_studio.dispatch.supervisor import ALLOW, PAUSE, Proposal, Verdict
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.people.tasks import Attended
 from tests.dispatch.runs import Story, blueprint, branch
-from tests.dispatch.supervision.runs import FIRST, facts_of, fault_hold, hanoi, paused, said
+from tests.dispatch.supervision.runs import (
+    FIRST,
+    facts_of,
+    fault_hold,
+    hanoi,
+    paused,
+    said,
+    stopped,
+    taken_over,
+)
 
 CONFIRMED = blueprint(
     {
@@ -112,6 +123,39 @@ def test_a_step_that_an_agent_pauses_can_be_stepped_again() -> None:
     assert not said(story, "step").refused
     story.run()
     assert (story.phase, len(story.commits)) == ("paused", 1)
+
+
+def test_what_people_confirmed_in_a_pause_begins_on_what_is_sensed_after_it() -> None:
+    story = Attended(CONFIRMED, FakeHost(CONFIRMED)).tick(2)
+    said(story, "pause")
+    story.dispatcher.answer("", "confirm", "surgeon", by="Ann")
+    story.tick()
+    facts_of(story)["SB", 0] = "2"
+    said(story, "resume")
+    story.run()
+    assert story.started == []
+    assert story.phase == "fault_hold"
+
+
+@pytest.mark.parametrize(
+    ("where", "first", "second"),
+    [
+        (paused, "pause", "resume"),
+        (paused, "pause", "step"),
+        (stopped, "stop", "reset"),
+        (taken_over, "take_over", "give_back"),
+        (fault_hold, "pause", "resume"),
+    ],
+)
+def test_whoever_wants_it_to_stand_counts_more_also_where_it_stands_already(
+    where: Callable[[], Story], first: str, second: str
+) -> None:
+    story = where()
+    phase = story.phase
+    getattr(story.dispatcher, first)(by="Bo")
+    answer = said(story, second, by="Ann")
+    assert answer.refused == f"{first.replace('_', ' ')} came at the same tick and counts more"
+    assert story.phase == phase
 
 
 # an agent -----------------------------------------------------------------------------------------

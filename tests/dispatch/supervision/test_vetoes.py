@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from tests.dispatch.people.tasks import Attended
+from tests.dispatch.runs import blueprint, branch
 from tests.dispatch.supervision.runs import (
     FIRST,
     OTHER,
@@ -62,3 +64,26 @@ def test_resume_lifts_only_the_vetoes_that_left_no_route() -> None:
     assert story.phase == "done"
     assert story.started[0] == str(FIRST)
     assert str(OTHER) not in story.started
+
+
+def test_the_record_says_which_operation_was_vetoed() -> None:
+    story = hanoi(automatic=False).tick()
+    assert said(story, "veto").address == str(FIRST)
+
+
+def test_a_veto_meets_what_people_are_asked_about() -> None:
+    made = blueprint(
+        {
+            "SB": branch(
+                {"0": "go>1, alt>2", "1": "", "2": "x>1"},
+                activating="1",
+                operations={"alt": {"confirm": ["surgeon"]}},
+            )
+        }
+    )
+    story = Attended(made, automatic=False).tick()
+    said(story, "ask", made.resolve("SB/State0/alt"))
+    assert said(story, "veto").address == "SB/State0/alt"
+    assert story.outcomes == [("withdrawn", "")]
+    vetoed = [str(one.address) for one in story.dispatcher.status.possible if one.vetoed]
+    assert vetoed == ["SB/State0/alt"]
