@@ -48,6 +48,7 @@ class SourceState:
 
     ``sample`` is the newest that counted. ``latency`` is beyond the quickest way of its boot.
     ``counted``, ``repeated`` and ``late`` say how many samples came; only the first refreshed.
+    ``limit`` is how old it may be; None: what a person said holds until it is said anew.
     """
 
     fact: FactKey
@@ -57,6 +58,7 @@ class SourceState:
     counted: int
     repeated: int
     late: int
+    limit: float | None = None
 
 
 @dataclass(slots=True)
@@ -149,9 +151,13 @@ class FactMonitor:
                         ledger.counted,
                         ledger.repeated,
                         ledger.late,
+                        ledger.max_age,
                     )
                 )
-            found.extend(SourceState(key, said, None, 0.0, 0, 0, 0) for said in _others(fact, now))
+            limit = fact.rule.max_age
+            found.extend(
+                SourceState(key, said, None, 0.0, 0, 0, 0, limit) for said in _others(fact, now)
+            )
         return tuple(found)
 
 

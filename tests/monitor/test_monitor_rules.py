@@ -199,6 +199,7 @@ def test_every_source_is_seen_also_one_that_does_not_count() -> None:
     eye, ear = monitor.sources(0.1)
     assert (eye.said.source, eye.said.value, eye.repeated) == ("eye", "1", 1)
     assert (ear.said.source, ear.said.value, ear.sample) == ("ear", None, None)
+    assert eye.limit == 0.3
 
 
 @given(

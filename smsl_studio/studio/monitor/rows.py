@@ -11,7 +11,7 @@ from smsl_studio.blueprint.estimate import Estimate
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.monitor.facts import SourceState
-from smsl_studio.studio.run.facts_table import age_words
+from smsl_studio.studio.run.freshness import age_words
 
 COLUMNS = ("Fact", "Source", "Value", "Quality", "Age", "Latency", "Counted", "Repeated", "Late",
            "Disturbed")  # fmt: skip

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.studio.chips import paint_chip
 from smsl_studio.studio.icons import draw
+from smsl_studio.studio.run.freshness import age_of, age_words, bars
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
@@ -35,7 +36,7 @@ class FactRow:
     transit or believed (nobody senses it).
 
     ``chip`` draws what is believed as the canvas does (on, off, value), ``sub`` says that a sub-SB
-    stands under it; ``bars`` of four say how many of its sources stand by the value.
+    stands under it; ``limit`` (s) is how old its reading may be, against which bars show its age.
     """
 
     name: str
@@ -47,7 +48,7 @@ class FactRow:
     group: bool = False
     chip: str = ""
     sub: bool = False
-    bars: int = 4
+    limit: float | None = None
 
 
 class FactsModel(QAbstractTableModel):
@@ -91,7 +92,8 @@ class FactsModel(QAbstractTableModel):
             sensed = "?" if row.sensed is None else row.sensed
             return (row.name, row.believed, sensed, age, row.words)[index.column()]
         if role == Qt.ItemDataRole.ToolTipRole:
-            return f"{row.name}: {row.words}"
+            old = "" if row.age is None else f"; {age_of(row.age, row.limit)}"
+            return f"{row.name}: {row.words}{old}"
         if role == Qt.ItemDataRole.UserRole:
             return row
         return None
@@ -198,17 +200,17 @@ class _Cells(QStyledItemDelegate):
         if sign:
             draw(painter, sign, QRectF(room.left(), room.center().y() - 7, 14, 14), colour, t.surf)
         else:
-            bars = row.bars if row.quality in ("agrees", "differs") else 0
-            self._bars(painter, room, colour, bars)
+            known = row.quality in ("agrees", "differs")
+            self._bars(painter, room, colour, bars(row.age, row.limit) if known else 0)
         painter.setFont(text_font(13))
         after = 20 if sign else 31
         self._words(painter, room.adjusted(after, 0, 0, 0), row.words, ink)
 
-    def _bars(self, painter: QPainter, room: QRectF, colour: QColor, bars: int) -> None:
+    def _bars(self, painter: QPainter, room: QRectF, colour: QColor, filled: int) -> None:
         painter.setPen(Qt.PenStyle.NoPen)
         for bar in range(4):
             height = 4 + 2 * bar
-            painter.setBrush(colour if bar < bars else self.tokens.line2)
+            painter.setBrush(colour if bar < filled else self.tokens.line2)
             left = room.left() + 6 * bar
             painter.drawRoundedRect(QRectF(left, room.center().y() + 5 - height, 4, height), 1, 1)
 
@@ -276,8 +278,3 @@ class FactsTable(QTableView):
     def set_tokens(self, tokens: Tokens) -> None:
         self._cells.tokens = tokens
         self.viewport().update()
-
-
-def age_words(seconds: float) -> str:
-    """An age for people: ms below a second, then s."""
-    return f"{seconds * 1000:.0f} ms" if seconds < 0.9995 else f"{seconds:.1f} s"

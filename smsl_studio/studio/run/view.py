@@ -11,6 +11,7 @@ from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.run.facts_table import FactRow
+from smsl_studio.studio.run.freshness import limit_of, slow_words
 from smsl_studio.studio.run.guard_view import held_back, standings
 from smsl_studio.studio.run.possible_list import PossibleRow
 from smsl_studio.studio.run.story import Story
@@ -74,7 +75,10 @@ def fact_rows(
             if lost and reading is not None:
                 rows.append(FactRow(name, believed, None, None, "unknown", LOST))
                 continue
-            rows.append(_fact_row(name, believed, reading, expected.get((branch.name, digit))))
+            key = (branch.name, digit)
+            value = reading.value if reading is not None else None
+            limit = limit_of(status.sources, key, value)
+            rows.append(_fact_row(name, believed, reading, expected.get(key), limit))
     return tuple(rows)
 
 
@@ -210,7 +214,13 @@ def _expected(blueprint: Blueprint, status: DispatchStatus) -> Mapping[tuple[str
     }
 
 
-def _fact_row(name: str, believed: str, reading: Reading | None, expected: str | None) -> FactRow:
+def _fact_row(
+    name: str,
+    believed: str,
+    reading: Reading | None,
+    expected: str | None,
+    limit: float | None = None,
+) -> FactRow:
     if reading is None or not reading.sensed:
         return FactRow(name, believed, "", None, "believed", "believed, nobody senses it")
     if expected is not None:
@@ -219,9 +229,11 @@ def _fact_row(name: str, believed: str, reading: Reading | None, expected: str |
     if reading.value is None:
         words = reading.reason or "no reading"
         return FactRow(name, believed, None, reading.age, "unknown", words)
+    quality, words = "differs", f"not {believed}"
     if reading.value == believed:
-        return FactRow(name, believed, reading.value, reading.age, "agrees", "agrees")
-    return FactRow(name, believed, reading.value, reading.age, "differs", f"not {believed}")
+        quality = words = "agrees"
+    words += slow_words(reading.age, limit)
+    return FactRow(name, believed, reading.value, reading.age, quality, words, limit=limit)
 
 
 def _possible_row(blueprint: Blueprint, status: DispatchStatus, item: Possible) -> PossibleRow:

@@ -12,6 +12,7 @@ from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.chips import kind_of
 from smsl_studio.studio.run.facts_table import FactRow
+from smsl_studio.studio.run.freshness import limit_of, slow_words
 
 LOST = "process gone"
 SIGNS = {True: "true", False: "false", None: "unknown"}
@@ -126,8 +127,11 @@ def _row(
         quality = "agrees" if reading.value == believed else "differs"
         words = _sources(status.sources, (own.name, digit), reading.value)
         words = words if quality == "agrees" else f"not {believed}; {words}"
-    bars = _bars(status.sources, (own.name, digit), reading.value)
-    return FactRow(name, believed, reading.value, reading.age, quality, words, chip=chip, bars=bars)
+    limit = limit_of(status.sources, (own.name, digit), reading.value)
+    words += slow_words(reading.age, limit)
+    return FactRow(
+        name, believed, reading.value, reading.age, quality, words, chip=chip, limit=limit
+    )
 
 
 def _sub_row(
@@ -162,11 +166,3 @@ def _sources(sources: Sequence[SourceState], fact: tuple[str, int], value: str) 
         return "agrees"
     words = ", ".join(agree) + (" agree" if len(agree) > 1 else "")
     return f"{words}; not {', '.join(silent)}" if silent else words
-
-
-def _bars(sources: Sequence[SourceState], fact: tuple[str, int], value: str) -> int:
-    """The share of a fact's sources that stand by its value, of four; one at least."""
-    here = [one.said for one in sources if one.fact == fact]
-    if not here:
-        return 4
-    return max(1, round(4 * sum(said.value == value for said in here) / len(here)))

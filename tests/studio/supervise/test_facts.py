@@ -6,7 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from smsl_studio.blueprint.check import Scene, state_check
+from smsl_studio.blueprint.check import Reading, Scene, state_check
+from smsl_studio.monitor.aggregate import Said
+from smsl_studio.monitor.facts import SourceState
+from smsl_studio.studio.run.freshness import bars
 from smsl_studio.studio.supervise.facts import check_view, sensed_marks
 from tests.studio.supervise.statuses import at, sample, scene, status
 
@@ -81,3 +84,31 @@ def test_what_is_sensed_otherwise_is_marked_on_the_state() -> None:
     found = status(HERE, scene=_scene(landmarks=None, registered="1"))
     assert sensed_marks(SAMPLE, found, "REGISTRATION") == ((0, "unknown"), (2, "differs"))
     assert sensed_marks(SAMPLE, replace(found, configuration={}), "REGISTRATION") == ()
+
+
+def _aged(age: float, *read: tuple[str, str]) -> tuple[int, str]:
+    """The bars and the words of a fact of that age (s), and what each source reads."""
+    fact = ("REGISTRATION", 2)
+    aged = Scene({**_scene().readings, fact: Reading("0", "", age)}, 60.0)
+    sources = tuple(
+        SourceState(fact, Said(name, value, "", age), None, 0.0, 1, 0, 0, 0.3)
+        for name, value in read
+    )
+    view = check_view(SAMPLE, status(HERE, scene=aged, sources=sources), "REGISTRATION")
+    assert view is not None
+    row = view.rows[2]
+    return bars(row.age, row.limit), row.words
+
+
+def test_bars_show_age_against_limit_and_words_say_who_agrees() -> None:
+    both = ("tracker A", "0"), ("tracker B", "0")
+    assert _aged(0.012, *both) == (4, "tracker A, tracker B agree")
+    assert _aged(0.1, *both) == (3, "tracker A, tracker B agree")
+    assert _aged(0.212, *both) == (2, "tracker A, tracker B agree, limit 300 ms")
+    assert _aged(0.3, both[0]) == (1, "tracker A, limit 300 ms")
+    assert _aged(0.012, both[0], ("tracker B", "1")) == (4, "tracker A; not tracker B")
+
+
+def test_no_age_is_claimed_where_none_is_known_and_no_limit_where_none_is_set() -> None:
+    assert bars(None, 0.3) == 0
+    assert bars(50.0, None) == 4
