@@ -118,7 +118,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             (x - w / 2, y + off - h / 2, x + w / 2, y + off + h / 2)
             for off in (step * sheet.unit for step in (0.0, -14.0, 14.0, -24.0, 24.0))
         ]
-        return _first(sheet, edge, text, rects, taken, True)
+        return _first(sheet, edge, text, rects, taken, True, must=True)
     if look.running is not None:
         return _pill(sheet, edge, shape, taken, view)
     if look.pruned or look.held_back or look.risky:
@@ -126,15 +126,17 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             text = replace(text, text=f"{text.text} pruned")
         return _first(sheet, edge, text, _near_sign(sheet, edge, text, shape), taken, False)
     if sheet.compact and look.change:
-        return _first(sheet, edge, text, _clear_of_names(sheet, edge, text, shape), taken, True)
+        rects = _clear_of_names(sheet, edge, text, shape)
+        return _first(sheet, edge, text, rects, taken, True, must=True)
     if sheet.compact and (look.trail or look.planned or look.possible):
         # Short lines would vanish below their label: it stands beside them.
         size = _size(sheet, text)
         gap = (4.0 if look.trail else 2.0) * sheet.unit
         rects = [
             labels.outside(shape, shape.length * share, size, gap, side)
+            for shares in ((0.5, 0.35, 0.65), (0.2, 0.8))
             for side in (1, -1)
-            for share in (0.5, 0.35, 0.65)
+            for share in shares
         ]
         if not (look.trail or look.planned or look.hovered):
             # What is only possible is named where there is room; its row in the list says the rest.
@@ -142,7 +144,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         if sheet.level < Level.COMPACT and not look.hovered:
             rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
         return _first(sheet, edge, text, rects, taken, False) if rects else None
-    return _plain(sheet, edge)
+    return _plain(sheet, edge, taken)
 
 
 def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
@@ -181,10 +183,11 @@ def lit_boxes(sheet: Sheet) -> list[Rect]:
     return boxes
 
 
-def _plain(sheet: Sheet, edge: int) -> LitLabel | None:
+def _plain(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
     """A label on its line, also one that hides while its edge is not lit."""
     look, rect = sheet.edge_look(edge), sheet.geometry.label(edge)
-    if rect is None and not (look.selected or look.hovered or look.change):
+    hidden = rect is None or any(labels.meet(rect, other) for other in taken)
+    if hidden and not (look.selected or look.hovered or look.change):
         return None
     return LitLabel(edge, sheet.text(edge), rect or sheet.geometry.fallback(edge))
 
@@ -195,11 +198,22 @@ def _size(sheet: Sheet, text: EdgeText) -> tuple[float, float]:
 
 
 def _first(
-    sheet: Sheet, edge: int, text: EdgeText, rects: list[Rect], taken: list[Rect], ground: bool
-) -> LitLabel:
-    """At the first of these places that covers neither a node nor a label, else at the first."""
+    sheet: Sheet,
+    edge: int,
+    text: EdgeText,
+    rects: list[Rect],
+    taken: list[Rect],
+    ground: bool,
+    must: bool = False,
+) -> LitLabel | None:
+    """At the first of these places that covers neither a node nor a label.
+
+    Where there is none it hides until it is pointed at, unless it ``must`` be read.
+    """
+    must = must or sheet.edge_look(edge).hovered
     free = (r for r in rects if _is_free(sheet, r, taken))
-    return LitLabel(edge, text, next(free, rects[0]), ground)
+    rect = next(free, rects[0] if must else None)
+    return LitLabel(edge, text, rect, ground) if rect is not None else None
 
 
 def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
@@ -227,6 +241,7 @@ def _near_sign(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> lis
         (x + w + apart, y),
         (x - w - apart, y),
         (x, y - h - apart - 11.0 * unit),
+        *((x + sx * (w + apart), y + sy * (h + 3.0 * unit)) for sy in (1, -1) for sx in (1, -1)),
     ]
     rects = [(a - w, b - h, a + w, b + h) for a, b in middles]
     others = (sheet.geometry.label(one) for one in sheet.looks.lit_edges[:MOST] if one != edge)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
+import pytest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
@@ -47,3 +48,40 @@ def test_no_label_of_what_is_possible_is_cut_or_lies_on_another(qtbot: QtBot) ->
         assert top >= view[1]
         assert bottom <= view[3]
     assert not any(meet(a.rect, b.rect) for a, b in combinations(found, 2))
+
+
+@pytest.mark.parametrize("how", ["planned", "pruned", "held_back"])
+@pytest.mark.parametrize("name", ["three-roots.json", "registration.json", "hanoi-corrected.json"])
+def test_nothing_that_is_lit_is_named_over_a_name_or_a_state(
+    qtbot: QtBot, name: str, how: str
+) -> None:
+    """In the widths of Run and of the full map, in every state of every SB."""
+    blueprint = sample(name)
+    canvas = Canvas(LIGHT)
+    qtbot.addWidget(canvas)
+    canvas.editing = False
+    named = asked = 0
+    for branch in blueprint:
+        for size in ((560, 526), (884, 400)):
+            canvas.resize(*size)
+            canvas.show_branch(blueprint, branch.name, place_states(branch))
+            canvas.fit(smooth=False)
+            seen = canvas.mapToScene(canvas.viewport().rect()).boundingRect()
+            view = (seen.left(), seen.top(), seen.right(), seen.bottom())
+            for here in branch.table:
+                out = frozenset(Address(branch.name, here, name) for name in branch.table[here])
+                lit = {how: tuple(out) if how == "planned" else out}
+                marks = Marks(active=here, possible=out, dimmed=True, **lit)  # type: ignore[arg-type]
+                canvas.set_marks(marks)
+                sheet = canvas.sheet
+                assert sheet is not None
+                found = lit_labels(sheet, by_weight(sheet), view)
+                named, asked = named + len(found), asked + len(out)
+                for one, other in combinations(found, 2):
+                    assert not meet(one.rect, other.rect), (here, one.text, other.text)
+                for one in found:
+                    left, top, right, bottom = one.rect
+                    hair = sheet.unit
+                    inner = (left + hair, top + hair, right - hair, bottom - hair)
+                    assert not sheet.states_in(*inner), (here, one.text)
+    assert named > 0.8 * asked, f"only {named} of {asked} are named"
