@@ -11,6 +11,7 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 FactKey = tuple[str, int]
@@ -59,6 +60,11 @@ class CheckResult:
     branch: str
     state: str
     terms: tuple[Term, ...]
+
+    @cached_property
+    def address(self) -> str:
+        """The state's address as text."""
+        return str(Address(self.branch, self.state))
 
     @cached_property
     def truth(self) -> bool | None:
@@ -139,9 +145,10 @@ def as_expected(
     None where that is not so, or a fact hangs on a sub-SB: then every term must be looked at. It
     is what most checks of a run that goes well come to, so it is made once for each state.
     """
-    kept: _Expected | None = branch.__dict__.setdefault(_KEY, {}).get(state)
-    if kept is None:
-        kept = branch.__dict__[_KEY][state] = _expected(branch, state)
+    try:
+        kept: _Expected = branch.__dict__[_KEY][state]
+    except KeyError:
+        kept = branch.__dict__.setdefault(_KEY, {})[state] = _expected(branch, state)
     readings = scene.readings
     if not readings:
         return kept.believed if held == state and kept.pairs else None

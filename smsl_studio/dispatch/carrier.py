@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.effects import changed_by, touched
 from smsl_studio.dispatch.guards import doubts
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
@@ -22,6 +22,7 @@ from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
 
 HAIR = 1e-9
+MOVING = (Stage.RUNNING, Stage.ASKING, Stage.SETTLING)
 UNSURE = "the operation was cancelled and may have changed it"
 
 
@@ -37,6 +38,8 @@ class Carrier:
         self.since = run.time
         self.check: CheckResult | None = None
         self.wants: tuple[Question, ...] = ()
+        self.action = step.actions[0]
+        """The action that is on its way, or the last one that was."""
         self._run = run
         self._index = 0
         self._until = 0.0
@@ -46,10 +49,6 @@ class Carrier:
         self._by = ""
 
     @property
-    def action(self) -> Action:
-        return self.step.actions[min(self._index, len(self.step.actions) - 1)]
-
-    @property
     def bound(self) -> Bound:
         """What carries out the current action."""
         return self._run.bound[self.action.edge.address]
@@ -57,7 +56,7 @@ class Carrier:
     @property
     def moving(self) -> bool:
         """Whether a function runs or a person acts, or the world settles after it."""
-        return self.stage in (Stage.RUNNING, Stage.ASKING, Stage.SETTLING)
+        return self.stage in MOVING
 
     @property
     def remaining(self) -> tuple[Edge, ...]:
@@ -142,7 +141,7 @@ class Carrier:
 
     def _begin(self, shut: Mapping[Address, str]) -> None:
         action, run = self.action, self._run
-        barred = next((edge for edge in self.uncommitted if edge in shut), None)
+        barred = next((edge for edge in self.uncommitted if edge in shut), None) if shut else None
         if barred is not None:
             self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
             return
@@ -250,40 +249,45 @@ class Carrier:
         run.transit = action.after
         targets = {**action.moved, **action.committed}
         checks = [run.check(branch, state, action.after) for branch, state in targets.items()]
-        asked = in_checks(run, checks) if self._answerable else ()
+        asked = in_checks(run, checks) if run.people_say and self._answerable else ()
         if asked and all(check.truth is not False for check in checks):
             self._answerable = False
             self._want(*asked)
             return
         for check in checks:
             self.check = check
-            self._told(self.check)
-            if self.check.truth is not True:
-                self._fail(check_words(run.blueprint, self.check), risky=True)
+            self._told(check)
+            if check.truth is not True:
+                self._fail(check_words(run.blueprint, check), risky=True)
                 return
         if action.commits:
-            run.commit(action.committed, [edge.address for edge in action.commits])
+            run.commit(action.committed, action.commits)
             operations = tuple(map(str, action.commits))
             run.emit(
                 Committed(t=run.time, operations=operations, configuration=dict(action.committed))
             )
         self._index += 1
-        last = self._index == len(self.step.actions)
-        self.stage = Stage.DONE if last else Stage.NEXT
+        if self._index == len(self.step.actions):
+            self.stage = Stage.DONE
+            return
+        self.action, self.stage = self.step.actions[self._index], Stage.NEXT
         broken = run.broken()
-        if broken and not last:
+        if broken:
             words = "; ".join(all_words(run.blueprint, broken))
             self._fail(words, risky=False, pending=bool(run.transit))
 
     def _told(self, check: CheckResult) -> None:
-        facts = self._run.blueprint
-        self._run.emit(
+        run, truth = self._run, check.truth
+        # What checks true has neither: it is what nearly every check comes to.
+        misses = () if truth else all_words(run.blueprint, check.misses)
+        unknown = () if truth else all_words(run.blueprint, check.unknown)
+        run.emit(
             StateChecked(
-                t=self._run.time,
-                address=str(Address(check.branch, check.state)),
-                result=truth_word(check.truth),
-                misses=all_words(facts, check.misses),
-                unknown=all_words(facts, check.unknown),
+                t=run.time,
+                address=check.address,
+                result=truth_word(truth),
+                misses=misses,
+                unknown=unknown,
             )
         )
 

@@ -21,7 +21,11 @@ from smsl_studio.errors import AddressError
 
 def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
     """Why a joint step may not begin now, as sentences; empty where it may."""
-    reasons = [*_sources(run, step), *_required(run, step)]
+    reasons = _sources(run, step)
+    for edge in step.edges:
+        if edge.requires:
+            reasons.extend(_required(run, step))
+            break
     return tuple(dict.fromkeys(reasons)) if reasons else ()
 
 
@@ -45,17 +49,19 @@ def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, 
     return step.reasons if isinstance(step, Unavailable) else step
 
 
-def _sources(run: Run, step: JointStep) -> Iterator[str]:
+def _sources(run: Run, step: JointStep) -> list[str]:
     """Every edge that starts in an active state needs that state's check true on sensed facts;
     later ones are checked when the run gets there."""
+    found: list[str] = []
     met: set[str] = set()
     for edge in step.edges:
         branch, source = edge.branch, edge.source
         if branch not in met and source == run.configuration[branch]:
             check = run.check(branch, source)
             if check.truth is not True:
-                yield check_words(run.blueprint, check)
+                found.append(check_words(run.blueprint, check))
         met.add(branch)
+    return found
 
 
 def doubts(run: Run, step: JointStep, edge: Edge) -> tuple[str, ...]:

@@ -77,7 +77,8 @@ class Run:
         return edge.function and self.levels.operation(edge.address) == HUMAN
 
     def emit(self, *events: Event) -> None:
-        self.events.extend(events)
+        if events:
+            self.events.extend(events)
 
     def look(self) -> None:
         """Read every sensor now."""
@@ -133,12 +134,12 @@ class Run:
         """Forget what was in transit; the committed configuration stands."""
         self.pending, self.transit = {}, frozenset()
 
-    def commit(self, committed: Mapping[str, str], edges: Iterable[Address]) -> None:
+    def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
         """SBs take the states that became true together with these edges."""
         self.configuration.update(committed)
         for edge in edges:
             self.operations += 1
-            self.since[edge.branch], self.previous[edge.branch] = self.time, edge
+            self.since[edge.branch], self.previous[edge.branch] = self.time, edge.address
             self.history.append((str(edge), "committed"))
         self.pending = {
             name: state for name, state in self.pending.items() if self.configuration[name] != state

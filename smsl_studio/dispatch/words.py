@@ -30,4 +30,4 @@ def check_words(blueprint: Blueprint, check: CheckResult) -> str:
 
 def truth_word(truth: bool | None) -> str:
     """``true``, ``false`` or ``unknown``."""
-    return "unknown" if truth is None else str(truth).lower()
+    return "true" if truth else "unknown" if truth is None else "false"

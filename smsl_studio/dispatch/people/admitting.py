@@ -67,7 +67,7 @@ def _guarded(driver: Driver, step: JointStep, chosen: bool) -> str:
         objection = driver.reviewer.objection(run, step)
         if objection:
             return _refuse(driver, step, chosen, (objection,))
-        return _confirmed(driver, step, chosen)
+        return _confirmed(driver, step, chosen, fresh=True)
     circling = driver.loops.why_not(run.configuration, step.asked.address)
     if circling:
         driver.course.drop_plan()
@@ -78,16 +78,18 @@ def _guarded(driver: Driver, step: JointStep, chosen: bool) -> str:
             driver.course.drop_plan()
         return ""
     if run.levels.supervision != HUMAN:
-        return _confirmed(driver, step, chosen)
+        return _confirmed(driver, step, chosen, fresh=True)
     nobody = supervised(driver, step)
     return _refuse(driver, step, chosen, (nobody,)) if nobody else ""
 
 
-def _confirmed(driver: Driver, step: JointStep, chosen: bool) -> str:
-    """People confirm what must be confirmed, all of it before anything moves; then it begins."""
-    questions = confirmations(driver.run, step)
+def _confirmed(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -> str:
+    """People confirm what must be confirmed, all of it before anything moves; then it begins.
+
+    ``fresh``: the guards were asked at this very moment."""
+    questions = confirmations(driver.run, step) if driver.run.people_act else ()
     if not questions:
-        return _begin(driver, step, chosen)
+        return _begin(driver, step, chosen, fresh)
 
     def said(closed: tuple[Closed, ...]) -> None:
         no = no_words(closed)
@@ -110,10 +112,10 @@ def confirmations(run: Run, step: JointStep) -> tuple[Question, ...]:
     return tuple(found)
 
 
-def _begin(driver: Driver, step: JointStep, chosen: bool) -> str:
+def _begin(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -> str:
     """Begin, if the guards still agree."""
     run, state = driver.run, driver.state
-    reasons = _barred(driver, step) or refusals(run, step)
+    reasons = () if fresh else _barred(driver, step) or refusals(run, step)
     if reasons:
         return _refuse(driver, step, chosen, reasons)
     if chosen:
@@ -129,6 +131,8 @@ def _begin(driver: Driver, step: JointStep, chosen: bool) -> str:
 def _barred(driver: Driver, step: JointStep) -> tuple[str, ...]:
     """What was shut out since the step was worked out."""
     shut = driver.course.shut
+    if not shut:
+        return ()
     return tuple(f"{one} is {shut[one.address]}" for one in step.edges if one.address in shut)
 
 

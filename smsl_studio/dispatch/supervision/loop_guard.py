@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping
 
 from smsl_studio.blueprint.address import Address
@@ -17,18 +16,19 @@ class LoopGuard:
 
     def __init__(self, most: int = VISITS) -> None:
         self.most = most
-        self._visits: Counter[tuple[tuple[str, ...], Address]] = Counter()
+        self._visits: dict[tuple[tuple[str, ...], Address], int] = {}
 
     def why_not(self, configuration: Mapping[str, str], edge: Address) -> str:
         """Why an edge must not begin: it was begun too often from here. Empty where it may."""
-        if self._visits[_key(configuration, edge)] < self.most:
+        if self._visits.get(_key(configuration, edge), 0) < self.most:
             return ""
         here = ", ".join(f"{name}/{state}" for name, state in configuration.items())
         return f"{edge} was begun {self.most} times from {here} without getting further."
 
     def count(self, configuration: Mapping[str, str], edge: Address) -> None:
         """An edge begins."""
-        self._visits[_key(configuration, edge)] += 1
+        key = _key(configuration, edge)
+        self._visits[key] = self._visits.get(key, 0) + 1
 
     def forget(self) -> None:
         self._visits.clear()
