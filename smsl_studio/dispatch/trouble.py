@@ -68,7 +68,7 @@ class Trouble:
 
     def relocalise(self, cause: str = "") -> Hold | None:
         """Read the scene: go on where it equals what is committed, else adopt or hold."""
-        run = self._run
+        run, self.candidates = self._run, ()
         run.drop_pending()
         run.look()
         if stands(run, run.configuration):
@@ -88,7 +88,7 @@ class Trouble:
 
     def adopt(self, configuration: Mapping[str, str]) -> None:
         """Go on from a configuration that the scene agrees with."""
-        run = self._run
+        run, self.candidates = self._run, ()
         run.relocate(configuration)
         self._course.drop_plan()
         run.emit(Relocalised(t=run.time, configuration=dict(run.configuration)))

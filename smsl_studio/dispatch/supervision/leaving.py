@@ -26,7 +26,7 @@ def leave(driver: Driver) -> None:
     elif phase == "waiting":
         driver.finish("held", f"The run is waiting, and {driver.desk.nobody}.")
     elif phase in ("ready", "paused", "taken_over"):
-        words = phase.replace("_", " ").replace("ready", "run by hand")
+        words = phase.replace("_", " ").replace("ready", "waiting to be asked")
         driver.finish("held", f"The run is {words}, and nobody is there to go on with it.")
 
 

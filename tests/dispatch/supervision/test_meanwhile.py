@@ -8,7 +8,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervisor import ALLOW, PAUSE, Proposal, Verdict
-from tests.dispatch.fake_host import FakeHost
+from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.people.tasks import Attended
 from tests.dispatch.runs import Story, blueprint, branch
 from tests.dispatch.supervision.runs import (
@@ -252,6 +252,24 @@ def test_what_a_hold_offered_to_adopt_is_not_offered_by_the_next() -> None:
     story.run()
     assert story.phase == "no_route"
     assert story.dispatcher.status.candidates == ()
+
+
+def test_what_was_adopted_by_itself_is_not_offered_afterwards() -> None:
+    made = blueprint({"A": branch({"0": "go>1", "1": "", "2": "rec>0"}, activating="1")})
+    elsewhere = FakeHost(made, faults={"A/State0/go": Fault(writes={("A", 0): "2"})})
+    story = Story(made, elsewhere, attended=True, on_mismatch="adopt").run()
+    assert story.phase == "fault_hold"
+    status = story.dispatcher.status
+    assert (status.configuration, status.candidates) == ({"A": "State2"}, ())
+    assert "adopt" not in [offer.command for offer in status.offers]
+
+
+def test_a_run_by_hand_that_nobody_asks_says_so() -> None:
+    story = hanoi(automatic=False).tick()
+    story.dispatcher.leave()
+    story.tick()
+    words = "The run is waiting to be asked, and nobody is there to go on with it."
+    assert story.end.sentence == words
 
 
 # words --------------------------------------------------------------------------------------------
