@@ -75,3 +75,18 @@ def test_a_fact_that_turns_moves_no_label(qtbot: QtBot) -> None:
         edges = range(len(sheet.picture.operations))
         places.append([sheet.geometry.label(edge) for edge in edges])
     assert places[0] == places[1] == places[2]
+
+
+def test_the_legend_of_a_run_names_locks_and_what_is_held_back_where_they_occur(
+    qtbot: QtBot,
+) -> None:
+    canvas = _canvas(qtbot, (884, 400))
+    canvas.set_marks(_marks(canvas, "unknown"))
+    legend = canvas.overlays.run_legend
+    assert legend.words[5:] == ("held back, unknown", "needs met", "needs not met")
+    assert "needs not met" in legend.accessibleName()
+    plain = sample("registration.json")
+    canvas.show_branch(plain, SB, place_states(plain[SB]))
+    risky = frozenset([Address(SB, HERE, next(iter(plain[SB].table[HERE])))])
+    canvas.set_marks(Marks(active=HERE, risky=risky, dimmed=True))
+    assert legend.words[5:] == ("risky",)

@@ -81,7 +81,10 @@ class Overlays:
         self.place()
 
     def show_marks(self, marks: Marks) -> None:
-        if marks.dimmed != self._dimmed:
+        sheet = self._canvas.sheet
+        guarded = sheet is not None and bool(sheet.picture.guarded)
+        anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
+        if marks.dimmed != self._dimmed or (anew and marks.dimmed):
             self._dimmed = marks.dimmed
             self._place_legend()
 

@@ -8,12 +8,13 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.picture.guards import MEANING
-from smsl_studio.studio.canvas.guard_sign import DECLARED, draw_guard
+from smsl_studio.studio.canvas.guard_sign import DECLARED, HOLDS, MISSES, UNKNOWN, draw_guard
 from smsl_studio.studio.canvas.ink import (
     NO_PEN,
     Type,
     draw_barred,
     draw_sub_mark,
+    draw_warning,
     faded,
     pen,
 )
@@ -21,6 +22,7 @@ from smsl_studio.studio.theme import Tokens, text_font
 
 ROW = 18
 RUN_WORDS = ("active", "running", "path so far", "planned", "pruned")
+HELD_BACK, MET, NOT_MET, RISK = "held back, unknown", "needs met", "needs not met", "risky"
 RUN_ROW = 22
 
 
@@ -75,7 +77,8 @@ class Legend(QWidget):
 
 
 class RunLegend(QWidget):
-    """Explains the marks of a run: active, running, path so far, planned, pruned."""
+    """Explains the marks of a run: active, running, path so far, planned, pruned; what is held
+    back and the locks where operations need other facts; risky where one is."""
 
     empty = False
 
@@ -84,18 +87,31 @@ class RunLegend(QWidget):
         self.tokens = tokens
         self._type = Type(text_font(12))
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.setAccessibleName("Legend: " + ", ".join(RUN_WORDS))
-        self.resize(self.sizeHint())
+        self.words: tuple[str, ...] = ()
+        self.show_kinds(guarded=False, risky=False)
+
+    def show_kinds(self, guarded: bool, risky: bool) -> bool:
+        """Explain what may be seen in this SB; whether that is something else than before."""
+        words: tuple[str, ...] = RUN_WORDS
+        words += (HELD_BACK, MET, NOT_MET) if guarded else ()
+        words += (RISK,) if risky else ()
+        changed = words != self.words
+        if changed:
+            self.words = words
+            self.setAccessibleName("Legend: " + ", ".join(words))
+            self.resize(self.sizeHint())
+            self.update()
+        return changed
 
     def sizeHint(self) -> QSize:
-        width = max(self._type.width(text) for text in RUN_WORDS)
-        return QSize(int(width) + 42, RUN_ROW * len(RUN_WORDS))
+        width = max(self._type.width(text) for text in self.words)
+        return QSize(int(width) + 42, RUN_ROW * len(self.words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), faded(self.tokens.canvas, 0.88))
-        for i, text in enumerate(RUN_WORDS):
+        for i, text in enumerate(self.words):
             y = i * RUN_ROW + RUN_ROW / 2
             self._sign(painter, text, y)
             self._type.draw_from(painter, 36.0, y, text, self.tokens.tx2)
@@ -124,6 +140,16 @@ class RunLegend(QWidget):
         elif text == "planned":
             painter.setPen(pen(tokens.acc, 1.6, (4.0, 4.0)))
             painter.drawLine(start, end)
+        elif text == HELD_BACK:
+            painter.setPen(pen(tokens.edge, 1.6, (6.0, 3.0)))
+            painter.drawLine(start, end)
+            draw_guard(painter, 14.0, y, UNKNOWN, tokens)
+        elif text in (MET, NOT_MET):
+            draw_guard(painter, 14.0, y, HOLDS if text == MET else MISSES, tokens)
+        elif text == RISK:
+            painter.setPen(pen(tokens.risk, 2.0))
+            painter.drawLine(start, end)
+            draw_warning(painter, 14.0, y, 12.0, tokens)
         else:
             painter.setPen(pen(tokens.edge, 1.6, (2.0, 4.0)))
             painter.drawLine(start, end)
