@@ -81,12 +81,14 @@ def start_log(
     world: str,
     loaded: Loaded | None,
     asked: Mapping[str, Json],
+    broker: str = "",
+    site: str = "",
 ) -> RunLog:
     """A log with its header written; ``asked`` is how the run was to be (see ``log_header``).
 
     SaveError where it cannot be written, UsageError where the file holds something already.
     """
-    return RunLog(path, log_header(blueprint, world, loaded, asked))
+    return RunLog(path, log_header(blueprint, world, loaded, asked, broker, site))
 
 
 def new_recording(folder: Path, file: str, now: datetime) -> Path:

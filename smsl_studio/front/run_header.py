@@ -12,21 +12,31 @@ from typing import Any
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.version import version
+from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.loading import Loaded
+from smsl_studio.runlog.names import names_of
 from smsl_studio.seal.digest import sha256_hex
 
 Json = Any
 
 
 def log_header(
-    blueprint: Blueprint, world: str, loaded: Loaded | None, asked: Mapping[str, Json]
+    blueprint: Blueprint,
+    world: str,
+    loaded: Loaded | None,
+    asked: Mapping[str, Json],
+    broker: str = "",
+    site: str = "",
 ) -> Mapping[str, Json]:
     """The first line of a log; ``asked`` is how the run was to be: seed, host, start, goals ...
 
     The digests are those of the command ``digest``, and beside them the SHA-256 of every file.
-    ``policy`` is the place of the trust policy, and null where the run had none.
+    ``policy`` is the place of the trust policy, and null where the run had none. ``mqtt`` says
+    where which facts were heard that are sensed elsewhere, and is null where none are; ``broker``
+    and ``site`` were asked for in the place of what the bindings file says.
     """
     plugins = loaded.plugins if loaded else ()
     return {
@@ -36,6 +46,7 @@ def log_header(
         "world": world,
         **asked,
         "policy": None,
+        "mqtt": _elsewhere(blueprint, broker, site),
         "file": str(Path(blueprint.file).absolute()),
         "digests": {
             "file": sha256_hex(blueprint.document.encoded()),
@@ -47,6 +58,7 @@ def log_header(
             "python": sys.version.split()[0],
             **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
         },
+        "names": names_of(blueprint),
     }
 
 
@@ -79,6 +91,23 @@ def asked_for(
         "levels": dict(levels or {}),
         "script": {"file": script.file, "digest": script.digest} if script else None,
         "supervisor": supervisor,
+    }
+
+
+def _elsewhere(blueprint: Blueprint, broker: str, site: str) -> Mapping[str, Json] | None:
+    """Facts that are sensed elsewhere, with the names of their sources; and where these are."""
+    try:
+        table = bindings_beside(blueprint.file).mqtt
+    except StudioError:
+        # The run is refused for it, or was for something else; its log shall say so all the same.
+        return None
+    if not table.facts:
+        return None
+    return {
+        "broker": broker or table.broker,
+        "site": site or table.site,
+        "run": table.run,
+        "facts": {key: list(table.sources(key)) for key in table.facts},
     }
 
 

@@ -21,9 +21,11 @@ from smsl_studio.front.reading import refusals
 from smsl_studio.front.recording import Recording, start_log
 from smsl_studio.front.run_header import asked_for
 from smsl_studio.front.script.acting import Acting
+from smsl_studio.front.script.fitting import check_faults
 from smsl_studio.front.script.script import Act, Script
 from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
+from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import Event, RunFinished
 
 if TYPE_CHECKING:
@@ -129,13 +131,15 @@ def run(
     ``log`` is written line by line as the run goes; ``on_event`` hears each event after that.
     ``stop_when`` is asked before every tick. ``broker`` (HOST:PORT) and ``site`` say where sensors
     are heard that are elsewhere; with such sensors ``speed`` is at most 1. AddressError,
-    UsageError, PluginError and WorldError for what does not exist; whatever else goes wrong is the
-    reason of the run.
+    UsageError, PluginError and WorldError for what does not exist, ReadError where the script
+    injects what this world has not; whatever else goes wrong is the reason of the run.
     """
     loaded = known_world(world, plugin_paths, host)
     goals = states_at(blueprint, goal, "goal")
     starts = states_at(blueprint, start, "start")
     shut = operations_at(blueprint, avoid)
+    if script is not None:
+        check_faults(script, world, loaded.faults_of(world) if loaded else table_faults(blueprint))
     events: list[Event] = []
 
     def hear(event: Event) -> None:
@@ -180,7 +184,7 @@ def run(
                 levels=chosen,
                 supervisor=supervisor.name if supervisor else "",
             )
-            recording.log = start_log(Path(log), blueprint, world, loaded, asked)
+            recording.log = start_log(Path(log), blueprint, world, loaded, asked, broker, site)
         if refusal is not None:
             recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
         if dispatcher is not None:

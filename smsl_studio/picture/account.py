@@ -14,9 +14,12 @@ from smsl_studio.picture.account_words import Causes, Told, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY, safe
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
+from smsl_studio.runlog.names import Names
 from smsl_studio.runlog.reading import LoggedRun
 
 Json = Any
+DEEP = 2
+"""A value of the header is told with so many maps in each other: it may say anything."""
 MOST = 100_000
 """So many events are told one by one; a page with more would open nowhere."""
 
@@ -40,6 +43,7 @@ _HEADER = (
     ("avoid", "Operations to avoid"),
     ("on_mismatch", "On a mismatch"),
     ("levels", "Levels set before the run"),
+    ("mqtt", "Sensors elsewhere"),
     ("script", "Script"),
     ("supervisor", "Supervised by"),
     ("by_hand", "Run by hand"),
@@ -68,8 +72,9 @@ def _page(run: LoggedRun) -> Iterator[str]:
     yield from _pairs("What was asked for", _header(run.header))
     yield from _pairs("Digests (SHA-256)", _named(run.header.get("digests")), code=True)
     yield from _pairs("Versions", _named(run.header.get("versions")))
-    yield from _routes(run.events)
-    yield from _events(run.events)
+    names = Names.of_header(run.header.get("names"))
+    yield from _routes(run.events, names)
+    yield from _events(run.events, names)
     yield "<footer>Made by SMSL Studio from the run's log. Not a medical device.</footer>"
     yield "</main></body></html>"
 
@@ -100,7 +105,7 @@ def _outcome(run: LoggedRun) -> Iterator[str]:
         yield "</p>"
 
 
-def _routes(events: tuple[Event, ...]) -> Iterator[str]:
+def _routes(events: tuple[Event, ...], names: Names) -> Iterator[str]:
     routes = [one for one in events if isinstance(one, RoutePlanned)]
     if not routes:
         return
@@ -111,21 +116,22 @@ def _routes(events: tuple[Event, ...]) -> Iterator[str]:
         left = max(0, left - len(shown) - 1)
         if not left:
             break
-        yield f"<h3>At {one.t:.3f} s, to {safe(one.goal)}, cost {one.cost:g}</h3><ol>"
-        yield from (f"<li>{safe(step)}</li>" for step in shown)
+        goal = safe(names.address(one.goal))
+        yield f"<h3>At {one.t:.3f} s, to {goal}, cost {one.cost:g}</h3><ol>"
+        yield from (f"<li>{safe(names.address(step))}</li>" for step in shown)
         yield "</ol>"
     if not left:
         yield "<p>Further routes are left out here; the log has them.</p>"
 
 
-def _events(events: tuple[Event, ...]) -> Iterator[str]:
+def _events(events: tuple[Event, ...], names: Names) -> Iterator[str]:
     yield "<h2>What happened</h2>"
     yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
     yield "<tbody>"
     by = next((one.world for one in events if isinstance(one, RunStarted)), "")
     causes = Causes()
     for event in islice(events, MOST):
-        yield _row(event.t, told(event, by, causes.of(event)))
+        yield _row(event.t, told(event, by, causes.of(event), names))
     yield "</tbody></table>" + vanished(len(events) - MOST, "event")
 
 
@@ -160,12 +166,15 @@ def _pairs(title: str, pairs: Iterator[tuple[str, str]], code: bool = False) -> 
     yield "</dl>"
 
 
-def _said(value: Json) -> str:
+def _said(value: Json, deep: int = DEEP) -> str:
     """A value of the header, which says what it likes, in one line that ends."""
-    if value is None or value in ([], ""):
+    if value is None or value in ([], {}, ""):
         return "none"
     if isinstance(value, list):
         return ", ".join(_said(one) for one in value[:MOST] if isinstance(one, str | int))
+    if isinstance(value, dict) and deep:
+        pairs = ((name, _said(one, deep - 1)) for name, one in islice(value.items(), MOST))
+        return "; ".join(f"{name}: {words}" for name, words in pairs)
     return str(value) if isinstance(value, str | int | float) else "not understood"
 
 

@@ -11,6 +11,7 @@ from smsl_studio.picture import account_regulating as regulating
 from smsl_studio.picture.account_regulating import LONGEST, listed, states
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.names import NAMELESS, Names
 
 BELIEVED, SENSED, DECIDED, DONE, ASKED = "believed", "sensed", "decided", "done", "asked"
 _KINDS: Mapping[type[Event], str] = MappingProxyType(
@@ -56,14 +57,17 @@ class Told:
     bad: bool
 
 
-def told(event: Event, world: str = "", cause: str = "") -> Told:
+def told(event: Event, world: str = "", cause: str = "", names: Names = NAMELESS) -> Told:
     """An event as the account has it; an event without words of its own is told by its fields.
 
-    ``cause`` names whose command it answers (see ``Causes``).
+    ``cause`` names whose command it answers (see ``Causes``), ``names`` what people call things.
     """
-    write = _WORDS.get(type(event), _plainly)
     kind = _KINDS.get(type(event), DECIDED)
-    return Told(kind, write(event), cause or _by(event, kind, world), _is_bad(event))
+    if isinstance(event, run.FactChanged):
+        words = _fact(event, names)
+    else:
+        words = _WORDS.get(type(event), _plainly)(names.told_in(event))
+    return Told(kind, words, cause or _by(event, kind, world), _is_bad(event))
 
 
 class Causes:
@@ -162,10 +166,10 @@ def _checked(event: run.StateChecked) -> str:
     return words + (f"; unknown: {'; '.join(event.unknown)}" if event.unknown else "")
 
 
-def _fact(event: run.FactChanged) -> str:
+def _fact(event: run.FactChanged, names: Names) -> str:
     reads = "is unknown" if event.value is None else f"reads {event.value}"
     why = f" ({event.reason})" if event.reason else ""
-    return f"Fact {event.digit} of {event.branch} {reads}{why}"
+    return f"{names.fact(event.branch, event.digit)} of {event.branch} {reads}{why}"
 
 
 def _committed(event: run.Committed) -> str:
@@ -192,7 +196,6 @@ _WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
         run.OperationStarted: _operation,
         run.OperationEnded: _ended,
         run.StateChecked: _checked,
-        run.FactChanged: _fact,
         run.Committed: _committed,
         run.Mismatch: _mismatch,
         run.OperationRefused: lambda e: listed(f"{e.address} was refused", e.reasons),

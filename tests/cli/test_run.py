@@ -126,6 +126,25 @@ def test_the_log_says_what_was_asked_for(shell: Shell, tmp_path: Path) -> None:
     assert (header["on_mismatch"], header["host"]) == ("adopt", "local")
 
 
+def test_the_log_says_what_people_call_what_it_tells_of(shell: Shell, tmp_path: Path) -> None:
+    """So that its account needs no blueprint."""
+    log, page = tmp_path / "run.jsonl", tmp_path / "run.html"
+    shell("run", sample("registration-failures"), *TABLE, "--log", str(log))
+    names = read_log(log).header["names"]
+    assert "Registered" in names["facts"].values()
+    assert names["operations"]
+    assert shell("replay", str(log), "-o", str(page)).status == 0
+    assert "Landmarks planned of REGISTRATION reads 1" in page.read_text("utf-8")
+    many = tmp_path / "many.json"
+    facts = {str(number): {"name": "x" * 300} for number in range(1500)}
+    state = {f"State_{'0' * 1500}": {}}
+    many.write_text(json.dumps({"SB": {"_facts": facts, "HEADER": {"NUM_FACTS": 1500}, **state}}))
+    shell("run", str(many), *TABLE, "--log", str(tmp_path / "many.jsonl"))
+    kept = read_log(tmp_path / "many.jsonl").header["names"]["facts"]
+    assert len(kept) == 1000
+    assert set(kept.values()) == {"x" * 200}
+
+
 @pytest.mark.parametrize("file", ["wrong", "hfsm"])
 def test_a_refused_run_is_in_the_log_too(shell: Shell, tmp_path: Path, file: str) -> None:
     """Refused by a finding, and by a world that it does not suit."""
@@ -173,6 +192,23 @@ def test_a_script_supervises_the_run(
     assert answer.err.splitlines()[1:] == [f"{script}:2:1: its moment never came: stop"]
     monkeypatch.setattr("sys.stdin", io.StringIO(script.read_text()))
     assert shell("run", sample("hfsm"), *TABLE, "--script", "-").out == answer.out
+
+
+def test_what_was_refused_and_what_stood_in_the_way_is_said(shell: Shell, tmp_path: Path) -> None:
+    cut = [
+        {"do": "prune", "address": f"State_aaa/{name}", "reason": "broken"}
+        for name in ("Op_1b", "Op_1c")
+    ]
+    script = tmp_path / "script.jsonl"
+    script.write_text("\n".join(json.dumps(line) for line in [{"do": "reset"}, *cut]))
+    for form in ("text", "json"):
+        more = ("--script", str(script), "--format", form)
+        answer = shell("run", sample("hanoi-corrected"), "--world", "table", *more)
+        assert answer.status == 1
+        said = answer.err.splitlines()
+        assert any(line.startswith(f"{script}: refused at 0.000 s: reset: ") for line in said)
+        assert "    SB1/State_aaa/Op_1b is pruned: broken" in said
+        assert "    SB1/State_aaa/Op_1c is pruned: broken" in said
 
 
 def test_a_wrong_script_is_refused_before_anything_runs(shell: Shell, tmp_path: Path) -> None:

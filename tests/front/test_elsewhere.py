@@ -15,12 +15,14 @@ from smsl_studio.cli import main
 from smsl_studio.errors import HostError, PluginError, UsageError
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.reading import read
+from smsl_studio.front.run_header import log_header
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import Opened
 from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.monitor.topics import FactTopic
 from smsl_studio.runlog.events import Event, OperationStarted
+from smsl_studio.runlog.reading import read_log
 from smsl_studio.shipped import samples_dir
 from tests.monitor.broker import MAX_AGE, Broker, Node, Speaker, until, with_ages
 
@@ -70,6 +72,17 @@ def test_what_is_asked_for_takes_the_place_of_the_file(declare: Declare) -> None
     host = _host(blueprint, broker="10.0.0.1", site="ward")
     assert isinstance(host, WithRemote)
     assert (host.remote.view().broker, host.remote.view().site) == ("10.0.0.1", "ward")
+
+
+def test_the_header_of_a_log_names_what_is_heard_and_where(declare: Declare) -> None:
+    blueprint = declare(MQTT + '[mqtt.facts]\n"SB1/0" = ["eye", "ear"]\n"SB1/1" = "eye"\n')
+    facts = {"SB1/0": ["eye", "ear"], "SB1/1": ["eye"]}
+    heard = {"broker": "127.0.0.1:1", "site": "lab", "run": "trial", "facts": facts}
+    assert log_header(blueprint, "table", None, {})["mqtt"] == heard
+    asked = log_header(blueprint, "table", None, {}, broker="10.0.0.1", site="ward")
+    assert asked["mqtt"] == {**heard, "broker": "10.0.0.1", "site": "ward"}
+    assert log_header(declare(MQTT), "table", None, {})["mqtt"] is None
+    assert log_header(declare("no toml"), "table", None, {})["mqtt"] is None
 
 
 @pytest.mark.parametrize(
@@ -187,7 +200,7 @@ def test_a_headless_run_hears_a_node(
 
 
 def test_a_run_waits_for_sensors_elsewhere_however_fast_it_may_go(
-    broker: Broker, declare: Declare
+    broker: Broker, declare: Declare, tmp_path: Path
 ) -> None:
     """The eye is told of the move when it begins: by the time the check decides, it says so."""
     blueprint = declare('[mqtt]\nsite = "lab"\n[mqtt.facts]\n"SB1/0" = "eye"\n')
@@ -199,8 +212,15 @@ def test_a_run_waits_for_sensors_elsewhere_however_fast_it_may_go(
 
     try:
         done = front.run(
-            blueprint, "table", "State_ba", "State_aa", broker=broker.address, on_event=hear
+            blueprint,
+            "table",
+            "State_ba",
+            "State_aa",
+            broker=broker.address,
+            on_event=hear,
+            log=tmp_path / "log",
         )
+        assert read_log(tmp_path / "log").header["mqtt"]["broker"] == broker.address
         assert (done.reason, done.sentence) == ("goal_reached", "SB1/State_ba holds.")
     finally:
         node.kill()

@@ -16,11 +16,14 @@ from smsl_studio.picture.account import account
 from smsl_studio.picture.account_words import Causes, told
 from smsl_studio.runlog.events import (
     Commanded,
+    Committed,
     EdgeSwept,
     Event,
+    FactChanged,
     Held,
     Mismatch,
     OperationPruned,
+    OperationStarted,
     Paused,
     RoutePlanned,
     RunFinished,
@@ -104,7 +107,7 @@ def test_everything_is_told_in_order(run: LoggedRun) -> None:
         ("0.100", "believed"),
         ("0.100", "decided"),
     ]
-    assert rows[1][2:] == ["Fact 0 of SB/é is unknown (stale)", "sensors of table"]
+    assert rows[1][2:] == ["Fact 1 of SB/é is unknown (stale)", "sensors of table"]
     assert rows[3][3] == "library function"
     assert rows[5][2] == "Sensed facts and beliefs differ: a; b. The scene agrees with SB/é/State_1"
     assert seen.under("li") == ["SB/é/State_0/Op"]
@@ -122,6 +125,8 @@ def test_a_run_from_the_command_line_has_its_header_told() -> None:
         "file": "C:\\cases\\knee.smsl",
         "seed": 7,
         "policy": None,
+        "levels": {"SB/go": "human", "inspection": "shared"},
+        "mqtt": {"broker": "lab:1883", "site": "lab", "facts": {"SB/0": ["eye", "ear"]}},
         "goals": ["SB/A", "SB/B"],
         "digests": {"file": "ff", "imported": {"sub.smsl": "ee"}},
         "versions": {"python": "3.11.7"},
@@ -131,14 +136,54 @@ def test_a_run_from_the_command_line_has_its_header_told() -> None:
     pairs = dict(zip(seen.under("dt"), seen.under("dd") + seen.under("code"), strict=False))
     assert pairs["Goals asked for"] == "SB/A, SB/B"
     assert pairs["Trust policy"] == "none"
+    assert pairs["Levels set before the run"] == "SB/go: human; inspection: shared"
+    heard = "broker: lab:1883; site: lab; facts: SB/0: eye, ear"
+    assert pairs["Sensors elsewhere"] == heard
     assert {"ff", "ee"} <= set(seen.under("code"))
     assert "imported sub.smsl" in seen.under("dt")
 
 
 @pytest.mark.parametrize("odd", [None, [], [[[]]], {"a": {"b": {"c": 1}}}, 1e400, True, "x", [{}]])
 def test_a_header_may_say_anything(odd: object) -> None:
-    keys = ("file", "seed", "start", "goals", "policy", "digests", "versions", "log")
+    keys = (
+        "file",
+        "seed",
+        "start",
+        "goals",
+        "policy",
+        "digests",
+        "versions",
+        "log",
+        "names",
+        "mqtt",
+    )
     assert Page(account(logged(header=dict.fromkeys(keys, odd)))).odd == []
+
+
+def test_what_has_a_name_is_told_by_it() -> None:
+    given = (
+        RoutePlanned(t=0.0, goal="SB/B", operations=("SB/A/go",), cost=1.0),
+        OperationStarted(t=0.0, address="SB/A/go", target="B"),
+        FactChanged(t=0.1, branch="SB", digit=0, value="1"),
+        FactChanged(t=0.1, branch="SB", digit=1, value=None, reason="stale"),
+        Committed(t=0.2, operations=("SB/A/go",), configuration={"SB": "B"}),
+        Commanded(t=0.2, command="veto", by="Ann", address="SB/B/go"),
+    )
+    names = {
+        "facts": {"SB/0": "Head fixed"},
+        "states": {"SB/B": "Ready"},
+        "operations": {"SB/go": "Go on", "SB/A/go": "Fix the head"},
+    }
+    seen = Page(account(logged(*given, header={"names": names})))
+    assert [row[2] for row in seen.rows[1:]] == [
+        'Route to SB/B "Ready", cost 1: SB/A/go "Fix the head"',
+        'SB/A/go "Fix the head" to B "Ready" is carried out; no function of its own',
+        "Head fixed of SB reads 1",
+        "Fact 2 of SB is unknown (stale)",
+        'SB/A/go "Fix the head" became true: SB/B "Ready"',
+        'Vetoed SB/B/go "Go on"',
+    ]
+    assert seen.under("li") == ['SB/A/go "Fix the head"']
 
 
 def test_a_log_without_an_end_says_so(run: LoggedRun) -> None:
@@ -156,11 +201,18 @@ def test_names_are_only_text() -> None:
         t=0.0, reason=HOSTILE, sentence=HOSTILE, operations=0, configuration={HOSTILE: HOSTILE}
     )
     mismatch = Mismatch(t=0.0, facts=(HOSTILE,), candidates=({HOSTILE: HOSTILE},))
-    header = {"file": HOSTILE, "goals": [HOSTILE], "digests": {HOSTILE: HOSTILE}}
-    text = account(logged(mismatch, finished, header=header))
+    fact = FactChanged(t=0.0, branch="SB", digit=0, value="1")
+    header = {
+        "file": HOSTILE,
+        "goals": [HOSTILE],
+        "levels": {HOSTILE: HOSTILE},
+        "digests": {HOSTILE: HOSTILE},
+        "names": {"facts": {"SB/0": HOSTILE}, "states": {HOSTILE: HOSTILE}},
+    }
+    text = account(logged(fact, mismatch, finished, header=header))
     seen = Page(text)
     assert seen.odd == []
-    assert len(seen.rows) == 3
+    assert len(seen.rows) == 4
     assert any("<script>alert(1)</script>" in cell for cell in seen.rows[1])
     assert not set("\u202e\x1b\udcff") & set(text)
     assert "default-src 'none'" in text

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QListView, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.account_words import Causes, told
-from smsl_studio.runlog.events import Event, FactChanged
+from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.names import NAMELESS, Names, names_of
 from smsl_studio.studio.theme import mono_font
 
 Index = QModelIndex | QPersistentModelIndex
@@ -22,12 +23,12 @@ class EventsModel(QAbstractListModel):
         super().__init__(parent)
         self._events: Sequence[Event] = ()
         self._by: list[str] = []
-        self._blueprint: Blueprint | None = None
+        self._names = NAMELESS
 
     def show(self, events: Sequence[Event], blueprint: Blueprint) -> None:
         causes = Causes()
         self.beginResetModel()
-        self._events, self._blueprint = events, blueprint
+        self._events, self._names = events, Names.of_header(names_of(blueprint))
         self._by = [causes.of(event) for event in events]
         self.endResetModel()
 
@@ -41,17 +42,8 @@ class EventsModel(QAbstractListModel):
         if role not in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             return None
         by = self._by[index.row()]
-        return f"{event.t:7.2f} s  {self._words(event)}{f'  ({by})' if by else ''}"
-
-    def _words(self, event: Event) -> str:
-        """What happened; a fact has the name that the drawing gives it."""
-        if isinstance(event, FactChanged) and self._blueprint is not None:
-            branch = self._blueprint.branches.get(event.branch)
-            if branch is not None and event.digit < branch.num_facts:
-                reads = "is unknown" if event.value is None else f"reads {event.value}"
-                why = f" ({event.reason})" if event.reason else ""
-                return f"{branch.fact_name(event.digit)} of {branch.name} {reads}{why}"
-        return told(event).what
+        what = told(event, names=self._names).what
+        return f"{event.t:7.2f} s  {what}{f'  ({by})' if by else ''}"
 
 
 class EventTable(QListView):

@@ -1,0 +1,123 @@
+"""What people call the facts, states and operations of a run: in its log's header, bounded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from itertools import islice
+from typing import Any
+
+from smsl_studio.blueprint.address import Address, escape, fact_text, note_key
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.runlog.events import Event
+
+Json = Any
+MOST = 1000
+"""So many names of each kind stand in a header: it is one line of a log, which people open."""
+LONGEST = 200
+"""So many characters of a name are kept."""
+KINDS = ("facts", "states", "operations")
+_ADDRESSES = ("address", "goal", "target", "operations", "route", "goals")
+_CONFIGURATIONS = ("configuration", "start")
+
+
+def names_of(blueprint: Blueprint) -> Mapping[str, Json]:
+    """The names that a blueprint gives, by kind; what it does not name is left out.
+
+    Facts are written ``SB/digit``, states ``SB/State``, operations ``SB/Operation`` or
+    ``SB/State/Operation``, as ``_operations`` has them.
+    """
+    found = zip(KINDS, (_facts(blueprint), _states(blueprint), _operations(blueprint)), strict=True)
+    return {
+        kind: {key: name[:LONGEST] for key, name in islice(((k, n) for k, n in pairs if n), MOST)}
+        for kind, pairs in found
+    }
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """The names that a header gives. A name stands beside what it names, never instead of it."""
+
+    facts: Mapping[str, str] = field(default_factory=dict)
+    states: Mapping[str, str] = field(default_factory=dict)
+    operations: Mapping[str, str] = field(default_factory=dict)
+
+    @staticmethod
+    def of_header(said: Json) -> Names:
+        """What is no map of texts is left out: a log is a foreign file."""
+        given = said if isinstance(said, dict) else {}
+        return Names(*(_texts(given.get(kind)) for kind in KINDS))
+
+    def fact(self, branch: str, digit: int) -> str:
+        """The name of a fact, ``Fact 1`` (counted from 1) where it has none."""
+        return self.facts.get(fact_text(branch, digit)) or f"Fact {digit + 1}"
+
+    def address(self, text: str) -> str:
+        """``SB/State/Operation`` with the title that it has: ``SB/State/Operation "Fix it"``."""
+        parts = Address.split(text)
+        if len(parts) == 3:
+            name = self.operations.get(text) or self.operations.get(_operation(parts[0], parts[2]))
+        else:
+            name = self.states.get(text)
+        return f'{text} "{name}"' if name else text
+
+    def told_in(self, event: Event) -> Event:
+        """The same event, with every address that has a name as ``address`` writes it."""
+        if not (self.states or self.operations):
+            return event
+        changed = {name: value for name, value in self._named(event) if value}
+        return replace(event, **changed) if changed else event
+
+    def _named(self, event: Event) -> Iterator[tuple[str, Json]]:
+        for item in fields(event):
+            value = getattr(event, item.name)
+            if item.name == "target" and isinstance(value, str):
+                # An event names the state that an operation leads to without its SB.
+                branch = Address.split(getattr(event, "address", ""))[0]
+                yield item.name, self._state(branch, value)
+            elif item.name in _ADDRESSES and isinstance(value, str):
+                yield item.name, self.address(value)
+            elif item.name in _ADDRESSES and isinstance(value, tuple):
+                yield item.name, tuple(map(self.address, value))
+            elif item.name in _CONFIGURATIONS:
+                yield item.name, self._configuration(value)
+            elif item.name == "candidates":
+                yield item.name, tuple(map(self._configuration, value))
+
+    def _configuration(self, states: Mapping[str, str]) -> Mapping[str, str]:
+        return {branch: self._state(branch, state) for branch, state in states.items()}
+
+    def _state(self, branch: str, state: str) -> str:
+        name = self.states.get(str(Address(branch, state)))
+        return f'{state} "{name}"' if name else state
+
+
+NAMELESS = Names()
+
+
+def _facts(blueprint: Blueprint) -> Iterator[tuple[str, str]]:
+    for branch in blueprint:
+        for digit, note in branch.notes.facts.items():
+            yield fact_text(branch.name, digit), note.name
+
+
+def _states(blueprint: Blueprint) -> Iterator[tuple[str, str]]:
+    for branch in blueprint:
+        for state, note in branch.notes.states.items():
+            yield str(Address(branch.name, state)), note.title
+
+
+def _operations(blueprint: Blueprint) -> Iterator[tuple[str, str]]:
+    for branch in blueprint:
+        for key, note in branch.notes.operations.items():
+            yield f"{escape(branch.name)}/{key}", note.title
+
+
+def _operation(branch: str, operation: str) -> str:
+    return f"{escape(branch)}/{note_key(operation)}"
+
+
+def _texts(said: Json) -> Mapping[str, str]:
+    pairs = said.items() if isinstance(said, dict) else ()
+    kept = ((key, name[:LONGEST]) for key, name in pairs if isinstance(name, str) and name)
+    return dict(islice(kept, MOST))
