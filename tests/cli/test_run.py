@@ -137,7 +137,7 @@ def test_the_log_says_what_people_call_what_it_tells_of(shell: Shell, tmp_path: 
     assert "Landmarks planned of REGISTRATION reads 1" in page.read_text("utf-8")
     many = tmp_path / "many.json"
     facts = {str(number): {"name": "x" * 300} for number in range(1500)}
-    state = {f"State_{'0' * 1500}": {}}
+    state: dict[str, object] = {f"State_{'0' * 1500}": {}}
     many.write_text(json.dumps({"SB": {"_facts": facts, "HEADER": {"NUM_FACTS": 1500}, **state}}))
     shell("run", str(many), *TABLE, "--log", str(tmp_path / "many.jsonl"))
     kept = read_log(tmp_path / "many.jsonl").header["names"]["facts"]
