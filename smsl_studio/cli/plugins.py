@@ -9,6 +9,7 @@ from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.output import Output
 from smsl_studio.host.describing import describe
 from smsl_studio.library.loading import Plugin, PluginFault
+from smsl_studio.library.operation_library import FaultEntry
 
 
 def add_arguments(parser: Parser) -> None:
@@ -60,6 +61,10 @@ def _as_json(plugin: Plugin) -> dict[str, Any]:
             for entry in library.operations
         ],
         "sensors": [entry.pattern.text for entry in library.sensors],
+        "world_faults": [
+            {"world": entry.world, "fault": entry.name, "parameters": list(entry.signature.types)}
+            for entry in library.faults.values()
+        ],
     }
 
 
@@ -72,7 +77,14 @@ def _print(plugin: Plugin, out: Output) -> None:
         "worlds": list(library.worlds),
         "operations": [e.pattern.text if e.pattern else e.name for e in library.operations],
         "sensors": [e.pattern.text for e in library.sensors],
+        "faults": [_called(entry) for entry in library.faults.values()],
     }
     for what, names in parts.items():
         if names:
             out.line(f"    {what}: {', '.join(names)}")
+
+
+def _called(fault: FaultEntry) -> str:
+    """A fault as a script has to ask for it: its name, and its parameters."""
+    parameters = ", ".join(fault.signature.types)
+    return f"{fault.name}({parameters})" if parameters else fault.name

@@ -15,10 +15,12 @@ from smsl_studio.cli.output import Output, note, one_line
 from smsl_studio.cli.reading import STDIN, read_argument, standard_input
 from smsl_studio.cli.story import line_of
 from smsl_studio.errors import UsageError
-from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.events import Event, Held
+from smsl_studio.runlog.regulating import Commanded
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
+    from smsl_studio.front.running import Run
     from smsl_studio.front.script.script import Script
 
 UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; simulation only"
@@ -85,11 +87,31 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             broker=options.broker,
             site=options.site,
         )
+    if script is not None:
+        for event in done.events:
+            if isinstance(event, Commanded) and event.refused:
+                note(one_line(f"{script.file}: {_refused(event)}"))
     for act in done.left:
         note(one_line(f"{act.place}: its moment never came: {act}"))
-    if options.format == "json" and done.reason != "goal_reached":
-        note(f"{done.reason}: {done.sentence}")
+    if done.reason != "goal_reached":
+        _explain(done, options.format == "json")
     return 0 if done.reason == "goal_reached" else 1
+
+
+def _refused(event: Commanded) -> str:
+    what = " ".join(filter(None, (event.command.replace("_", " "), event.address, event.value)))
+    return f"refused at {event.t:.3f} s: {what}: {event.refused}"
+
+
+def _explain(done: Run, also_why: bool) -> None:
+    """Why the goal was not reached, and what stood in the way, one thing a line."""
+    if also_why:
+        note(one_line(f"{done.reason}: {done.sentence}"))
+    holds = [event for event in done.events if isinstance(event, Held)]
+    for line in holds[-1].details if holds else ():
+        edge, _, reason = line.partition(": ")
+        # Most reasons name their edge themselves; it is said once.
+        note(one_line(f"    {reason if reason.startswith(f'{edge} ') else line}"))
 
 
 @contextlib.contextmanager

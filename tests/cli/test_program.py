@@ -81,6 +81,10 @@ def test_worlds_and_plugins_say_what_there_is_and_what_is_broken(shell: Shell, h
     lamp = next(plugin for plugin in plugins["plugins"] if plugin["name"] == "lamp")
     assert (lamp["source"], lamp["worlds"]) == ("user", ["lamp"])
     assert {"function": "lamp.switch", "pattern": "Op_{to}"} in lamp["operations"]
+    hanoi = next(plugin for plugin in plugins["plugins"] if plugin["name"] == "hanoi")
+    blocked = {"world": "hanoi", "fault": "blocked_peg", "parameters": ["peg", "seconds"]}
+    assert blocked in hanoi["world_faults"]
+    assert "blocked_peg(peg, seconds), tower_carried, " in shell("plugins").out
     (fault,) = plugins["faults"]
     assert (fault["plugin"], fault["line"]) == ("broken", 2)
     assert fault["file"] == str(broken / "plugin.py")

@@ -10,6 +10,7 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import ReadError
 from smsl_studio.front.running import Run
 from smsl_studio.front.script.reading import script_of
 from smsl_studio.runlog.events import Commanded, Committed, Event, OperationStarted
@@ -170,12 +171,32 @@ def test_what_is_asked_on_the_way_is_carried_out_and_the_run_goes_on_by_itself()
 
 def test_what_is_refused_is_told_and_the_run_goes_on() -> None:
     run = _run({"when": "State_caa", "do": "ask", "address": "State_aaa/Op_1b"},
-               {"when": "State_caa", "do": "inject", "fault": "earthquake"})  # fmt: skip
+               {"at": 0.05, "do": "inject", "fault": "elsewhere", "state": "X"})  # fmt: skip
     assert [line for line in _told(run) if line.endswith("refused")] == [
         "0.05 inject script refused",
         "0.05 ask script refused",
     ]
     assert run.reason == "goal_reached"
+
+
+@pytest.mark.parametrize("host", ["local", "process"])
+@pytest.mark.parametrize(
+    ("fault", "words", "advice"),
+    [
+        ({"fault": "nothin"}, "the world 'table' has no fault 'nothin'", "nothing"),
+        ({"fault": "fail", "disk": 1}, "no parameter 'disk'", "It takes nothing."),
+        ({"fault": "elsewhere"}, "'state' is missing", "It takes state."),
+        ({"fault": "set", "fact": 0, "value": "a"}, "fact is 0, not a text", ""),
+    ],
+)
+def test_a_fault_that_the_world_has_not_is_refused_before_the_run(
+    host: str, fault: Line, words: str, advice: str
+) -> None:
+    with pytest.raises(ReadError) as caught:
+        _run({"do": "pause"}, {"at": 9, "do": "inject", **fault}, host=host)
+    assert str(caught.value.place) == "script:2:36"
+    assert words in caught.value.sentence
+    assert advice in caught.value.advice
 
 
 def test_sensors_are_disturbed_by_script() -> None:

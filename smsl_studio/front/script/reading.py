@@ -25,6 +25,8 @@ from smsl_studio.seal.digest import sha256_hex
 Json = Any
 LONGEST, MOST, LARGEST = 1 << 16, 10_000, 1 << 24
 """Characters of a line, lines, and bytes of a file, at most."""
+ENCODE = "Save the script as UTF-8."
+SHORTER = "Make it shorter; a script is written for one run."
 FAULTS = 20
 """So many wrong lines are told at once."""
 _MOMENT = (AT, WHEN, DURING, "after", "times", "do", "by")
@@ -52,10 +54,10 @@ def script_of(raw: bytes, file: str, blueprint: Blueprint) -> Script:
     levels: dict[str, str] = {}
     faults: list[ReadError] = []
     if len(raw) > LARGEST:
-        faults.append(_wrong(file, 1, 1, "the script is longer than 16 MB"))
+        faults.append(_wrong(file, 1, 1, "the script is longer than 16 MB", SHORTER))
     lines = [] if faults else raw.removeprefix(b"\xef\xbb\xbf").split(b"\n")
     if len(lines) > MOST:
-        faults.append(_wrong(file, MOST + 1, 1, f"a script has at most {MOST:,} lines"))
+        faults.append(_wrong(file, MOST + 1, 1, f"a script has at most {MOST:,} lines", SHORTER))
         lines = []
     for number, line in enumerate(lines, 1):
         try:
@@ -78,9 +80,9 @@ class _Line:
             self.text = raw.decode("utf-8").rstrip("\r")
         except UnicodeDecodeError as error:
             column = len(raw[: error.start].decode("utf-8")) + 1
-            raise _wrong(file, number, column, "the line is not UTF-8") from None
+            raise _wrong(file, number, column, "the line is not UTF-8", ENCODE) from None
         if len(self.text) > LONGEST:
-            raise self.wrong(1, f"the line is longer than {LONGEST:,} characters")
+            raise self.wrong(1, f"the line is longer than {LONGEST:,} characters", SHORTER)
 
     def values(self) -> dict[str, Json]:
         """What the line says."""
@@ -126,11 +128,13 @@ class _Line:
         if len(found) < len(pairs):
             names = [name for name, _ in pairs]
             twice = next(name for name in names if names.count(name) > 1)
-            raise self.wrong(self.key_at(twice), f"{twice[:60]!r} is written twice")
+            words = f"{twice[:60]!r} is written twice"
+            raise self.wrong(self.key_at(twice), words, "Keep one of them.")
         return found
 
     def _no_constant(self, word: str) -> Json:
-        raise self.wrong(self.text.find(word) + 1, f"{word} is no number")
+        words = f"{word} is no number"
+        raise self.wrong(self.text.find(word) + 1, words, "Write it like 2.5.")
 
 
 def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, str]) -> None:
@@ -153,7 +157,9 @@ def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, 
     by = values.get("by", BY)
     place = Place(line.file, line.number, 1)
     trigger = _trigger(line, word, values, blueprint)
-    acts.append(Act(place, trigger, word, given, line.of("by", lambda: text(blueprint, by))))
+    who = line.of("by", lambda: text(blueprint, by))
+    places = {key: Place(line.file, line.number, line.value_at(key)) for key in given}
+    acts.append(Act(place, trigger, word, given, who, places))
 
 
 def _given(
@@ -173,7 +179,8 @@ def _given(
         given[key] = line.of(key, partial(checked, check, blueprint, value))
     missing = next((key for key in word.needs if key not in given), None)
     if missing is not None:
-        raise line.wrong(line.value_at("do"), f"{do} needs {missing!r}")
+        takes = f"Add {missing!r}; {do} takes {', '.join((*word.needs, *word.may))}."
+        raise line.wrong(line.value_at("do"), f"{do} needs {missing!r}", takes)
     if do == "disturb":
         parameters = {k: v for k, v in given.items() if k not in word.needs}
         line.of("kind", lambda: checked_disturbance(given["kind"], parameters))
@@ -184,7 +191,8 @@ def _trigger(line: _Line, do: str, values: Mapping[str, Json], blueprint: Bluepr
     """The moment of an act: at once where none is said, and an answer when it is asked for."""
     said = [key for key in (AT, WHEN, DURING) if key in values]
     if len(said) > 1:
-        raise line.wrong(line.key_at(said[1]), f"{said[0]!r} and {said[1]!r} exclude each other")
+        words = f"{said[0]!r} and {said[1]!r} exclude each other"
+        raise line.wrong(line.key_at(said[1]), words, "Say one moment a line.")
     kind = said[0] if said else ASKED if do == "answer" else AT
     for key in ("after", "times"):
         if kind == AT and key in values:
@@ -220,7 +228,8 @@ def _set_level(
 ) -> None:
     late = next((key for key in _MOMENT[:5] if key in values), None)
     if late is not None:
-        raise line.wrong(line.key_at(late), "a level is set before the start, at no other moment")
+        words = "a level is set before the start, at no other moment"
+        raise line.wrong(line.key_at(late), words, f"Leave {late!r} out.")
     fault = fault_of(blueprint, given["of"], given["level"])
     if fault is not None:
         key = "level" if "no level of" in fault[0] else "of"

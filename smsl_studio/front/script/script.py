@@ -33,13 +33,15 @@ class Trigger:
 @dataclass(frozen=True, slots=True, eq=False)
 class Act:
     """One line of a script: ``do`` is a word of ``words.COMMANDS``, ``given`` what stands with it,
-    addresses written out. ``by`` is who does it."""
+    addresses written out. ``by`` is who does it, ``places`` where each value of ``given`` stands.
+    """
 
     place: Place
     trigger: Trigger
     do: str
     given: Mapping[str, Json]
     by: str
+    places: Mapping[str, Place] = field(default_factory=dict)
 
     def __str__(self) -> str:
         """What it does, in a few words for people."""
