@@ -74,6 +74,8 @@ def _answer(child: _Child, verb: str, arguments: tuple[Any, ...]) -> tuple[str, 
         return "ok", child.verbs[verb](*arguments)
     except StudioError as error:
         return "refused", _plain(error)
+    except KeyboardInterrupt:  # no signal is heard here, so library code raised it
+        return "crashed", "library code raised KeyboardInterrupt"
     except Exception:
         return "crashed", brief(traceback.format_exc(limit=-3), 5000)
 

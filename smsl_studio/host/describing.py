@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from smsl_studio.errors import HostError
+from smsl_studio.host.bounds import Chatter
 from smsl_studio.host.ending import ending_words
 from smsl_studio.library.loading import Loaded, PluginFault, discover
 
@@ -103,7 +104,7 @@ def _asked(
 def _serve(connection: Connection, paths: Sequence[str], skip: frozenset[str]) -> None:
     """The child's whole life: load one plugin after the other, saying which, and describe them."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    sys.stdout = sys.stderr
+    sys.stdout = sys.stderr = Chatter(sys.stderr)
     with contextlib.suppress(OSError):
         os.dup2(2, 1)
 

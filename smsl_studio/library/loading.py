@@ -138,7 +138,7 @@ def _load(found: _Found, plugins: list[Plugin], faults: list[PluginFault]) -> No
         _check_names(plugin, plugins)
     except PluginError as error:
         place = error.place or place_of(error, found.location)
-        sentence = f"{error.sentence} {error.advice}".strip()
+        sentence = f"{error.sentence}. {error.advice}" if error.advice else error.sentence
         faults.append(PluginFault(found.name, sentence, place, found.location))
     except KeyboardInterrupt:
         raise

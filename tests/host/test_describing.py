@@ -120,3 +120,15 @@ def test_nothing_of_a_plugin_runs_here(folder: Path) -> None:
     _plugin(folder, "good", code + GOOD)
     describe([folder])
     assert int(told_in.read_text()) != os.getpid()
+
+
+def test_a_plugin_that_prints_without_end_is_cut_short(
+    folder: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    loud = GOOD.replace("def register(library):", "def register(library):\n    print('x' * 10**7)")
+    _plugin(folder, "good", loud)
+    assert "good" in describe([folder]).worlds
+    said = capfd.readouterr()
+    assert not said.out
+    assert 1_000_000 <= len(said.err) < 1_001_000
+    assert "... more is printed" in said.err
