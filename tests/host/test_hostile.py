@@ -110,7 +110,10 @@ def _carried_out(host: Host) -> Tick:
         ("ctypes.string_at(0)", r"killed by signal 11 \(SIGSEGV\)"),
         ("os.abort()", r"killed by signal 6 \(SIGABRT\)"),
         ("os._exit(3)", "ended by itself with exit status 3"),
-        ("raise KeyboardInterrupt", "broke in the middle of LAMP/State_0/Op_on: library code raised"),
+        (
+            "raise KeyboardInterrupt",
+            "library code raised KeyboardInterrupt",
+        ),
         ("os.closerange(3, 200); time.sleep(0.3)", "the simulation process was killed by signal 9"),
         ("os.kill(os.getpid(), signal.SIGTERM); time.sleep(5)", r"killed by signal 15"),
         ("[os.write(f, b'garbage ' * 9) for f in sockets()]", "said what is no answer"),
