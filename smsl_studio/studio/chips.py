@@ -35,7 +35,9 @@ def paint_chip(
     painter.drawRoundedRect(box, 4, 4)
     painter.setPen(tokens.onslate if kind == ON else tokens.tx2 if kind == OFF else tokens.tx)
     painter.setFont(mono_font(12, 500))
-    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, text)
+    middle = Qt.TextElideMode.ElideMiddle
+    shown = painter.fontMetrics().elidedText(text, middle, max(int(rect.width()) - 4, 12))
+    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, shown)
     if sub:
         bar = QRectF(rect.center().x() - 6.5, rect.bottom() + 2, 13, 2)
         painter.fillRect(bar, tokens.acc)

@@ -66,7 +66,9 @@ class StateCheckView(QWidget):
             return
         truth = None if waiting and check.truth is False else check.truth
         words, kind = VERDICTS[truth]
-        self._verdict.setText(words)
+        if truth is None and not waiting:
+            words = "Unknown"
+        self._verdict.setText(f"✓ {words}" if kind == "good" else words)
         self._verdict.setProperty("kind", kind)
         self._verdict.style().unpolish(self._verdict)
         self._verdict.style().polish(self._verdict)

@@ -26,6 +26,8 @@ from smsl_studio.studio.supervise.partial import (
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens, text_font
 
 HEIGHT = 50
+ROOM = 160
+"""Pixels that a reason needs on a card to say anything; else it is told when the card is chosen."""
 INSET = 3
 """Around the border, for the ring of a card that is chosen or has the focus."""
 RISKS = {"low": 1, "medium": 2, "high": 3}
@@ -194,7 +196,7 @@ class CardButton(QAbstractButton):
         left += 17
         words, (reason, *_) = self.card.needs, (*self.card.reasons, "")
         own = reason and not self.card.unmet and not reason.startswith(ONE_AT_A_TIME)
-        if self.card.standing == REFUSED and own:
+        if self.card.standing == REFUSED and own and box.right() - 6 - left >= ROOM:
             words = reason
         ink = {"unknown": t.unk, "missing": t.risk}.get(self.card.unmet, t.tx2)
         painter.setFont(plain.font)
