@@ -122,6 +122,7 @@ def _begin(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -
         driver.course.drop_plan()
         state.paused |= state.held is not None and not state.by_hand
         driver.loops.forget()
+        driver.reviewer.forget()
     else:
         driver.loops.count(run.configuration, step.asked.address)
     driver.begin(step)

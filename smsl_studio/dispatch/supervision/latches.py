@@ -151,6 +151,7 @@ def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
         touched = carrier.cut(reason)
     driver.carrier = None
     driver.desk.withdraw()
+    driver.reviewer.forget()
     run.drop_pending()
     driver.course.drop_plan()
     driver.release()

@@ -31,7 +31,8 @@ DECISIONS = (ALLOW, VETO, PRUNE, PAUSE, ASK)
 class Reviewer:
     """Puts proposals to a supervisor, who may be nobody.
 
-    What it paused or asked about begins without asking it again, once a person let the run go on.
+    What it paused for begins without asking it again, once a person let the run go on from there.
+    Where it asks for a person's answer, nothing but that answer lets the operation begin.
     """
 
     def __init__(self, supervisor: Supervisor | None) -> None:
@@ -53,7 +54,7 @@ class Reviewer:
         if verdict.decision == ALLOW:
             return True
         self._obey(driver, verdict, supervisor.name, step)
-        if verdict.decision in (PAUSE, ASK):
+        if verdict.decision == PAUSE:
             self._doubtful = here
         return False
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.supervisor import ALLOW, PAUSE, Proposal, Verdict
+from smsl_studio.dispatch.supervisor import ALLOW, ASK, PAUSE, Proposal, Verdict
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.people.tasks import Attended
 from tests.dispatch.runs import Story, blueprint, branch
@@ -178,6 +178,37 @@ def test_an_agent_that_fails_decides_nothing(wrong: object) -> None:
     unattended = hanoi(attended=False, supervisor=Agent(wrong)).tick(3)
     assert unattended.end.reason == "held"
     assert unattended.started == []
+
+
+@pytest.mark.parametrize(
+    "ways",
+    [
+        ("resume",),
+        ("take_over", "give_back", "accept", "resume"),
+        ("stop", "reset", "resume"),
+    ],
+)
+def test_an_agent_that_asks_people_gets_no_yes_from_time_or_from_resume(
+    ways: tuple[str, ...],
+) -> None:
+    story = hanoi(supervisor=Agent(*[Verdict(ASK, "is it clear?")] * 9)).tick(2)
+    if ways == ("resume",):
+        while story.phase == "waiting":
+            story.tick()
+        assert [event.outcome for event in story.of("task_closed")] == ["timed_out"]
+    for word in ways:
+        assert not said(story, word).refused
+    story.tick(3)
+    assert (story.phase, story.started) == ("waiting", [])
+
+
+def test_a_pause_that_an_agent_wanted_is_not_over_for_who_took_over_since() -> None:
+    agent = Agent(Verdict(PAUSE, "look first"), Verdict(PAUSE, "look again"))
+    story = hanoi(supervisor=agent).tick(2)
+    for word in ("take_over", "give_back", "accept", "resume"):
+        said(story, word)
+    story.tick(3)
+    assert (story.phase, story.started) == ("paused", [])
 
 
 # in the middle of a joint step --------------------------------------------------------------------
