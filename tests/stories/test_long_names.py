@@ -47,6 +47,21 @@ def test_the_offer_to_recover_shortens_names_and_folders(sit: Sit, tmp_path: Pat
     assert row.name.width() > 200, "a long folder leaves the name its room"
 
 
+def test_a_long_sentence_gives_way_before_what_stands_beside_it(sit: Sit) -> None:
+    person = sit(size=(1280, 800))
+    line = person.window.status_line
+    line.show_mode("run")
+    why = "SB1/State_aaa does not check true: " + "Fact 1 of SB1 reads c, not a. " * 5
+    short = ("World hanoi", "Seed 0", "Simulated 60.0 s", "Paced at real time")
+    line.show_run(((*short, why), ("Process alive, 1.4 ms", "Recording", "Simulation only")))
+    person.qtbot.waitUntil(lambda: line.run[4].isVisible())
+    line.layout().activate()
+    assert line.run[4].width() > 300, "it takes the room that is left"
+    for part in (*line.run[:4], *line.run_right):
+        assert part.width() >= part.fontMetrics().horizontalAdvance(part.text()), part.text()
+    assert why in line.words
+
+
 def test_an_empty_window_has_no_empty_parts_in_its_status_line(sit: Sit) -> None:
     line = sit().window.status_line
     assert not [part for part in (*line.run, *line.run_right) if part.isVisible()]

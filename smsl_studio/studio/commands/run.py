@@ -31,5 +31,5 @@ def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action,
         Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
                tip="A controlled stop, from anywhere"),
         Action("reload_plugins", "Look for plugins again", windows.plugins.look, "Run", "", (),
-               section=2, tip="Read edited and added plugins; a run always has them as they are"),
+               section=4, tip="Read edited and added plugins; a run always has them as they are"),
     )  # fmt: skip

@@ -6,7 +6,7 @@ from pathlib import PurePath
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QStatusBar, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -18,6 +18,8 @@ from smsl_studio.studio.words import counted
 ENDING = "Not a medical device"
 LONG = 64
 """Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
+SENTENCE = 220
+"""Pixels from which on it is a sentence: it gives way before any other saying is shortened."""
 
 
 class StatusLine(QStatusBar):
@@ -33,7 +35,7 @@ class StatusLine(QStatusBar):
         self.counts = [_Part() for _ in range(4)]
         self.run = [_Part() for _ in range(6)]
         for part in (*self.counts, *self.run):
-            self.addWidget(part)
+            self.addWidget(part, 1)
         self.form, self.place = _Part(), _Part()
         self.run_right = [_Part() for _ in range(3)]
         self.ending = QLabel(ENDING)
@@ -116,12 +118,24 @@ class _Part(QWidget):
         return self._label.text()
 
     def setText(self, text: str) -> None:
+        if text == self._label.text():
+            return
         self._label.setText(text)
-        self._label.setToolTip(text if self._label.sizeHint().width() > LONG else "")
+        wide = QLabel.sizeHint(self._label).width()
+        self._label.setToolTip(text if wide > LONG else "")
+        policy = QSizePolicy.Policy
+        grows = policy.Expanding if wide > SENTENCE else policy.Maximum
+        self._label.setSizePolicy(grows, policy.Preferred)
+        self._label.setMaximumWidth(wide + 1)
+        self.setSizePolicy(grows, policy.Preferred)
 
 
 class _Saying(QLabel):
     """Ends in an ellipsis where there is no room; the tooltip has it all."""
+
+    def sizeHint(self) -> QSize:
+        whole = super().sizeHint()
+        return whole if whole.width() <= SENTENCE else QSize(LONG, whole.height())
 
     def minimumSizeHint(self) -> QSize:
         return super().minimumSizeHint().boundedTo(QSize(LONG, 1 << 20))

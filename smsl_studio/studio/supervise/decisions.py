@@ -121,9 +121,14 @@ def offers(status: DispatchStatus) -> tuple[Offer, ...]:
     return tuple(found)
 
 
-def detour_words(blueprint: Blueprint, status: DispatchStatus) -> str:
-    """What would follow a veto of the next operation, with its length and cost compared."""
+def detour_words(blueprint: Blueprint, status: DispatchStatus, subject: Address | None) -> str:
+    """What would follow a veto of ``subject``, with its length and cost compared.
+
+    Empty where it is not the next operation, or moves already: a veto would change no route then.
+    """
     if not status.route or status.phase in ("done", "stopped", "taken_over"):
+        return ""
+    if status.carrying is not None or subject != status.route[0]:
         return ""
     if status.detour is None:
         return "If you veto, no other route leads to the goal: the run holds."

@@ -101,7 +101,7 @@ class StepIn(QWidget):
             self.hand.set_words("Take over", "automation is locked out", "hand")
         said = ""
         if self._status is not None and blueprint is not None:
-            said = decisions.detour_words(blueprint, self._status)
+            said = decisions.detour_words(blueprint, self._status, subject)
         self._detour.setText(said)
         self._detour.setVisible(bool(said))
 

@@ -56,14 +56,22 @@ def test_pruning_asks_for_a_reason() -> None:
 def test_the_next_route_after_a_veto_with_its_length_and_cost() -> None:
     route = (at(REGISTERED),)
     way = (at("REGISTRATION/State110/ClearLandmarks"), at("REGISTRATION/State000/UsePrevRegister"))
-    said = decisions.detour_words(SAMPLE, status(HERE, route=route, detour=way))
+    said = decisions.detour_words(SAMPLE, status(HERE, route=route, detour=way), route[0])
     assert said == (
         "If you veto, the next route is ClearLandmarks, then UsePrevRegister from State000. "
         "1 operation longer, cost 2.0."
     )
-    none = decisions.detour_words(SAMPLE, status(HERE, route=route, detour=None))
+    none = decisions.detour_words(SAMPLE, status(HERE, route=route, detour=None), route[0])
     assert none == "If you veto, no other route leads to the goal: the run holds."
-    assert decisions.detour_words(SAMPLE, status(HERE)) == ""
+    assert decisions.detour_words(SAMPLE, status(HERE), None) == ""
+
+
+def test_nothing_is_promised_of_a_veto_that_would_change_no_route() -> None:
+    way = (at("REGISTRATION/State110/ClearLandmarks"),)
+    here = status(HERE, route=(at(REGISTERED),), detour=way)
+    assert decisions.detour_words(SAMPLE, here, way[0]) == ""
+    moving = status(HERE, phase="running", carrying=at(REGISTERED), route=here.route, detour=way)
+    assert decisions.detour_words(SAMPLE, moving, at(REGISTERED)) == ""
 
 
 def test_a_run_that_holds_always_has_a_way_out() -> None:
