@@ -18,8 +18,8 @@ from smsl_studio.studio.words import counted
 ENDING = "Not a medical device"
 LONG = 64
 """Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
-SENTENCE = 220
-"""Pixels from which on it is a sentence: it gives way before any other saying is shortened."""
+SENTENCES = (3, 5)
+"""Where a run, one that is over and one that goes on, has its sentence: it takes what is left."""
 
 
 class StatusLine(QStatusBar):
@@ -34,8 +34,10 @@ class StatusLine(QStatusBar):
         self._running = False
         self.counts = [_Part() for _ in range(4)]
         self.run = [_Part() for _ in range(6)]
-        for part in (*self.counts, *self.run):
-            self.addWidget(part, 1)
+        for part in self.counts:
+            self.addWidget(part)
+        for at, part in enumerate(self.run):
+            self.addWidget(part, int(at in SENTENCES))
         self.form, self.place = _Part(), _Part()
         self.run_right = [_Part() for _ in range(3)]
         self.ending = QLabel(ENDING)
@@ -113,29 +115,18 @@ class _Part(QWidget):
         self._label = _Saying()
         layout = row(self._label, rule(vertical=True, length=16), spacing=0)
         self.setLayout(layout)
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
 
     def text(self) -> str:
         return self._label.text()
 
     def setText(self, text: str) -> None:
-        if text == self._label.text():
-            return
         self._label.setText(text)
-        wide = QLabel.sizeHint(self._label).width()
-        self._label.setToolTip(text if wide > LONG else "")
-        policy = QSizePolicy.Policy
-        grows = policy.Expanding if wide > SENTENCE else policy.Maximum
-        self._label.setSizePolicy(grows, policy.Preferred)
-        self._label.setMaximumWidth(wide + 1)
-        self.setSizePolicy(grows, policy.Preferred)
+        self._label.setToolTip(text if self._label.sizeHint().width() > LONG else "")
 
 
 class _Saying(QLabel):
     """Ends in an ellipsis where there is no room; the tooltip has it all."""
-
-    def sizeHint(self) -> QSize:
-        whole = super().sizeHint()
-        return whole if whole.width() <= SENTENCE else QSize(LONG, whole.height())
 
     def minimumSizeHint(self) -> QSize:
         return super().minimumSizeHint().boundedTo(QSize(LONG, 1 << 20))
