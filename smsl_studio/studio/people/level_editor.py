@@ -20,7 +20,7 @@ from smsl_studio.studio.controls import Switch, label
 from smsl_studio.studio.panels.lines.line import Said
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.people.level_rows import level_rows
-from smsl_studio.studio.people.level_table import LevelModel, LevelTable
+from smsl_studio.studio.people.level_table import OUT, LevelModel, LevelTable
 from smsl_studio.studio.people.next_levels import NextLevels
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import CONTROL
@@ -31,6 +31,10 @@ ABOUT = (
     "where sensors do not know. Automatic: the library, sensors, rules or an agent alone."
 )
 CHOICES = (("Human", HUMAN), ("Shared", SHARED), ("Automatic", AUTOMATIC), ("As declared", ""))
+USES = "They are part of the record of the run; the file stays as it is"
+WRITES = "What is taken out of the file has to be written; for one run choose another level"
+OUT_TIP = "Their entries in _levels go, and what the blueprint says otherwise counts"
+NOT_WRITTEN = "No marked row has an entry in _levels of this file"
 
 
 class LevelEditor(QDialog):
@@ -84,9 +88,9 @@ class LevelEditor(QDialog):
         """What is chosen is written into the blueprint, as one step."""
         chosen = dict(self.model.chosen)
         words = counted(len(chosen), "level")
-        done = try_edit(
-            self._session, f"Set {words}", lambda bp: set_levels(bp, chosen), self.refusal.say
-        )
+        entries = {key: None if level == OUT else level for key, level in chosen.items()}
+        said = f"Take {words} out" if set(chosen.values()) == {OUT} else f"Set {words}"
+        done = try_edit(self._session, said, lambda bp: set_levels(bp, entries), self.refusal.say)
         if done:
             self._levels.put({})
             self.accept()
@@ -100,16 +104,28 @@ class LevelEditor(QDialog):
             button.clicked.connect(partial(self.choose, level))
             self.buttons[level] = button
             across.addWidget(button)
+        self.out_button = QPushButton("Take out of the file")
+        self.out_button.setAutoDefault(False)
+        self.out_button.setProperty("role", "row")
+        self.out_button.clicked.connect(self._take_out)
+        across.addWidget(self.out_button)
         return across
+
+    def _take_out(self) -> None:
+        """What the file says of the marked rows goes when it is written."""
+        self.model.choose(self._written(), OUT)
+
+    def _written(self) -> list[str]:
+        """The marked rows of which this file's own ``_levels`` says something."""
+        own = self._session.blueprint.document.values.get("_levels", {})
+        marked = self.table.keys()
+        return [key for key in marked if isinstance(own, dict) and key in own]
 
     def _ending(self) -> QHBoxLayout:
         self.write_button = QPushButton("Write into the blueprint")
         self.write_button.setToolTip("As _levels of the file; Undo takes it back")
         self.use_button = QPushButton("Use for the next run")
         self.use_button.setProperty("role", "primary")
-        self.use_button.setToolTip(
-            "They are part of the record of the run; the file stays as it is"
-        )
         leave = QPushButton("Leave as it was")
         for button, call in (
             (leave, self.reject),
@@ -133,9 +149,13 @@ class LevelEditor(QDialog):
         self._count.setText(f"{counted(marked, 'row')} marked:" if marked else "Mark rows to set")
         for button in self.buttons.values():
             button.setEnabled(marked > 0)
+        self.out_button.setEnabled(bool(self._written()))
+        self.out_button.setToolTip(OUT_TIP if self._written() else NOT_WRITTEN)
         self.write_button.setEnabled(bool(self.model.chosen))
         same = self.model.chosen == dict(self._levels.set)
-        self.use_button.setEnabled(not same)
+        taken = OUT in self.model.chosen.values()
+        self.use_button.setEnabled(not same and not taken)
+        self.use_button.setToolTip(WRITES if taken else USES)
 
 
 def _across(*parts: QWidget | None) -> QHBoxLayout:

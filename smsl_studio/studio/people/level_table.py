@@ -11,11 +11,13 @@ from smsl_studio.studio.people.level_rows import LevelRow
 
 Index = QModelIndex | QPersistentModelIndex
 HEADS = ("What", "Where", "Declared", "From", "Chosen here")
+OUT = "taken out"
+"""Chosen in the place of a level: what the file says of it goes."""
 Role = Qt.ItemDataRole
 
 
 class LevelModel(QAbstractTableModel):
-    """The rows that match, and by key what is chosen."""
+    """The rows that match, and by key what is chosen: a level, or ``OUT``."""
 
     def __init__(self) -> None:
         super().__init__()

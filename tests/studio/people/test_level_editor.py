@@ -105,6 +105,23 @@ def test_what_is_chosen_is_written_as_one_step_and_taken_back(
     assert session.blueprint.levels == {}
 
 
+def test_what_stands_in_the_file_is_taken_out_as_one_step(qtbot: QtBot, session: Session) -> None:
+    session.edit("Set", lambda bp: set_levels(bp, {"supervision": "human", "ROBOT/1": "shared"}))
+    editor = _editor(qtbot, session)
+    _mark(editor, "TOOLPLAN/ChooseEntry")
+    assert not editor.out_button.isEnabled()
+    _mark(editor, "supervision", "TOOLPLAN/ChooseEntry")
+    editor.out_button.click()
+    assert editor.model.chosen == {"supervision": "taken out"}
+    assert not editor.use_button.isEnabled(), "a run that begins now could not obey it"
+    editor.write_button.click()
+    assert session.blueprint.levels == {"ROBOT/1": "shared"}
+    assert editor._levels.set == {}
+    assert session.history.undoText() == "Take 1 level out"
+    session.history.undo()
+    assert session.blueprint.levels == {"supervision": "human", "ROBOT/1": "shared"}
+
+
 def test_rows_are_found_by_words(qtbot: QtBot, session: Session) -> None:
     editor = _editor(qtbot, session)
     editor.search.setText("fact robot")
