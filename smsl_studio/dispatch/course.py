@@ -130,24 +130,25 @@ class Course:
         The plan is kept while the run stands where the plan has it; (None, None) where nothing
         permitted leads on.
         """
-        self._lift_vetoes(configuration)
+        if self.vetoed:
+            self._lift_vetoes(configuration)
         return self._next(configuration, self.planner)
 
     def _next(
         self, configuration: Mapping[str, str], planner: Planner
     ) -> tuple[JointStep | None, Leg | None]:
-        leg, step = self._at
+        legs, (leg, step) = self._legs, self._at
         fresh = False
-        if leg < len(self._legs) and step == len(self._legs[leg].steps):
+        if leg < len(legs) and step == len(legs[leg].steps):
             leg, step, fresh = leg + 1, 0, True
-        if leg >= len(self._legs) or self._legs[leg].before[step] != dict(configuration):
-            legs = planner.legs(configuration, self.goals)
+        if leg >= len(legs) or legs[leg].before[step] != configuration:
+            legs = planner.legs(configuration, self.goals) or ()
             if not legs:
                 self.drop_plan()
                 return None, None
             self._legs, leg, step, fresh = legs, 0, 0, True
         self._at, self._ahead = (leg, step + 1), None
-        current = self._legs[leg]
+        current = legs[leg]
         return current.steps[step], current if fresh else None
 
     @property
@@ -236,7 +237,7 @@ class Course:
             self._planner, self._asked, self._detours = None, {}, {}
 
     def _lift_vetoes(self, configuration: Mapping[str, str]) -> None:
-        if self.vetoed and self._vetoed_at != dict(configuration):
+        if self._vetoed_at != dict(configuration):
             self.lift_vetoes(tuple(self.vetoed))
 
     def _repriced(self, changed: Mapping[Address, float]) -> Mapping[Address, float]:

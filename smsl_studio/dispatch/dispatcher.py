@@ -119,11 +119,11 @@ class Dispatcher(Commands):
     def tick(self) -> tuple[Event, ...]:
         """One step: commands first, then one host tick or the next proposal; what happened."""
         driver = self._driver
-        if driver is None or self.finished:
+        if driver is None or self._ended is not None:
             return ()
         try:
-            commands, self._waiting = self._waiting, []
-            if commands:
+            if self._waiting:
+                commands, self._waiting = self._waiting, []
                 obey(driver, commands)
             if self._leaving and driver.ended is None:
                 leave(driver)

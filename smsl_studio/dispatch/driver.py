@@ -78,14 +78,18 @@ class Driver:
 
     def go_on(self) -> None:
         """One host tick where something runs or lives, otherwise the next proposal."""
+        carrier, asking = self.carrier, self.desk.busy
+        if carrier is not None and not (asking or self.state.frozen):
+            self._carry(carrier)  # whatever the run state: what is on its way goes on
+            return
         phase = self.phase
         if phase == "paused":
             self.run.emit(*self.run.senses.listen())
             return
-        if self.desk.busy and not self._outlived():
+        if asking and not self._outlived():
             self._wait(watched=phase == "waiting" and not self.desk.keeps)
-        elif self.carrier is not None:
-            self._carry(self.carrier)
+        elif carrier is not None:
+            self._carry(carrier)
         elif not self.starting.over and phase in ("running", "ready"):
             self._start()
         elif phase == "running":
@@ -139,9 +143,7 @@ class Driver:
             self.hold(self.trouble.relocalise())
 
     def _propose(self) -> None:
-        run, course = self.run, self.course
-        self._tell_goals()
-        if holds(run.configuration, course.goals):
+        if self._tell_goals():
             self.arrived()
             return
         step = self._next()
@@ -220,16 +222,17 @@ class Driver:
         else:
             informed(self, relocalise)
 
-    def _tell_goals(self) -> None:
-        """Goals count as reached in their order."""
+    def _tell_goals(self) -> bool:
+        """Goals count as reached in their order; whether all hold."""
         run = self.run
         for goal in self.course.goals:
-            if not holds(run.configuration, [goal]):
-                return
+            if run.configuration[goal.branch] != goal.state:
+                return False
             if goal not in self._told:
                 self._told.add(goal)
                 self.loops.forget()
                 run.emit(GoalReached(t=run.time, goal=str(goal)))
+        return True
 
     def arrived(self) -> None:
         if self.state.by_hand:

@@ -111,7 +111,9 @@ class Senses:
             self.bus.publish(samples)
         if self._remote is not None:
             self.bus.publish(self._remote.heard())
-        self._monitor.accept(self._inbox.take(), self.time)
+        heard = self._inbox.take()
+        if heard:
+            self._monitor.accept(heard, self.time)
         self.scene = self._monitor.scene(self.time, self._live)
         if self._doubts:
             self._dispel()

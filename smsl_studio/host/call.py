@@ -14,6 +14,8 @@ from smsl_studio.library.importing import where
 class Call:
     """The library function of one edge, from its beginning to its end or its cancelling."""
 
+    __slots__ = ("_bound", "_generator", "_subject")
+
     def __init__(self, bound: BoundOperation, subject: Any) -> None:
         self._bound = bound
         self._subject = subject

@@ -53,6 +53,8 @@ class Injecting:
 
     def resume(self) -> None:
         """Let every fault that goes on do its share of this tick."""
+        if not self._going:
+            return
         going, self._going = self._going, []
         for name, generator in going:
             try:

@@ -64,6 +64,7 @@ class LocalHost:
         self._sensing = Sensing((), 1.0, 0)
         self._injecting = Injecting(world, {})
         self._costing = Costing({})
+        self._stepping = self._mending("broke")
         self._ticks = 0
         self._boot = 0
         self._poses: tuple[float, ...] = ()
@@ -89,6 +90,7 @@ class LocalHost:
             self._drop()
             self._ticks, self._boot = 0, self._boot + 1
             self._arrange(engine, start)
+            self._stepping = self._mending("broke")
             self._injecting = self._faults()
             self._costing = Costing(bindings.costs)
             self._poses = ()
@@ -135,7 +137,7 @@ class LocalHost:
                 if outcome is not Outcome.RUNNING:
                     self._call = None
             self._injecting.resume()
-            with self._mending("broke"):
+            with self._stepping:
                 engine.step()
             self._ticks += 1
             time = self._ticks * engine.tick

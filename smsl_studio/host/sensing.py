@@ -48,7 +48,7 @@ class Sensing:
 
     def due(self, subject: Any, ticks: int, time: float) -> tuple[Sample, ...]:
         """One sample of every sensor whose period ends with this tick, and what was held up."""
-        due = (i for i, every in enumerate(self._every) if ticks % every == 0)
+        due = [i for i, every in enumerate(self._every) if ticks % every == 0]
         return self._heard(due, subject, time)
 
     def disturb(self, target: str, kind: str, parameters: Mapping[str, Any]) -> tuple[str, ...]:
@@ -83,7 +83,7 @@ class Sensing:
 
     def _heard(self, indices: Iterable[int], subject: Any, time: float) -> tuple[Sample, ...]:
         if not self._disturbed:
-            return tuple(self._sample(index, subject, time) for index in indices)
+            return tuple([self._sample(index, subject, time) for index in indices])
         heard: list[Sample] = []
         for index in indices:
             sample = self._sample(index, subject, time)

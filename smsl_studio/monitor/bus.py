@@ -49,6 +49,8 @@ class Inbox:
 
     def take(self) -> tuple[Sample, ...]:
         """The newest sample of every source since the last time, in the order they first came."""
+        if not self._waiting:
+            return ()
         with self._bus.lock:
             waiting, self._waiting = self._waiting, {}
         return tuple(waiting.values())

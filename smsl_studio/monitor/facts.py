@@ -87,6 +87,7 @@ class FactMonitor:
     ) -> None:
         self.strangers = 0
         self._facts: dict[FactKey, _Fact] = {}
+        self._bare = Scene()
         for sensor in sensors:
             key = (sensor.branch, sensor.digit)
             if key not in self._facts:
@@ -134,6 +135,10 @@ class FactMonitor:
 
         ``live`` is the same instant on the monotonic clock, for sources that are elsewhere.
         """
+        if not self._facts:
+            if self._bare.time != now:
+                self._bare = Scene(time=now)
+            return self._bare
         readings = {key: _reading(fact, now, live) for key, fact in self._facts.items()}
         return Scene(MappingProxyType(readings), now)
 

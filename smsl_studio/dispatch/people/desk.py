@@ -107,6 +107,8 @@ class Desk:
 
     def withdraw(self) -> None:
         """The run has moved on; nobody is called."""
+        if self._then is None and not self._board.tasks:
+            return
         self._then, self._names = None, ()
         self._run.emit(*self._board.withdraw(self._run.time))
 
