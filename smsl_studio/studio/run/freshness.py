@@ -9,19 +9,23 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.facts import SourceState
 
 BARS = 4
+HAIR = 1e-6
+"""Seconds that two sums of ticks may differ by."""
 SLOW = 2
 """With so few bars left the limit is said in words as well."""
 
 
-def limit_of(sources: Sequence[SourceState], fact: FactKey, value: str | None) -> float | None:
-    """The shortest time (s) for which a source that stands by this value is evidence; None: no
-    time is set."""
-    limits = (
-        one.limit
-        for one in sources
-        if one.fact == fact and one.said.value == value and one.limit is not None
-    )
-    return min(limits, default=None)
+def limit_of(
+    sources: Sequence[SourceState], fact: FactKey, value: str | None, age: float
+) -> float | None:
+    """How long (s) the source whose reading is that old is evidence; None: no time is set.
+
+    Of several the shortest. Sources that stand by the value do not all count, as with a fact that
+    only people answer.
+    """
+    behind = [one for one in sources if one.fact == fact and one.said.value == value]
+    oldest = [one for one in behind if abs(one.said.age - age) < HAIR] or behind
+    return min((one.limit for one in oldest if one.limit is not None), default=None)
 
 
 def bars(age: float | None, limit: float | None) -> int:

@@ -76,8 +76,9 @@ def fact_rows(
                 rows.append(FactRow(name, believed, None, None, "unknown", LOST))
                 continue
             key = (branch.name, digit)
-            value = reading.value if reading is not None else None
-            limit = limit_of(status.sources, key, value)
+            limit = None
+            if reading is not None:
+                limit = limit_of(status.sources, key, reading.value, reading.age)
             rows.append(_fact_row(name, believed, reading, expected.get(key), limit))
     return tuple(rows)
 

@@ -127,7 +127,7 @@ def _row(
         quality = "agrees" if reading.value == believed else "differs"
         words = _sources(status.sources, (own.name, digit), reading.value)
         words = words if quality == "agrees" else f"not {believed}; {words}"
-    limit = limit_of(status.sources, (own.name, digit), reading.value)
+    limit = limit_of(status.sources, (own.name, digit), reading.value, reading.age)
     words += slow_words(reading.age, limit)
     return FactRow(
         name, believed, reading.value, reading.age, quality, words, chip=chip, limit=limit
@@ -160,6 +160,8 @@ def _sub_row(
 def _sources(sources: Sequence[SourceState], fact: tuple[str, int], value: str) -> str:
     """Who says so; and who does not."""
     here = [one.said for one in sources if one.fact == fact]
+    # Where a person has said it, that is what counts.
+    here.sort(key=lambda said: not said.human)
     agree = [said.source for said in here if said.value == value]
     silent = [said.source for said in here if said.value != value]
     if not here:

@@ -109,6 +109,18 @@ def test_bars_show_age_against_limit_and_words_say_who_agrees() -> None:
     assert _aged(0.012, both[0], ("tracker B", "1")) == (4, "tracker A; not tracker B")
 
 
+def test_a_person_s_answer_has_no_limit_of_a_sensor_that_does_not_count() -> None:
+    fact = ("REGISTRATION", 2)
+    aged = Scene({**_scene().readings, fact: Reading("0", "", 5.0)}, 60.0)
+    sensor = SourceState(fact, Said("table", "0", "", 0.05), None, 0.0, 1, 0, 0, 0.3)
+    person = SourceState(fact, Said("A. Okafor", "0", "", 5.0, human=True), None, 0.0, 0, 0, 0)
+    found = status(HERE, scene=aged, sources=(sensor, person))
+    view = check_view(SAMPLE, found, "REGISTRATION")
+    assert view is not None
+    row = view.rows[2]
+    assert (row.limit, row.words) == (None, "A. Okafor, table agree")
+
+
 def test_no_age_is_claimed_where_none_is_known_and_no_limit_where_none_is_set() -> None:
     assert bars(None, 0.3) == 0
     assert bars(50.0, None) == 4
