@@ -26,6 +26,8 @@ def touched(run: Run, begun: Iterable[Action], open_edges: Collection[Address]) 
             found |= {fact for fact in changed if fact[1] not in branch.subs}
             bound = run.bound.get(edge.address)
             found |= set(bound.touches) if bound and edge.function else set()
+        if action.edge.load and action.edge.address in open_edges:
+            found |= _loaded(run, action)
     return found
 
 
@@ -34,6 +36,16 @@ def changed_by(run: Run, action: Action) -> set[FactKey]:
     found = set(run.bound[action.edge.address].touches)
     for name, state in {**action.moved, **action.committed}.items():
         found |= _differing(run.blueprint[name], run.believed[name], state)
+    return found
+
+
+def _loaded(run: Run, action: Action) -> set[FactKey]:
+    """The facts of the SBs below that the function of a ``load`` edge brings about itself."""
+    found: set[FactKey] = set()
+    for name, state in {**action.moved, **action.committed}.items():
+        branch = run.blueprint[name]
+        changed = _differing(branch, run.configuration[name], state)
+        found |= {fact for fact in changed if fact[1] not in branch.subs}
     return found
 
 

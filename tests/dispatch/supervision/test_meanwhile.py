@@ -10,7 +10,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervisor import ALLOW, ASK, PAUSE, Proposal, Verdict
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.people.tasks import Attended
-from tests.dispatch.runs import Story, blueprint, branch
+from tests.dispatch.runs import Story, blueprint, branch, sample
 from tests.dispatch.supervision.runs import (
     FIRST,
     facts_of,
@@ -225,6 +225,25 @@ def test_a_base_edge_pruned_while_its_sub_settles_moves_the_sub_no_further(held:
     story.run()
     assert story.started == ["A/State00/go", "B/State0/u"]
     assert story.configuration["A"] == "State00"
+
+
+@pytest.mark.parametrize("word", ["stop", "prune", "take_over"])
+def test_what_a_load_was_bringing_about_below_is_unknown_where_it_is_cut_short(word: str) -> None:
+    made = sample("registration-digitization")
+    story = Story(made, FakeHost(made, lasts=4), attended=True, automatic=False).tick()
+    edge = made.resolve("REGISTRATION/State000/UsePrevRegister")
+    story.dispatcher.ask(edge)
+    story.tick(2)
+    said(story, word, *((edge, "bent") if word == "prune" else ()))
+    doubted = {(one.branch, one.digit) for one in story.of("fact_changed") if one.value is None}
+    assert doubted == {("REGISTRATION", 0), ("REGISTRATION", 2), ("DIGITIZATION", 0)}
+    if word == "stop":
+        said(story, "reset")
+        assert story.of("reset")[0].unknown == (
+            "DIGITIZATION/0",
+            "REGISTRATION/0",
+            "REGISTRATION/2",
+        )
 
 
 # where the procedure stands -----------------------------------------------------------------------
