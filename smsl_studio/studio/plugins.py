@@ -27,17 +27,20 @@ class Plugins(QObject):
         self.news = ""
         """What looking again has found, in a sentence; empty the first time."""
         self._look = look
-        self._beside = Beside(self)
+        self._beside: Beside | None = None
 
     def look(self) -> None:
         """Look for them (again); ``changed`` tells when that is done."""
         if not self.looking:
-            self.looking = True
+            self.looking, self._beside = True, Beside(self)
             self._beside.do(self._found, self._take)
 
     def stop(self) -> None:
-        """Nobody is told any more."""
-        self._beside.stop()
+        """Nobody is told any more, and no thread waits for more work."""
+        if self._beside is not None:
+            self._beside.stop()
+            self._beside.deleteLater()
+        self._beside = None
 
     def _found(self) -> Loaded:
         try:
@@ -49,4 +52,5 @@ class Plugins(QObject):
         names = ", ".join(plugin.name for plugin in loaded.plugins) or "none"
         self.news = f"Plugins looked at again: {names}" if self.known else ""
         self.loaded, self.known, self.looking = loaded, True, False
+        self.stop()
         self.changed.emit()
