@@ -24,10 +24,18 @@ def leave(driver: Driver) -> None:
         driver.state.by_hand = False
         driver.arrived()
     elif phase == "waiting":
-        driver.finish("held", f"The run is waiting, and {driver.desk.nobody}.")
+        _finish(driver, f"The run is waiting, and {driver.desk.nobody}.")
     elif phase in ("ready", "paused", "taken_over"):
         words = phase.replace("_", " ").replace("ready", "waiting to be asked")
-        driver.finish("held", f"The run is {words}, and nobody is there to go on with it.")
+        _finish(driver, f"The run is {words}, and nobody is there to go on with it.")
+
+
+def _finish(driver: Driver, sentence: str) -> None:
+    """The end of a run that waits; what is held in the middle is cancelled and braked first."""
+    if driver.carrier is not None:
+        driver.carrier.cut("nobody is there to go on with it")
+        driver.run.drop_pending()
+    driver.finish("held", sentence)
 
 
 def _at_goals(driver: Driver) -> bool:

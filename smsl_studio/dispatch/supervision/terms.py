@@ -23,8 +23,9 @@ def veto(driver: Driver, command: Command) -> str:
         begun = [edge.address for edge in carrier.step.edges]
         if address is None or address in begun:
             driver.state.too_late = carrier.step.asked.address
-            which = address or carrier.step.asked.address
-            return f"too late, {which} is being carried out; a stop ends it"
+            whole = carrier.step.asked.address
+            part = f", and {address} is part of it" if address not in (None, whole) else ""
+            return f"too late, {whole} is being carried out{part}; a stop ends it"
     if address is None:
         return "there is no next operation"
     if unknown := _unknown(driver, address):

@@ -387,3 +387,26 @@ def test_a_paused_run_whose_facts_say_otherwise_has_reached_nothing() -> None:
     story.dispatcher.leave()
     story.tick()
     assert story.end.reason == "held"
+
+
+@pytest.mark.parametrize("waits", ["paused", "waiting"])
+def test_what_is_held_in_the_middle_is_cancelled_before_a_run_ends_that_nobody_attends(
+    waits: str,
+) -> None:
+    if waits == "paused":
+        story = hanoi().tick(3)
+        said(story, "pause")
+    else:
+        story = Attended(PEOPLE, FakeHost(PEOPLE)).tick().say("0")
+    story.dispatcher.leave()
+    story.tick()
+    assert story.end.reason == "held"
+    assert len(story.started) == len(story.of("operation_ended"))
+    assert story.of("operation_ended")[-1].outcome == "cancelled"
+
+
+def test_a_veto_in_a_joint_step_says_what_it_is_part_of() -> None:
+    story = Story(NESTED, FakeHost(NESTED, lasts=5), attended=True).tick(2)
+    answer = said(story, "veto", Address("B", "State2", "v"))
+    words = "too late, A/State00/go is being carried out, and B/State2/v is part of it"
+    assert answer.refused == f"{words}; a stop ends it"
