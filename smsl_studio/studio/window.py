@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
 from PySide6.QtWidgets import QMainWindow, QMenu
 
@@ -335,7 +335,7 @@ class Window(QMainWindow):
     # Qt's events.
 
     def _restore(self) -> None:
-        self.resize(*SIZE)
+        self.resize(QSize(*SIZE).boundedTo(self.screen().availableSize()))
         self.restoreGeometry(self._settings.bytes_of("window"))
         self._modes.restore()
 
@@ -365,6 +365,7 @@ class Window(QMainWindow):
             return
         self.source.stop()
         self.comparing.stop()
+        self.replaying.stop()
         self.safety.close()
         self._settings.store("window", self.saveGeometry())
         if self.mode == "draw":

@@ -27,7 +27,10 @@ ABOUT = (
     "Name and role go into the record of a run with every command and answer. A PIN keeps others "
     "at this window from answering as you; it is no signature."
 )
-
+NOBODY = (
+    'Nobody is named here yet: the record says "a person". A task that is asked of a role, such as '
+    "a nurse, is answered by persons who have it."
+)
 
 INSET = 84
 
@@ -92,6 +95,7 @@ class PersonRow(QWidget):
         across.setSpacing(8)
         self.old, self.new, self.again = map(PinField, ("PIN", "New PIN", "Again"))
         self.old.returnPressed.connect(self._unlock)
+        self.new.returnPressed.connect(self.again.setFocus)
         self.again.returnPressed.connect(self._keep_pin)
         keep = QPushButton("Keep")
         keep.setToolTip("Two empty fields take the PIN away")
@@ -153,6 +157,8 @@ class PersonsDialog(QDialog):
         self._rows = QVBoxLayout(inner)
         self._rows.setContentsMargins(0, 0, 8, 0)
         self._rows.setSpacing(8)
+        self.nobody = label(NOBODY, "hint")
+        self._rows.addWidget(self.nobody)
         self._rows.addStretch(1)
         area = QScrollArea()
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -190,6 +196,7 @@ class PersonsDialog(QDialog):
             self._rows.removeWidget(row)
             row.hide()
             row.deleteLater()
+        self.nobody.setVisible(not self._persons.all)
         me = self._persons.me
         self.rows = [PersonRow(person, person == me) for person in self._persons.all]
         for row in self.rows:

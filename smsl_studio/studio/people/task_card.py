@@ -112,8 +112,13 @@ class TaskCard(QWidget):
             part.set_tokens(tokens)
 
     def take_focus(self) -> None:
-        """Have the keys act on the card, with no answer chosen."""
-        self.answers.take_focus()
+        """Have the keys act on the card, with no answer chosen; who may not answer here is
+        led to the choice of persons."""
+        card = self.card
+        if card is not None and (card.objection or self.answer.who.person is None):
+            self.answer.who.choice.setFocus()
+        else:
+            self.answers.take_focus()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -27,7 +27,7 @@ class CheckPanel(QWidget):
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setAccessibleName("State check")
-        self._state, self._written = label("", "mono"), Elided()
+        self._state, self._written = label("", "mono"), _Written()
         self._written.setProperty("role", "mono")
         self._verdict = QLabel()
         self._verdict.setProperty("role", "phase")
@@ -99,7 +99,7 @@ class CheckPanel(QWidget):
         if found is not None and blueprint is not None and status is not None and view is not None:
             lines = outside_facts(blueprint, status, view)
             self._state.setText(f"{found.state}, awaited" if found.awaited else found.state)
-            self._written.setText(found.written.partition(" := ")[2])
+            self._written.write(found.written.partition(" := ")[2])
             tip = f"{found.written}\n{found.terms}"
             for part in (self._state, self._written, self._verdict):
                 part.setToolTip(tip)
@@ -114,6 +114,25 @@ class CheckPanel(QWidget):
             self._verdict.setProperty("kind", kind)
             self._verdict.style().unpolish(self._verdict)
             self._verdict.style().polish(self._verdict)
+
+
+class _Written(Elided):
+    """The check as the paper writes it, whole or not at all; its tooltip has it always."""
+
+    def write(self, text: str) -> None:
+        """Show this where there is room for it."""
+        self._whole = text
+        self._fit()
+
+    _whole = ""
+
+    def _fit(self) -> None:
+        fits = self.fontMetrics().horizontalAdvance(self._whole) <= self.contentsRect().width()
+        self.setText(self._whole if fits else "")
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
 
 
 class _OutsideLines(QWidget):

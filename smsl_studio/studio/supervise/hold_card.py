@@ -82,8 +82,9 @@ class HoldCard(QFrame):
             sentence = "The automation is locked out and only observes. Give it back with T."
         self._sentence.setText(sentence)
         self._sentence.setVisible(bool(sentence) and not self._brief)
-        self._details.setText("\n".join(map(_plain, status.details)))
-        self._room.setVisible(bool(status.details) and not self._brief)
+        reasons = [_plain(one) for one in status.details if one not in sentence]
+        self._details.setText("\n".join(reasons))
+        self._room.setVisible(bool(reasons) and not self._brief)
         self._offer(offers(status))
         if self.property("kind") != kind:
             self.setProperty("kind", kind)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.people.persons import Person, Persons
@@ -88,3 +90,18 @@ def test_nobody_works_as_one_who_has_a_pin(dialog: PersonsDialog, persons: Perso
     again = PersonsDialog(persons)
     assert not again.rows[1].mine.isEnabled()
     again.deleteLater()
+
+
+def test_an_empty_list_says_so_and_a_pin_is_typed_with_enter_alone(
+    dialog: PersonsDialog, persons: Persons
+) -> None:
+    assert dialog.nobody.isVisible()
+    _add(dialog, "L. Brandt")
+    assert dialog.nobody.isHidden()
+    row = dialog.rows[0]
+    row.pin_button.click()
+    QTest.keyClicks(row.new, "1234")
+    QTest.keyClick(row.new, Qt.Key.Key_Return)
+    QTest.keyClicks(dialog.focusWidget(), "1234")
+    QTest.keyClick(dialog.focusWidget(), Qt.Key.Key_Return)
+    assert persons.me.has_pin

@@ -190,3 +190,14 @@ def test_both_themes_can_be_worn(show: Show) -> None:
     card.tell((TaskClosed(t=31.0, task="task-9", outcome="answered", answers={"A": "Done"}),))
     card.set_tokens(DARK)
     assert not card.grab().isNull()
+
+
+def test_who_may_not_answer_is_led_to_the_choice_of_persons(show: Show) -> None:
+    card = show(Person("N. Kaya", "nurse"), OKAFOR)
+    card.show_tasks((replace(TASK, roles=("surgeon",), answered=()),), 28.0)
+    assert card.card is not None and card.card.objection
+    card.take_focus()
+    assert card.answer.who.choice.hasFocus()
+    _press(card, Key.Key_Down)
+    card.take_focus()
+    assert card.options[0].hasFocus(), "who may answer is led to the answers"
