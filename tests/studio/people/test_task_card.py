@@ -195,7 +195,8 @@ def test_both_themes_can_be_worn(show: Show) -> None:
 def test_who_may_not_answer_is_led_to_the_choice_of_persons(show: Show) -> None:
     card = show(Person("N. Kaya", "nurse"), OKAFOR)
     card.show_tasks((replace(TASK, roles=("surgeon",), answered=()),), 28.0)
-    assert card.card is not None and card.card.objection
+    assert card.card is not None
+    assert card.card.objection
     card.take_focus()
     assert card.answer.who.choice.hasFocus()
     _press(card, Key.Key_Down)
