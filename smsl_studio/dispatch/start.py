@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import Address, fact_text
+from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
@@ -49,7 +50,8 @@ def start_events(
     checks = run.checks(run.configuration)
     failed = [check_words(run.blueprint, check) for check in checks if check.truth is not True]
     if failed:
-        raise RunRefused("; ".join(failed), advice="Put the world where the start has it.")
+        advice = _silent(run, checks) or "Put the world where the start has it."
+        raise RunRefused("; ".join(failed), advice=advice)
     started = RunStarted(
         t=run.time,
         world=run.opened.world,
@@ -70,3 +72,23 @@ def _checked(run: Run) -> Iterator[StateChecked]:
             misses=all_words(run.blueprint, check.misses),
             unknown=all_words(run.blueprint, check.unknown),
         )
+
+
+def _silent(run: Run, checks: Sequence[CheckResult]) -> str:
+    """What to do about facts that nobody has told from elsewhere; empty where there are none."""
+    elsewhere = run.opened.remote
+    wanted = {term.fact for check in checks for term in check.terms if term.truth is None}
+    missing = [
+        f"{fact_text(one.branch, one.digit)} as {one.name}"
+        for one in run.opened.sensors
+        if one.remote and (one.branch, one.digit) in wanted
+    ]
+    if elsewhere is None or not missing:
+        return ""
+    view = elsewhere.view()
+    advice = (
+        f"Start a node that tells {', '.join(missing)} to the site {view.site!r} and the run "
+        f"{view.run!r} at {view.broker}."
+    )
+    lost = [f"{one.kind} ({one.example})" for one in view.received.refusals]
+    return f"{advice} What came counted for nothing: {', '.join(lost)}." if lost else advice

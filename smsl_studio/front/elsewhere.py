@@ -38,7 +38,8 @@ def with_remote(
         return host
     if not broker:
         advice = 'Write broker = "HOST:PORT" into [mqtt] there, or say --broker HOST:PORT.'
-        words = f"{len(table.facts)} facts are sensed elsewhere and no broker is named"
+        facts = ", ".join(table.facts)
+        words = f"no broker is named for what is sensed elsewhere: {facts}"
         raise UsageError(words, file.place("mqtt"), advice)
     sensors = tuple(_sensors(blueprint, file))
     reception = Reception(site, table.run, sensors)

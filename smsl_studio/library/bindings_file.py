@@ -105,6 +105,10 @@ def bindings_beside(blueprint_file: str) -> BindingsFile:
     return read_bindings(beside) if beside.is_file() else BindingsFile()
 
 
+_WORLD = 'Write [world.NAME.operations] with "Op" = {function = "plugin.function", ...}.'
+_MQTT = 'Write [mqtt] with broker, site and run, and [mqtt.facts] with "SB/digit" = "source".'
+
+
 def read_bindings(path: Path) -> BindingsFile:
     """A bindings file; PluginError with its place where it is broken."""
     text, values = read_toml(path)
@@ -118,5 +122,5 @@ def read_bindings(path: Path) -> BindingsFile:
         raise PluginError(
             f"{'.'.join(parts)}: {fault['msg']}",
             known,
-            'Write [world.NAME.operations] with "Op" = {function = "plugin.function", ...}.',
+            _MQTT if parts[0] == "mqtt" else _WORLD,
         ) from None

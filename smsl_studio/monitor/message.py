@@ -56,7 +56,7 @@ def read_fact(
     if "value" not in said:
         raise UnreadableError("value is missing")
     value = said["value"]
-    if value is not None and not isinstance(value, str):
+    if value is not None and not _is_text(value):
         raise UnreadableError(f"value is {_shown(value)}, not a text or null")
     quality = said.get("quality", GOOD)
     if quality not in (GOOD, UNCERTAIN, BAD):
@@ -146,9 +146,20 @@ def _seconds(said: dict[str, Any]) -> float:
 
 def _text(said: dict[str, Any], name: str) -> str:
     value = said.get(name, "")
-    if not isinstance(value, str):
+    if not _is_text(value):
         raise UnreadableError(f"{name} is {_shown(value)}, not a text")
-    return value
+    return str(value)
+
+
+def _is_text(value: object) -> bool:
+    """Whether it is a text that can be written: JSON can escape halves of characters, too."""
+    if not isinstance(value, str):
+        return False
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def _shown(value: object) -> str:

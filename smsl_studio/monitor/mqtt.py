@@ -73,7 +73,9 @@ class Link:
         self._nodes = nodes
         try:
             words = nodes.connect(*self._where)
-        except (OSError, ValueError) as error:
+        except OSError as error:
+            words = error.strerror or str(error)
+        except ValueError as error:
             words = str(error)
         if self._left:
             words = "it was left"

@@ -111,7 +111,7 @@ def test_an_expanded_fact_has_no_sensor_elsewhere_either(tmp_path: Path) -> None
 
 
 def test_facts_without_a_broker_and_a_broker_without_facts(declare: Declare) -> None:
-    with pytest.raises(UsageError, match="1 facts are sensed elsewhere and no broker is named"):
+    with pytest.raises(UsageError, match="no broker is named .* elsewhere: SB1"):
         _host(declare('[mqtt.facts]\n"SB1/0" = "eye"\n'))
     with pytest.raises(UsageError, match="a broker is named and no fact is sensed elsewhere"):
         _host(declare(""), broker="localhost")
@@ -195,6 +195,8 @@ def test_a_headless_run_hears_a_node(
         assert main([*command, "--start", "State_aa", "--broker", broker.address]) == 1
         last = json.loads(capsys.readouterr().out.splitlines()[-1])
         assert (last["reason"], "no reading yet" in last["sentence"]) == ("refused", True)
+        where = f"SB1/1 as eye to the site 'lab' and the run 'main' at {broker.address}."
+        assert where in last["sentence"]
     finally:
         node.kill()
 

@@ -73,6 +73,8 @@ def test_no_value_is_a_bad_reading_whatever_its_quality() -> None:
         ({"quality": []}, "quality is [], not good, uncertain or bad"),
         ({"node": 5}, "node is 5, not a text"),
         ({"reason": {}}, "reason is {}, not a text"),
+        ({"value": "\ud800"}, r"value is '\\ud800', not a text or null"),
+        ({"reason": "\udfff"}, r"reason is '\\udfff', not a text"),
     ],
 )
 def test_a_wrong_word_is_named(changed: dict[str, Any], words: str) -> None:
