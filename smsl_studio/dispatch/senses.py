@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -117,7 +117,7 @@ class Senses:
         self.scene = self._monitor.scene(self.time, self._live)
         if self._doubts:
             self._dispel()
-        return tuple(self._changes()) if self.scene.readings else ()
+        return self._changes() if self.scene.readings else ()
 
     def _dispel(self) -> None:
         """Let go of the doubts whose sources have all spoken anew; the others make unknown."""
@@ -137,15 +137,17 @@ class Senses:
     def _live(self) -> float:
         return self._remote.clock() if self._remote is not None else 0.0
 
-    def _changes(self) -> Iterator[FactChanged]:
-        for key, reading in self.scene.readings.items():
-            if key in self._told and self._told[key] == reading.value:
-                continue
-            self._told[key] = reading.value
-            yield FactChanged(
-                t=self.time,
-                branch=key[0],
-                digit=key[1],
-                value=reading.value,
-                reason=reading.reason if reading.value is None else "",
-            )
+    def _changes(self) -> tuple[FactChanged, ...]:
+        told, readings = self._told, self.scene.readings
+        new = [key for key, one in readings.items() if told.get(key, ...) != one.value]
+        return tuple([self._change(key, readings[key]) for key in new]) if new else ()
+
+    def _change(self, key: FactKey, reading: Reading) -> FactChanged:
+        self._told[key] = reading.value
+        return FactChanged(
+            t=self.time,
+            branch=key[0],
+            digit=key[1],
+            value=reading.value,
+            reason=reading.reason if reading.value is None else "",
+        )

@@ -40,7 +40,7 @@ def words_for(error: BaseException) -> str:
 
 def invalid(value: object) -> str:
     """Why what a sensor returned is no reading, empty where it is one or says itself that not."""
-    if value is None:
+    if value is None or (type(value) is str and value.isascii() and len(value) <= VALUE):
         return ""
     if type(value) is not str:
         plain = type(value) in (bool, float) or _is_small(value)

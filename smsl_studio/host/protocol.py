@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
@@ -122,8 +122,7 @@ class Priced:
     faults: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Tick:
+class Tick(NamedTuple):
     """What one tick brought: the time (simulated s) after it, the running call, the samples."""
 
     time: float

@@ -83,7 +83,7 @@ class Remote:
             else:
                 disturbed.take(sample, now)
         for disturbed in self._disturbed.values():
-            passed.extend(replace(one, received=now) for one in disturbed.release(now))
+            passed.extend(one._replace(received=now) for one in disturbed.release(now))
         return tuple(passed)
 
     def disturb(self, target: str, kind: str, parameters: Mapping[str, object]) -> tuple[str, ...]:
@@ -165,7 +165,7 @@ class WithRemote:
     def tick(self) -> Tick:
         """One tick of the world."""
         tick = self.inner.tick()
-        return replace(tick, samples=self._sensed(tick.samples)) if self._alone else tick
+        return tick._replace(samples=self._sensed(tick.samples)) if self._alone else tick
 
     def cancel(self, mode: str) -> None:
         """End the running call."""

@@ -36,6 +36,8 @@ class Sensing:
     ) -> None:
         self._sensors = tuple(sensors)
         self._every = tuple(_ticks(sensor.period, tick) for sensor in self._sensors)
+        self._indices: Sequence[int] = range(len(self._sensors))
+        self._slowest = max(self._every, default=1)
         self._spoken = [0] * len(self._sensors)
         self._boot = boot
         self._values = values
@@ -44,11 +46,13 @@ class Sensing:
 
     def all(self, subject: Any, time: float) -> tuple[Sample, ...]:
         """One sample of every sensor; of one that is disturbed, what arrives now."""
-        return self._heard(range(len(self._sensors)), subject, time)
+        return self._heard(self._indices, subject, time)
 
     def due(self, subject: Any, ticks: int, time: float) -> tuple[Sample, ...]:
         """One sample of every sensor whose period ends with this tick, and what was held up."""
-        due = [i for i, every in enumerate(self._every) if ticks % every == 0]
+        due = self._indices
+        if self._slowest > 1:
+            due = [i for i in due if ticks % self._every[i] == 0]
         return self._heard(due, subject, time)
 
     def disturb(self, target: str, kind: str, parameters: Mapping[str, Any]) -> tuple[str, ...]:
@@ -81,7 +85,9 @@ class Sensing:
             f"nothing called {target!r} is sensed", advice=did_you_mean(target, [*names, *facts])
         )
 
-    def _heard(self, indices: Iterable[int], subject: Any, time: float) -> tuple[Sample, ...]:
+    def _heard(self, indices: Sequence[int], subject: Any, time: float) -> tuple[Sample, ...]:
+        if not indices and not self._disturbed:
+            return ()
         if not self._disturbed:
             return tuple([self._sample(index, subject, time) for index in indices])
         heard: list[Sample] = []

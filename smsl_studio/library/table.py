@@ -38,11 +38,6 @@ def set_facts(
     return None
 
 
-def fact(world: TableWorld, branch: str, digit: int) -> str | None:
-    """What stands on the table."""
-    return world.fact(branch, digit)
-
-
 def table_bindings(blueprint: Blueprint) -> Bindings:
     """Every edge and every leaf fact, bound to the table."""
     sensors = tuple(_sensor(branch, digit) for branch, digit in leaf_facts(blueprint))
@@ -51,8 +46,8 @@ def table_bindings(blueprint: Blueprint) -> Bindings:
 
 def facts_of(branch: StateBranch, state: str) -> dict[FactKey, str]:
     """The facts of a state that are read by sensors, without those a sub-SB expands."""
-    values = enumerate(branch.facts(state))
-    return {(branch.name, digit): v for digit, v in values if digit not in branch.subs}
+    name, subs, values = branch.name, branch.subs, enumerate(branch.facts(state))
+    return {(name, digit): value for digit, value in values if digit not in subs}
 
 
 def facts_of_edge(blueprint: Blueprint, edge: Address) -> dict[FactKey, str]:
@@ -121,6 +116,6 @@ def _sensor(branch: StateBranch, digit: int) -> BoundSensor:
         TableWorld.tick,
         (note.max_age if note else None) or 0.3,
         "single",
-        fact,
+        TableWorld.fact,
         {"branch": branch.name, "digit": digit},
     )

@@ -60,18 +60,21 @@ class Inbox:
         self._bus.forget(self)
         self._waiting = {}
 
-    def put(self, key: SourceKey, sample: Sample) -> str:
-        """Let a sample wait (the bus holds its lock); what was left out for it, if anything."""
-        waiting = self._waiting
-        known = waiting.get(key)
-        if known is None:
-            if len(waiting) >= MOST_SOURCES:
-                return "refused"
-            waiting[key] = sample
-            return ""
-        if sample.order > known.order:
-            waiting[key] = sample
-        return "replaced"
+    def put(self, samples: Iterable[Sample]) -> list[tuple[str, SourceKey]]:
+        """Let samples wait (the bus holds its lock); what was left out for them, and of whom."""
+        waiting, left_out = self._waiting, []
+        for sample in samples:
+            key = (sample.branch, sample.digit, sample.source)
+            known = waiting.get(key)
+            if known is not None:
+                left_out.append(("replaced", key))
+                if sample.order > known.order:
+                    waiting[key] = sample
+            elif len(waiting) < MOST_SOURCES:
+                waiting[key] = sample
+            else:
+                left_out.append(("refused", key))
+        return left_out
 
 
 class FactBus:
@@ -98,16 +101,19 @@ class FactBus:
     def publish(self, samples: Iterable[Sample], *, retained: bool = False) -> None:
         """Hand samples to everyone who subscribed; retained ones are only counted."""
         with self.lock:
-            count = 0
-            for sample in samples:
-                count += 1
-                if retained:
-                    self._counts["retained"] += 1
-                elif too_long(sample):
-                    self._counts["refused"] += 1
-                else:
-                    self._hand_on(sample)
-            self._counts["published"] += count
+            heard = list(samples)
+            self._counts["published"] += len(heard)
+            if retained:
+                self._counts["retained"] += len(heard)
+                return
+            short = [sample for sample in heard if not too_long(sample)]
+            if len(short) < len(heard):
+                self._counts["refused"] += len(heard) - len(short)
+            for inbox in self._inboxes:
+                for what, key in inbox.put(short):
+                    self._counts[what] += 1
+                    if what == "replaced":
+                        self._flooded(key)
 
     @property
     def counts(self) -> BusCounts:
@@ -125,15 +131,6 @@ class FactBus:
         """The source of which most samples were left out for newer ones, if any were."""
         with self.lock:
             return max(self._floods, key=self._floods.__getitem__, default=None)
-
-    def _hand_on(self, sample: Sample) -> None:
-        key = (sample.branch, sample.digit, sample.source)
-        for inbox in self._inboxes:
-            left_out = inbox.put(key, sample)
-            if left_out:
-                self._counts[left_out] += 1
-                if left_out == "replaced":
-                    self._flooded(key)
 
     def _flooded(self, key: SourceKey) -> None:
         if key in self._floods or len(self._floods) < MOST_SOURCES:

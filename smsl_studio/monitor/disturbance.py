@@ -9,7 +9,6 @@ any other of them in the place of the one that was read.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from math import isfinite
 from random import Random
 from typing import Any, Protocol
@@ -44,8 +43,8 @@ class Stuck:
         if not self._caught:
             self._value, self._caught = sample.value, True
         if self._value is None:
-            return replace(sample, value=None, reason="no valid reading", quality=BAD)
-        return replace(sample, value=self._value, reason="", quality=GOOD)
+            return sample._replace(value=None, reason="no valid reading", quality=BAD)
+        return sample._replace(value=self._value, reason="", quality=GOOD)
 
 
 class Drift:
@@ -62,7 +61,7 @@ class Drift:
             return sample
         steps = int((sample.time - self._since + HAIR) / self._every)
         at = self._values.index(sample.value) + steps
-        return replace(sample, value=self._values[min(at, len(self._values) - 1)])
+        return sample._replace(value=self._values[min(at, len(self._values) - 1)])
 
 
 class Noise:
@@ -76,7 +75,7 @@ class Noise:
         others = [value for value in self._values if value != sample.value]
         if not wrong or sample.value is None or not others:
             return sample
-        return replace(sample, value=self._chance.choice(others))
+        return sample._replace(value=self._chance.choice(others))
 
 
 class Dropout:

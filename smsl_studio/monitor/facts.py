@@ -94,6 +94,11 @@ class FactMonitor:
                 rule = rules.get(key) or FactRule(sensor.aggregation)
                 self._facts[key] = _Fact(rule, {})
             self._facts[key].sources[sensor.name] = Ledger(sensor.name, sensor.max_age)
+        self._ledgers = {
+            (*key, name): ledger
+            for key, fact in self._facts.items()
+            for name, ledger in fact.sources.items()
+        }
         for key, rule in rules.items():
             if rule.people or (rule.awaits_all and rule.sensors):
                 self._facts.setdefault(key, _Fact(rule, {}))
@@ -105,8 +110,7 @@ class FactMonitor:
     def accept(self, samples: Iterable[Sample], now: float) -> None:
         """Take in what the sensors said, at ``now`` (s) on the receiver's clock."""
         for sample in samples:
-            fact = self._facts.get((sample.branch, sample.digit))
-            ledger = fact.sources.get(sample.source) if fact else None
+            ledger = self._ledgers.get((sample.branch, sample.digit, sample.source))
             if ledger is None:
                 self.strangers += 1
             else:
@@ -189,11 +193,12 @@ def _answered(fact: _Fact, now: float) -> Said:
 
 
 def _reading(fact: _Fact, now: float, live: float) -> Reading:
-    if fact.alone is not None:
-        newest = fact.alone.sample
-        if newest is not None and fact.alone.says_now(now):
+    alone = fact.alone
+    if alone is not None:
+        newest = alone.sample
+        if newest is not None and alone.says_now(now):
             return _just_read(newest.value)
-        only = fact.alone.said(now, live)
+        only = alone.said(now, live)
         return Reading(only.value, only.reason, only.age)
     said = [ledger.said(now, live) for ledger in fact.sources.values()]
     verdict = aggregate(fact.rule, [*said, *_others(fact, now)])

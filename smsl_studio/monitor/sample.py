@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from smsl_studio.blueprint.check import FactKey
 
@@ -10,9 +10,8 @@ GOOD, UNCERTAIN, BAD = "good", "uncertain", "bad"
 """What a source thinks of its own reading. Only a good one is evidence."""
 
 
-@dataclass(frozen=True, slots=True)
-class Sample:
-    """One reading on its way to the monitor.
+class Sample(NamedTuple):
+    """One reading on its way to the monitor: a light value, because most are made in vain.
 
     ``value`` None means the source has no valid reading (its ``reason`` says why). ``time`` is the
     source's clock in seconds, which never goes back; ``sequence`` grows with every sample of a

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -62,7 +62,7 @@ def test_the_newest_is_what_counts_whatever_the_order(samples: list[tuple[int, i
     monitor = FactMonitor([Sensor()])
     for now, (boot, sequence) in enumerate(samples):
         sample = _sample(f"{boot}.{sequence}", sequence, boot)
-        monitor.accept([replace(sample, time=float(now))], float(now))
+        monitor.accept([sample._replace(time=float(now))], float(now))
     boot, sequence = max(samples)
     received = samples.index((boot, sequence))
     reading = _read(monitor, received + 0.1)
