@@ -65,6 +65,7 @@ class Driver:
         self.pricing = Pricing(run, course)
         self.carrier: Carrier | None = None
         self.proposed: Address | None = None
+        self.chosen = False
         self.ended: RunFinished | None = None
         self.sentence = ""
         self._told: set[Address] = set()

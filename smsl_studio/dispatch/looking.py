@@ -56,7 +56,7 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         possible=() if ended else tuple(_possible(driver, phase)),
         candidates=candidates,
         reason=ended.reason if ended else held.kind if held else "",
-        sentence=ended.sentence if ended else driver.sentence or driver.desk.sentence,
+        sentence=ended.sentence if ended else _sentence(driver, phase),
         operations=run.operations,
         details=tuple(held.details) if held else (),
         offers=offers(driver),
@@ -118,6 +118,12 @@ def _detour(driver: Driver) -> tuple[Address, ...] | None:
         return course.detour(_here(driver), following)
     except PlanningError:
         return None
+
+
+def _sentence(driver: Driver, phase: str) -> str:
+    """What is the matter: what people are asked, where that is what the run waits for."""
+    asked, said = driver.desk.sentence, driver.sentence
+    return asked or said if phase == "waiting" else said or asked
 
 
 def _here(driver: Driver) -> Mapping[str, str]:

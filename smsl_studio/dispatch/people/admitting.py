@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 def admit(driver: Driver, step: JointStep, chosen: bool = False) -> str:
     """Let a step begin, if everything that is asked first agrees. ``chosen``: a person asked for
     it, so nobody has to supervise that choice, and a refusal holds nothing."""
-    driver.proposed = step.asked.address
+    driver.proposed, driver.chosen = step.asked.address, chosen
     facts = of_step(driver.run, step)
     if not facts:
         return _guarded(driver, step, chosen)

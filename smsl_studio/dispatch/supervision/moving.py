@@ -85,4 +85,7 @@ def step(driver: Driver, command: Command) -> str:
 def set_automatic(driver: Driver, command: Command) -> str:
     """Follow the route by itself, or wait to be asked."""
     driver.state.by_hand = command.value == "off"
+    route_asks = driver.starting.over and not driver.chosen and not driver.desk.keeps
+    if driver.state.by_hand and route_asks:
+        driver.withdraw()
     return ""

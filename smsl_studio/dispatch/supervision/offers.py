@@ -23,7 +23,7 @@ def offers(driver: Driver) -> tuple[Offer, ...]:
         )
     if phase == "taken_over":
         return tuple(_taken_over(driver))
-    if state.held is not None:
+    if state.held is not None and phase in ("no_route", "fault_hold"):
         return tuple(_held(driver))
     if driver.carrier is not None and state.too_late is not None:
         words = f"Stop {state.too_late}, for which a veto came too late."

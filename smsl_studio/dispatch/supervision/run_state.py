@@ -49,10 +49,10 @@ class RunState:
             return "stopped"
         if self.taken_over:
             return "taken_over"
-        if asking and not self.frozen:
-            return "waiting"
-        if carrying and not self.frozen:
-            return "running"
+        if asking or carrying:
+            if self.frozen:
+                return "paused"
+            return "waiting" if asking else "running"
         if self.held is not None:
             return "no_route" if self.held.kind == "no_route" else "fault_hold"
         if self.paused or self.frozen:

@@ -52,7 +52,7 @@ STOPPED = "the run is stopped, reset it first"
 TAKEN = "{by} has taken over, automation is locked out until it is given back"
 ASKED = "people are being asked, it goes on when they have answered"
 HOLDS = "the run holds already"
-STOP_FIRST = "the run goes on, stop it first"
+STOP_FIRST = "only a run that is stopped or holds can be ended, stop it first"
 OPEN = ("ready", "running", "paused", "waiting", "no_route", "taken_over", "fault_hold", "stopped")
 
 

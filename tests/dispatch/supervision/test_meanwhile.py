@@ -158,6 +158,54 @@ def test_whoever_wants_it_to_stand_counts_more_also_where_it_stands_already(
     assert story.phase == phase
 
 
+def asked_out_of_a_hold() -> Attended:
+    """No route leads on; a person asks for an operation that another one must confirm."""
+    made = blueprint(
+        {
+            "SB": branch(
+                {"0": "go>1, alt>2", "1": "", "2": ""},
+                activating="1",
+                operations={"alt": {"confirm": ["surgeon"]}},
+            )
+        }
+    )
+    story = Attended(made, avoid=["SB/State0/go"]).tick(2)
+    assert story.phase == "no_route"
+    said(story, "ask", ALT)
+    return story
+
+
+def test_a_pause_of_what_was_asked_out_of_a_hold_lets_nothing_begin() -> None:
+    story = asked_out_of_a_hold()
+    said(story, "pause")
+    assert story.phase == "paused"
+    story.dispatcher.answer("", "confirm", "surgeon", by="Ann")
+    story.tick(3)
+    assert (story.phase, story.started) == ("paused", [])
+    said(story, "resume")
+    story.run()
+    assert story.started == [str(ALT)]
+
+
+def test_while_people_are_asked_out_of_a_hold_that_is_what_is_told_and_offered() -> None:
+    story = asked_out_of_a_hold()
+    status = story.dispatcher.status
+    assert status.sentence == "Waiting for an answer: alt: may it begin?"
+    assert status.offers == ()
+    said(story, "answer", "", "refuse", "surgeon", by="Ann")
+    assert story.phase == "no_route"
+    assert "end" in [offer.command for offer in story.dispatcher.status.offers]
+
+
+def test_who_takes_a_run_by_hand_takes_back_what_the_route_proposed() -> None:
+    story = Attended(CONFIRMED).tick(2)
+    said(story, "set_automatic", False)
+    assert (story.phase, story.tasks) == ("ready", ())
+    said(story, "ask", Address("SB", "State0", "go"))
+    said(story, "set_automatic", False)
+    assert story.phase == "waiting"
+
+
 # an agent -----------------------------------------------------------------------------------------
 
 
