@@ -56,8 +56,10 @@ class Acting:
             self._due = [due for due in self._due if not self._moments.is_over(due.act, due.task)]
 
     def has_something(self, dispatcher: Dispatcher) -> bool:
-        """Whether it will say something before the next tick, though nothing moves."""
-        return bool(self._asking or self._resuming or self._ready(dispatcher))
+        """Whether it will say something before the next tick, though nothing moves: a command, or
+        that it leaves."""
+        ready = self._ready(dispatcher)
+        return bool(self._asking or self._resuming or ready or self._leaves(ready, dispatcher))
 
     def before(self, dispatcher: Dispatcher) -> None:
         """Command what is due now."""
@@ -76,8 +78,11 @@ class Acting:
         for due in ready:
             self._due.remove(due)
             self._carry_out(due, dispatcher)
-        if not ready and not self._due and dispatcher.phase in WAITING:
+        if self._leaves(ready, dispatcher):
             dispatcher.leave()
+
+    def _leaves(self, ready: list[Due], dispatcher: Dispatcher) -> bool:
+        return not ready and not self._due and dispatcher.phase in WAITING
 
     def _ready(self, dispatcher: Dispatcher) -> list[Due]:
         """What is due. While simulated time stands still, the next act by time comes at once."""
