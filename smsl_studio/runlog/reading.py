@@ -8,8 +8,9 @@ same, up to the last whole line.
 from __future__ import annotations
 
 import json
+import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,8 +23,11 @@ from smsl_studio.runlog.log import FORMAT, LONGEST, VERSION
 from smsl_studio.seal.chain import Chain, unlinked
 
 Json = Any
+Going = Callable[[float], None]
 _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
 _HEAD = re.compile(rb'\{"head":\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{64})"\}\}\n')
+OFTEN = 256
+"""Who waits for a long log hears after so many events how far it is read."""
 _LOOKED_AT = 100
 """So many lines are enough to tell a log without its header from any other file."""
 
@@ -208,17 +212,32 @@ def open_log(path: Path) -> BinaryIO:
         raise _unreadable(error, Place(str(path), 1, 1)) from None
 
 
-def read_log(path: Path) -> LoggedRun:
-    """A run log from a file; ReadError with the place of what is no log."""
+def read_log(path: Path, going: Going | None = None) -> LoggedRun:
+    """A run log from a file; ReadError with the place of what is no log.
+
+    ``going`` hears now and then which share of its bytes is read (0 to 1); what it raises is
+    raised here, so that a long log can be given up.
+    """
     with open_log(path) as stream:
-        return read_records(stream, str(path))
+        size = max(os.fstat(stream.fileno()).st_size, 1)
+        if going is None or not stream.seekable():
+            return read_records(stream, str(path))
+        tell = going
+        return read_records(stream, str(path), lambda: tell(min(stream.tell() / size, 1.0)))
 
 
-def read_records(stream: BinaryIO, file: str) -> LoggedRun:
-    """A run log from a stream; ReadError with the place of what is no log."""
+def read_records(stream: BinaryIO, file: str, going: Callable[[], None] | None = None) -> LoggedRun:
+    """A run log from a stream; ReadError with the place of what is no log.
+
+    ``going`` is called now and then, and may raise.
+    """
     reader = LogReader(stream, file)
-    records = tuple(reader.records())
-    return LoggedRun(reader.header, records, reader.head, reader.doubt)
+    records = []
+    for record in reader.records():
+        records.append(record)
+        if going is not None and len(records) % OFTEN == 0:
+            going()
+    return LoggedRun(reader.header, tuple(records), reader.head, reader.doubt)
 
 
 def verify(stream: BinaryIO, file: str) -> Verdict:

@@ -117,9 +117,15 @@ def after(before: Retold, event: Event) -> Retold:
 
 class Retelling:
     """A whole run: ``at`` says how it stood after so many events, ``index_at`` after how many at
-    a time. ``by_hand`` is how it began, which stands in the header of its log."""
+    a time. ``by_hand`` is how it began, which stands in the header of its log. ``going`` hears
+    meanwhile how many events are told, and may raise."""
 
-    def __init__(self, events: Sequence[Event], by_hand: bool = False) -> None:
+    def __init__(
+        self,
+        events: Sequence[Event],
+        by_hand: bool = False,
+        going: Callable[[int], None] | None = None,
+    ) -> None:
         self.events = tuple(events)
         self._times: list[float] = []
         self._snapshots = [Retold(by_hand=by_hand)]
@@ -129,6 +135,8 @@ class Retelling:
             self._times.append(told.time)
             if told.index % EVERY == 0:
                 self._snapshots.append(told)
+                if going is not None:
+                    going(told.index)
 
     def __len__(self) -> int:
         return len(self.events)

@@ -25,6 +25,8 @@ class Showing:
     ) -> None:
         self._shell, self._files = shell, files
         self._replaying, self._safety, self._segments = replaying, safety, segments
+        self._wanted: Path | None = None
+        """A recording that is being read, whose blueprint shall be drawn too."""
         replaying.opened.connect(self._enter)
         replaying.closed.connect(self._leave)
 
@@ -33,15 +35,18 @@ class Showing:
         if not is_recording(path):
             self._files.open(path)
             return
-        untouched = self._safety.untouched
-        if self._replaying.open(path) and untouched:
-            found = self._replaying.replay.blueprint
-            if found is not None and Path(found.file).is_file():
-                self._files.open(Path(found.file))
+        self._wanted = path if self._safety.untouched else None
+        self._replaying.open(path)
 
     def _enter(self) -> None:
         self._segments.show_segment("mode_replay", True)
         self._shell.set_mode("replay")
+        recording, wanted = self._replaying.replay.recording, self._wanted
+        self._wanted = None
+        if recording is None or recording.path != wanted or not self._safety.untouched:
+            return
+        if Path(recording.blueprint.file).is_file():
+            self._files.open(Path(recording.blueprint.file))
 
     def _leave(self) -> None:
         self._segments.show_segment("mode_replay", False)

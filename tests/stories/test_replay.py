@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 
 import smsl_studio as smsl
 from smsl_studio.studio.replay.pane import ReplayPane
@@ -174,9 +175,49 @@ def test_without_the_file_of_the_drawing_it_is_found_or_asked_for(sit: Sit, tmp_
     assert not person.window.replaying.is_open
 
 
+def _slow(folder: Path) -> tuple[Path, bytes]:
+    """A log that comes through a pipe, when somebody writes it, and what is to be written."""
+    raw = _recorded(folder).read_bytes()
+    path = folder / "slow.jsonl"
+    os.mkfifo(path)
+    return path, raw
+
+
+def test_a_log_that_takes_long_is_read_beside_the_window(sit: Sit, tmp_path: Path) -> None:
+    person = sit(HANOI)
+    path, raw = _slow(tmp_path)
+    replaying = person.window.replaying
+    replaying.open(path)
+    person.until(replaying.card.isVisible)
+    assert replaying.card.words.text() == "Reading slow.jsonl, 0%"
+    assert person.window.mode == "draw"
+    path.write_bytes(raw)
+    person.until(lambda: replaying.is_open)
+    assert person.window.mode == "replay"
+    assert not replaying.card.isVisible()
+    assert "Verified" in replaying.pane.note.text()
+
+
+def test_a_log_that_takes_long_can_be_given_up(sit: Sit, tmp_path: Path) -> None:
+    person = sit(HANOI)
+    path, raw = _slow(tmp_path)
+    replaying = person.window.replaying
+    replaying.open(path)
+    person.click(replaying.card.cancel)
+    assert not replaying.card.isVisible()
+    path.write_bytes(raw)
+    replaying.open(tmp_path / "run.jsonl")
+    assert replaying.is_open
+    QApplication.processEvents()
+    recording = replaying.replay.recording
+    assert recording is not None
+    assert recording.path.name == "run.jsonl"
+
+
 def test_what_is_no_log_is_refused(sit: Sit, tmp_path: Path) -> None:
     person = sit(HFSM)
     path = tmp_path / "notes.jsonl"
     path.write_text("nothing\n")
-    assert not person.window.replaying.open(path)
+    person.window.replaying.open(path)
+    assert not person.window.replaying.is_open
     assert "no run log" in person.window.toast.words

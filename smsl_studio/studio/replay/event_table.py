@@ -8,7 +8,7 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelInde
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QListView, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.picture.account_words import Causes, told
+from smsl_studio.picture.account_words import told
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, Names, names_of
 from smsl_studio.studio.theme import mono_font
@@ -22,14 +22,13 @@ class EventsModel(QAbstractListModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._events: Sequence[Event] = ()
-        self._by: list[str] = []
+        self._by: Sequence[str] = ()
         self._names = NAMELESS
 
-    def show(self, events: Sequence[Event], blueprint: Blueprint) -> None:
-        causes = Causes()
+    def show(self, events: Sequence[Event], by: Sequence[str], blueprint: Blueprint) -> None:
         self.beginResetModel()
         self._events, self._names = events, Names.of_header(names_of(blueprint))
-        self._by = [causes.of(event) for event in events]
+        self._by = by
         self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
@@ -67,9 +66,9 @@ class EventTable(QListView):
         self.clicked.connect(self._choose)
         self.activated.connect(self._choose)
 
-    def show_events(self, events: Sequence[Event], blueprint: Blueprint) -> None:
-        """The events of another recording."""
-        self._events.show(events, blueprint)
+    def show_events(self, events: Sequence[Event], by: Sequence[str], blueprint: Blueprint) -> None:
+        """The events of another recording, and whose command each of them answers."""
+        self._events.show(events, by, blueprint)
 
     def show_index(self, index: int) -> None:
         """So many of them have happened."""

@@ -16,7 +16,6 @@ from smsl_studio.studio.replay.replay import Replay
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.facts_table import COLUMNS, FactsTable
 from smsl_studio.studio.run.framing import head, panel, split
-from smsl_studio.studio.run.lanes import Lane, lanes
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_canvas import TROUBLE, RunCanvas
 from smsl_studio.studio.run.state_check import StateCheckView
@@ -60,7 +59,6 @@ class ReplayPane(QWidget):
     ) -> None:
         super().__init__(parent)
         self._replay, self._tokens = replay, tokens
-        self._lanes: tuple[Lane, ...] = ()
         self.note = QLabel()
         self.note.setProperty("role", "replay")
         self.note.setWordWrap(True)
@@ -98,7 +96,6 @@ class ReplayPane(QWidget):
 
     def _show_run(self) -> None:
         recording, whole = self._replay.recording, self._replay.whole
-        self._lanes = ()
         if recording is None or whole is None:
             return
         self.note.setText(note_words(recording))
@@ -106,15 +103,13 @@ class ReplayPane(QWidget):
         self.note.setProperty("kind", "good" if good else "bad")
         self.note.style().unpolish(self.note)
         self.note.style().polish(self.note)
-        self.events.show_events(recording.retelling.events, recording.blueprint)
+        events = recording.retelling.events
+        self.events.show_events(events, whole.causes, recording.blueprint)
 
     def _show_moment(self) -> None:
         replay, status, blueprint = self._replay, self._replay.status, self._replay.blueprint
-        if status is None or blueprint is None or replay.whole is None:
+        if status is None or blueprint is None or replay.recording is None:
             return
-        if not self._lanes:
-            over = replace(status, running=None, running_since=None)
-            self._lanes = lanes(blueprint, over, replay.whole.story)
         self.canvas.refresh()
         # How old a reading was is in no record, only when it changed.
         rows = (replace(row, age=None) for row in view.fact_rows(blueprint, status))
@@ -123,7 +118,7 @@ class ReplayPane(QWidget):
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         self.events.show_index(replay.index)
         self._count.setText(f"{replay.index:,} of {replay.count:,}")
-        self.timeline.show_lanes(self._lanes, replay.time)
+        self.timeline.show_lanes(replay.recording.lanes, replay.time)
         self.said.emit()
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -13,13 +13,22 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError, StudioError
 from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.log import FORMAT
-from smsl_studio.runlog.reading import LoggedRun, read_log
+from smsl_studio.runlog.reading import Going, LoggedRun, read_log
 from smsl_studio.runlog.retelling import Retelling
+from smsl_studio.studio.replay.as_status import as_status
+from smsl_studio.studio.replay.whole_story import WholeStory
+from smsl_studio.studio.run.lanes import Lane, lanes
 
 SUFFIX = ".jsonl"
 _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
+READ, FOLDED, TOLD = 0.5, 0.75, 0.95
+"""Shares of the time it takes until a log is read, folded and told as a story."""
 ANOTHER = "It was recorded with another version of this blueprint"
 NO_BLUEPRINT = "Open the blueprint of this run first, then the recording again."
+
+
+def _nobody(share: float) -> None:
+    """Nobody waits."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +40,8 @@ class Recording:
     retelling: Retelling
     blueprint: Blueprint
     differs: bool
+    whole: WholeStory
+    lanes: tuple[Lane, ...]
 
     @property
     def doubt(self) -> str:
@@ -51,12 +62,14 @@ def is_recording(path: Path) -> bool:
         return False
 
 
-def open_recording(path: Path, drawn: Blueprint) -> Recording:
+def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Recording:
     """Read a log and find its blueprint: the one that is drawn, else where it was, else beside it.
 
     ReadError where it is no log, or no blueprint is found that has the states it tells of.
+    ``going`` hears how far it is (0 to 1); what it raises is raised here, so that it can be given
+    up.
     """
-    run = read_log(path)
+    run = read_log(path, lambda share: going(share * READ))
     started = next((event for event in run.events if isinstance(event, RunStarted)), None)
     behaviour = _behaviour(run, started)
     found = [one for one in _candidates(path, run, drawn) if _fits(one, started)]
@@ -65,8 +78,14 @@ def open_recording(path: Path, drawn: Blueprint) -> Recording:
     if blueprint is None:
         name = Path(str(run.header.get("file", ""))).name or "its blueprint"
         raise ReadError(f"{name}, of which this is a run, is not found", advice=NO_BLUEPRINT)
-    retelling = Retelling(run.events, by_hand=run.header.get("by_hand") is True)
-    return Recording(path, run, retelling, blueprint, same is None)
+    events, by_hand = run.events, run.header.get("by_hand") is True
+    count, share = max(len(events), 1), FOLDED - READ
+    retelling = Retelling(events, by_hand, lambda told: going(READ + share * told / count))
+    whole = WholeStory(retelling)
+    going(TOLD)
+    over = replace(as_status(blueprint, retelling.at(0)), running=None, running_since=None)
+    rows = lanes(blueprint, over, whole.story)
+    return Recording(path, run, retelling, blueprint, same is None, whole, rows)
 
 
 def recordings_in(folder: Path, most: int = 30) -> tuple[Path, ...]:

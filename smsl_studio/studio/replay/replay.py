@@ -34,7 +34,6 @@ class Replay(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.recording: Recording | None = None
-        self.whole: WholeStory | None = None
         self.told = Retold()
         self.status: DispatchStatus | None = None
         self.story = Story()
@@ -47,6 +46,10 @@ class Replay(QObject):
     @property
     def blueprint(self) -> Blueprint | None:
         return self.recording.blueprint if self.recording is not None else None
+
+    @property
+    def whole(self) -> WholeStory | None:
+        return self.recording.whole if self.recording is not None else None
 
     @property
     def exists(self) -> bool:
@@ -81,7 +84,6 @@ class Replay(QObject):
         """Show another recording from where it begins; None: none."""
         self._clock.stop()
         self.recording = recording
-        self.whole = WholeStory(recording.retelling) if recording is not None else None
         self.told, self.status, self.story, self.time = Retold(), None, Story(), 0.0
         self.opened.emit()
         self.to_time(0.0)

@@ -6,15 +6,16 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QWidget
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.errors import StudioError
+from smsl_studio.studio.replay.opening import Opening
+from smsl_studio.studio.replay.opening_card import OpeningCard
 from smsl_studio.studio.replay.pane import ReplayPane
 from smsl_studio.studio.replay.recording import (
     SUFFIX,
-    open_recording,
+    Recording,
     recording_words,
     recordings_in,
 )
@@ -47,31 +48,25 @@ class Replaying(QObject):
         self.replay = Replay(self)
         self.transport = ReplayTransport(self.replay, tokens)
         self.pane = ReplayPane(self.replay, drawn(), tokens)
+        self.opening = Opening(self)
+        self.card = OpeningCard(self.opening, tokens, window)
         self.transport.close_wanted.connect(self.close)
+        self.opening.refused.connect(self.refused)
+        self.opening.opened.connect(self._show)
 
     @property
     def is_open(self) -> bool:
         return self.replay.recording is not None
 
-    def open(self, path: Path | None = None) -> bool:
-        """Show a recording (asking which); whether there is one to be seen."""
+    def open(self, path: Path | None = None) -> None:
+        """Show a recording (asking which), as soon as it is read."""
         if path is None:
             start = str(self._folder if self._folder.is_dir() else Path.home())
             name, _ = QFileDialog.getOpenFileName(self._window, "Open recording", start, KINDS)
             if not name:
-                return False
+                return
             path = Path(name)
-        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
-        try:
-            recording = open_recording(path, self._drawn())
-        except StudioError as error:
-            self.refused.emit(error)
-            return False
-        finally:
-            QApplication.restoreOverrideCursor()
-        self.replay.show(recording)
-        self.opened.emit()
-        return True
+        self.opening.open(path, self._drawn())
 
     def close(self) -> None:
         """Let go of the recording."""
@@ -79,6 +74,11 @@ class Replaying(QObject):
             self.replay.pause()
             self.closed.emit()
             self.replay.show(None)
+
+    def stop(self) -> None:
+        """The window goes away: nobody waits for a recording any more."""
+        self.replay.pause()
+        self.opening.stop()
 
     def fill(self, menu: QMenu) -> None:
         """The newest recordings of the user's folder."""
@@ -92,3 +92,8 @@ class Replaying(QObject):
     def set_tokens(self, tokens: Tokens) -> None:
         self.transport.set_tokens(tokens)
         self.pane.set_tokens(tokens)
+        self.card.set_tokens(tokens)
+
+    def _show(self, recording: Recording) -> None:
+        self.replay.show(recording)
+        self.opened.emit()

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWi
 
 from smsl_studio.studio.controls import Combo, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
-from smsl_studio.studio.replay.marks import marks_of
 from smsl_studio.studio.replay.replay import Replay
 from smsl_studio.studio.replay.scrubber import Scrubber
 from smsl_studio.studio.run.phases import phase_words
@@ -85,9 +84,8 @@ class ReplayTransport(QWidget):
         replay.changed.connect(self._show_moment)
 
     def _show_run(self) -> None:
-        recording = self._replay.recording
-        events = recording.retelling.events if recording is not None else ()
-        self.scrubber.show_run(self._replay.end, marks_of(events))
+        whole = self._replay.whole
+        self.scrubber.show_run(self._replay.end, whole.marks if whole is not None else ())
 
     def _show_moment(self) -> None:
         replay = self._replay

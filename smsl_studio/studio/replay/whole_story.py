@@ -6,13 +6,15 @@ from bisect import bisect_right
 from collections.abc import Iterable
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.account_words import Causes
 from smsl_studio.runlog.events import Committed
 from smsl_studio.runlog.retelling import Retelling, Retold
+from smsl_studio.studio.replay.marks import marks_of
 from smsl_studio.studio.run.story import Span, Story
 
 
 class WholeStory:
-    """All spans and trails of a run, told once; ``until`` says which there were at a moment.
+    """All spans, trails and marks of a run, told once; ``until`` says what was at a moment.
 
     Who goes round and round leaves one trail, so that any moment of a long run is as near.
     """
@@ -20,6 +22,10 @@ class WholeStory:
     def __init__(self, retelling: Retelling) -> None:
         self.story = Story()
         self.story.tell(retelling.events)
+        self.marks = tuple(marks_of(retelling.events))
+        causes = Causes()
+        self.causes = tuple(causes.of(event) for event in retelling.events)
+        """Whose command each event answers."""
         self._close(retelling.end)
         self._visits = {name: _first(lane) for name, lane in self.story.states.items()}
         self._starts = {
