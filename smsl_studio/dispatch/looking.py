@@ -33,6 +33,10 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
     run, carrier, state = driver.run, driver.carrier, driver.state
     current = carrier.remaining if carrier else ()
     route = (*(edge.address for edge in current), *driver.course.ahead)
+    following = None if carrier is not None or ended else driver.next_edge()
+    if following is not None and driver.desk.busy and following not in route[:1]:
+        # What people are asked about is still to be carried out, and first.
+        route = (following, *route)
     if not route and phase == "paused" and not holds(_here(driver), driver.course.goals):
         # What was asked for by hand has no plan behind it; one sees what would come all the same.
         route = driver.course.prospect(_here(driver))

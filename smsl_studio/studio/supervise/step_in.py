@@ -99,6 +99,9 @@ class StepIn(QWidget):
             self.hand.set_words("Give back", "the scene is read first", "hand")
         else:
             self.hand.set_words("Take over", "automation is locked out", "hand")
+        if self._status is not None and self._why.text().rstrip(".") in self._status.sentence:
+            # Why it holds stands above already.
+            self.say("")
         said = ""
         if self._status is not None and blueprint is not None:
             said = decisions.detour_words(blueprint, self._status, subject)

@@ -443,3 +443,11 @@ def test_what_people_say_is_never_in_an_event_before_all_have_said_it() -> None:
     story = Attended(made).run().say("confirm").say("refuse", "Bo")
     said = [repr(e) for e in story.events if e.event in ("commanded", "task_answered")]
     assert not any("refuse'" in words or "'confirm'" in words for words in said)
+
+
+def test_what_is_asked_about_is_the_first_of_the_route_while_it_is_asked() -> None:
+    story = Attended(ways(), levels={"supervision": "human"}).run()
+    status = story.dispatcher.status
+    assert [str(one) for one in status.route[:1]] == [story.asked[-1][1]]
+    assert status.detour is not None
+    assert status.route[0] not in status.detour
