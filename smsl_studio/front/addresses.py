@@ -56,8 +56,8 @@ def states_at(
 def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Address, ...]:
     """Operations to avoid, written ``SB/State/Operation``.
 
-    A state stands for all that leads out of it, an operation's name alone for every edge that has
-    it. AddressError where there is none, UsageError for an SB: avoiding all of it leaves nothing.
+    A state stands for all that leads out of it, an operation's name, alone or behind its SB, for
+    every edge that has it. AddressError where there is none, UsageError for an SB: avoiding all of it leaves nothing.
     """
     found: list[Address] = []
     for text in written:
@@ -110,12 +110,13 @@ def _as_spelt(blueprint: Blueprint, text: str) -> list[Address]:
 
 
 def _named(blueprint: Blueprint, text: Written) -> list[Address]:
-    """Every edge whose operation has this name."""
+    """Every edge whose operation has this name, in one SB where that is written before it."""
     if isinstance(text, Address):
         return []
+    parts = Address.split(text)
     return [
         edge.address
         for branch in blueprint
         for edge in branch.edges()
-        if (edge.name,) == Address.split(text)
+        if parts in ((edge.name,), (branch.name, edge.name))
     ]

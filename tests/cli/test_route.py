@@ -85,3 +85,11 @@ def test_a_state_of_another_sb_is_named_with_it(shell: Shell) -> None:
     answer = shell("run", sample("three-roots"), "--world", "table", "--goal", "State1")
     assert answer.status == 2
     assert answer.err.splitlines()[-1].startswith("Write ")
+
+
+def test_an_operation_is_avoided_wherever_its_branch_has_it(shell: Shell) -> None:
+    ends = ("--from", "SB1/State000", "--to", "SB1/State111", "--format", "json")
+    around = shell("route", sample("hfsm"), *ends, "--avoid", "SB1/Operation100B").json
+    assert around["states"] == ["State000", "State100", "State110", "State111"]
+    wrong = shell("route", sample("hfsm"), *ends, "--avoid", "SB2/Operation100B")
+    assert (wrong.status, wrong.out) == (2, "")

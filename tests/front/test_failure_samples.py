@@ -6,7 +6,9 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.hosting import known_world
 from smsl_studio.front.running import open_run
+from smsl_studio.front.script.fitting import check_faults
 from smsl_studio.inspection.finding import Severity
 from smsl_studio.runlog.events import Event, OperationStarted, Relocalised, RunFinished
 from smsl_studio.shipped import samples_dir
@@ -88,3 +90,13 @@ def test_inspection_only_says_that_failures_come_from_outside(name: str) -> None
     found = list(smsl.inspect(blueprint))
     assert {(one.rule, one.severity) for one in found} == {("R10", Severity.WARNING)}
     assert all("entered from outside" in one.message for one in found)
+
+
+def test_the_script_for_the_failures_fits_the_world_with_the_robot() -> None:
+    """Every sample script reads; this one names faults that only the world ``hanoi`` has."""
+    file = samples_dir() / "scripts" / "hanoi-dropped.jsonl"
+    script = smsl.read_script(file, _sample("hanoi-failures"))
+    loaded = known_world("hanoi")
+    assert loaded is not None
+    check_faults(script, "hanoi", loaded.faults_of("hanoi"))
+    assert [act.given["fault"] for act in script.acts] == ["gripper_opens", "blocked_peg"]
