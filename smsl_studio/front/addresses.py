@@ -57,7 +57,8 @@ def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Add
     """Operations to avoid, written ``SB/State/Operation``.
 
     A state stands for all that leads out of it, an operation's name, alone or behind its SB, for
-    every edge that has it. AddressError where there is none, UsageError for an SB: avoiding all of it leaves nothing.
+    every edge that has it. AddressError where there is none, UsageError for an SB: avoiding all
+    of it leaves nothing.
     """
     found: list[Address] = []
     for text in written:
