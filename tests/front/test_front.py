@@ -12,7 +12,7 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import AddressError, RunRefused, SaveError, UsageError, WorldError
-from smsl_studio.front import running
+from smsl_studio.front import headless, running
 from smsl_studio.front.running import Run
 from smsl_studio.runlog.events import EdgeSwept, Event, OperationStarted, RunFinished
 from smsl_studio.runlog.log import RunLog
@@ -118,7 +118,7 @@ def test_a_speed_paces_the_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
             self.now += seconds
 
     clock = Clock()
-    monkeypatch.setattr(running, "time", clock)
+    monkeypatch.setattr(headless, "time", clock)
     run = _lamp(tmp_path, speed=0.5)
     assert clock.now - 100.0 == pytest.approx(run.events[-1].t / 0.5)
     before = clock.now
