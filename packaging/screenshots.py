@@ -1,13 +1,14 @@
 """Makes the pictures in docs/images: Draw and Run modes, three samples, two themes, three sizes.
 
     .venv/bin/python packaging/screenshots.py [--out FOLDER] [--sample NAME]
-        [--mode draw|run|supervise|safe|people]
+        [--mode draw|run|supervise|safe|people|monitor|replay]
 
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
 real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
 file that does not read, of the offer to recover, and of a file that another program has changed.
 ``supervise`` are an operation under way, every way cut, and the full map.
 ``people`` are those of a task that two persons must answer, and of the table of levels.
+``replay`` is a recorded run at the moment in which an operation was shut out.
 """
 
 from __future__ import annotations
@@ -33,6 +34,7 @@ from PySide6.QtCore import Qt  # noqa: E402
 from PySide6.QtGui import QImage, QPainter  # noqa: E402
 from PySide6.QtWidgets import QApplication, QWidget  # noqa: E402
 
+import smsl_studio as smsl  # noqa: E402
 from smsl_studio.blueprint.address import Address  # noqa: E402
 from smsl_studio.blueprint.editing import rename  # noqa: E402
 from smsl_studio.dispatch.people.task import Task  # noqa: E402
@@ -47,6 +49,7 @@ from tests.monitor.broker import Broker, Node  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))
 THEMES = ("light", "dark")
+MODES = ("draw", "run", "supervise", "safe", "people", "monitor", "replay")
 FRONT = (1440, 900)
 UNDER_WAY = 1.2
 """Simulated seconds after which the operation of the picture is well under way."""
@@ -78,7 +81,7 @@ def main() -> int:
     """Take the pictures that were asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
-    parser.add_argument("--mode", choices=("draw", "run", "supervise", "safe", "people", "monitor"))
+    parser.add_argument("--mode", choices=MODES)
     parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
@@ -97,6 +100,8 @@ def main() -> int:
             studio.take_people()
         if asked.mode in (None, "monitor"):
             studio.take_monitor(Path(folder))
+        if asked.mode in (None, "replay"):
+            studio.take_replay(Path(folder))
     return 0
 
 
@@ -282,6 +287,22 @@ class Studio:
             node.kill()
         window.close()
         broker.kill()
+
+    def take_replay(self, folder: Path) -> None:
+        """A recorded run of Hanoi, at the moment in which an operation was shut out."""
+        blueprint, log = smsl.read(ROOT / "samples" / "hanoi-corrected.json"), folder / "run.jsonl"
+        script = smsl.read_script(ROOT / "samples" / "scripts" / "hanoi-pruned.jsonl", blueprint)
+        smsl.run(blueprint, "hanoi", script=script, avoid=["State_aaa/Op_1c"], log=log)
+        window = make_window(self._windows, str(log))
+        self._until(lambda: window.replaying.is_open)
+        replay = window.replaying.replay
+        assert replay.recording is not None
+        events = replay.recording.retelling.events
+        shut = next(at for at, event in enumerate(events, 1) if event.event == "operation_pruned")
+        replay.to_index(shut)
+        for theme, size in self._dressed(window):
+            self._shoot(window, f"replay-{theme}-{size[0]}x{size[1]}")
+        window.close()
 
     def _task_after(self, window: Window, said: list[str]) -> Task:
         """The first open task that nobody was told of yet."""
