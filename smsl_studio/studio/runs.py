@@ -37,6 +37,7 @@ class Runs:
         self.pane.recordings = lambda: settings.wanted_recordings
         self.supervise = SupervisePane(session, self.pane.run, tokens)
         self.supervise.begin_wanted.connect(self.pane.play)
+        self.pane.reset_wanted.connect(self.supervise.ask_reset)
         persons.changed.connect(self.supervise.refresh)
         self.people = People(session, self.pane.run, self.pane.levels, persons, tokens, window)
         self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)

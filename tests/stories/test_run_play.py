@@ -75,6 +75,10 @@ def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
     assert run.pane.run.exists
     assert run.pane.transport.play.text() == "Reset"
     person.press(Key.Key_F5)
+    assert run.pane.possible.asking.words.startswith("Reset?")
+    person.press(Key.Key_Escape)
+    person.press(Key.Key_F5)
+    person.press(Key.Key_Return)
     run.until_phase("Paused")
     person.press(Key.Key_F8)
     run.until_phase("Stopped")

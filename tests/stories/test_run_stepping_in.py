@@ -30,6 +30,8 @@ def _prune(run: AtRun, operation: str, reason: str) -> None:
 def _offer(run: AtRun, words: str) -> None:
     button = next(b for b in run.pane.possible.hold.buttons() if b.accessibleName() == words)
     run.person.click(button)
+    assert words.split(maxsplit=1)[0] in run.pane.possible.asking.words
+    run.person.press(Key.Key_Return)
 
 
 def test_everything_is_cut_an_offer_restores_and_the_run_goes_on(sit: Sit) -> None:

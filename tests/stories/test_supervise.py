@@ -84,6 +84,9 @@ def _stop_reset_and_end(at: AtSupervise) -> None:
     """Stop asks nothing; reset and end do."""
     at.press(Key.Key_F8)
     at.until_phase("Stopped")
+    at.press(Key.Key_F5)
+    assert at.asked.startswith("Reset?")
+    at.press(Key.Key_Escape)
     at.tab_to(at.pane.bar.reset)
     at.press(Key.Key_Return)
     assert at.asked.startswith("Reset?")

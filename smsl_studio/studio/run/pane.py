@@ -44,6 +44,7 @@ from smsl_studio.studio.run.timeline import Timeline
 from smsl_studio.studio.run.transport import Transport
 from smsl_studio.studio.run.world_view import WorldView
 from smsl_studio.studio.session import Session
+from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import capital
 
@@ -64,6 +65,8 @@ class RunPane(QWidget):
     """Whether there is a run that can be stopped."""
     said = Signal()
     """Other ``words`` tell how the run stands."""
+    reset_wanted = Signal()
+    """A stop shall be unlatched, and what is shown instead of this has to ask for it."""
     moved = Signal(object, str)
     """(active state of every SB, SB in which an operation runs): empty where there is no run."""
 
@@ -102,17 +105,24 @@ class RunPane(QWidget):
     # What is asked of the run.
 
     def play(self) -> None:
-        """Start a run, or go on with the one that is paused, holds or waits for a hand. One that
-        is stopped is only unlatched."""
+        """Start a run, or go on with the one that is paused, holds or waits for a hand. Of one that
+        is stopped it is asked whether it shall be reset."""
         if self.run.phase == "running":
             return
         if self.run.phase == "stopped" and self.run.exists:
-            self.run.reset()
+            self._ask_reset()
         elif self.run.exists:
             self.transport.by_hand.setChecked(False)
             self.run.play()
         else:
             self._begin(stepping=False)
+
+    def _ask_reset(self) -> None:
+        if self.isVisible():
+            self._lists.show_page("Possible now")
+            self.possible.ask(decisions.offered(decisions.RESET_OFFER))
+        else:
+            self.reset_wanted.emit()
 
     def pause(self) -> None:
         self.run.pause()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt, Signal, SignalInstance
-from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent
+from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -50,6 +50,10 @@ class PossibleRow:
     note: str = ""
 
 
+BESIDE = 2 * 12 + 16 + 5 * 8 + 30 + 26
+"""Pixels of a row that are neither names nor words: its edges, mark, gaps, cost and scissors."""
+
+
 class PossibleList(QScrollArea):
     """A list of widgets, so that each line has focus; permitted operations are buttons."""
 
@@ -71,6 +75,7 @@ class PossibleList(QScrollArea):
         self._rows: tuple[PossibleRow, ...] = ()
         self._by_hand = False
         self._empty = "Starts with the run"
+        self._narrow = False
         self._rebuild()
 
     def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
@@ -85,7 +90,21 @@ class PossibleList(QScrollArea):
         inner = self.widget()
         return list(inner.findChildren(QFrame, "possibleRow")) if inner else []
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._is_narrow() != self._narrow:
+            self._rebuild()
+
+    def _is_narrow(self) -> bool:
+        """Whether what is said of some row has no room beside its name, and goes on below."""
+        words = [row.words for row in self._rows if row.kind not in REASONED]
+        metrics = QFontMetricsF(text_font(12))
+        needed = max((metrics.horizontalAdvance(one) for one in words), default=0.0)
+        columns = sum(self._column_width(column) for column in (0, 1)) if words else 0
+        return columns + needed + BESIDE > self.viewport().width()
+
     def _rebuild(self) -> None:
+        self._narrow = self._is_narrow()
         bar = self.verticalScrollBar().value()
         inner = QWidget()
         inner.setProperty("role", "panel")
@@ -148,7 +167,7 @@ class PossibleList(QScrollArea):
             plain = row.kind in ("waits", "pruned", "refused", "later")
             across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
         across.addWidget(self._fixed(label(row.target, "mono"), 1))
-        if row.kind in REASONED:
+        if row.kind in REASONED or self._narrow:
             # Why something is not possible is never cut: it goes on below.
             across.addStretch(1)
             reason = label(row.words, "hint")
@@ -169,13 +188,16 @@ class PossibleList(QScrollArea):
 
     def _fixed(self, widget: QWidget, column: int) -> QWidget:
         """The names of all rows are as wide as the widest, within reason; so are the targets."""
+        widget.setFixedWidth(self._column_width(column))
+        return widget
+
+    def _column_width(self, column: int) -> int:
         fonts = text_font(13, 600), mono_font(12)
         metrics = QFontMetricsF(fonts[column])
         texts = ((row.name, row.target)[column] for row in self._rows)
         pad = PADDING if column == 0 and self._by_hand else 4
         widest = max(metrics.horizontalAdvance(text) for text in texts) + pad
-        widget.setFixedWidth(round(min(widest, WIDEST[column])))
-        return widget
+        return round(min(widest, WIDEST[column]))
 
     def _mark(self, kind: str) -> QWidget:
         name, colour = {

@@ -46,7 +46,7 @@ class PossiblePanel(QWidget):
         self.list.chosen.connect(self.chosen)
         self.list.restore_wanted.connect(run.restore)
         self.list.prune_wanted.connect(self._ask_prune)
-        self.hold.wanted.connect(self._do)
+        self.hold.wanted.connect(self.ask)
         self.asking.confirmed.connect(self._do)
         self.asking.dropped.connect(self._fit)
 
@@ -55,10 +55,13 @@ class PossiblePanel(QWidget):
 
     def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
         """Follow the run: the rows, whether they may be chosen, and what is said without any."""
-        self.hold.show_status(self._run.status, self._run.exists)
         decision = self.asking.decision
         open_ones = [row.address for row in rows if row.kind in PRUNABLE]
-        if decision is not None and decision.address not in open_ones:
+        if (
+            decision is not None
+            and decision.address not in open_ones
+            and not self._offers(decision)
+        ):
             self.asking.show_decision(None)
         self._fit()
         self.list.show_rows(rows, by_hand, empty)
@@ -70,17 +73,34 @@ class PossiblePanel(QWidget):
     def _ask_prune(self, address: Address) -> None:
         status = self._run.status
         if status is not None:
-            self.asking.show_decision(decisions.prune(address, status))
-            self._fit()
-            self.asking.take_focus()
+            self.ask(decisions.prune(address, status))
+
+    def ask(self, decision: Decision) -> None:
+        """Ask once more; Enter does it, as in Supervise."""
+        self.asking.show_decision(decision)
+        self._fit()
+        self.asking.take_focus()
+
+    def _offers(self, decision: Decision) -> bool:
+        """Whether that may still be done about a run that holds or is stopped."""
+        status = self._run.status
+        if status is None or not self._run.exists:
+            return False
+        return (decision.command, decision.address) in [
+            (one.command, one.address) for one in map(decisions.offered, decisions.offers(status))
+        ]
 
     def _do(self, decision: Decision, reason: str = "") -> None:
-        """Here a button is pressed on purpose: it does what it says."""
-        if self.asking.decision is decision:
-            self.asking.show_decision(None)
+        self.asking.show_decision(None)
+        self.list.setFocus()
         said = [] if decision.address is None else [decision.address]
         self._run.command(decision.command, *said, *([reason] if decision.reasoned else []))
         self._fit()
 
     def _fit(self) -> None:
+        if self.asking.decision is None:
+            self.hold.show_status(self._run.status, self._run.exists)
+        else:
+            # What is asked stands in the place of what led to it, so that it is in sight.
+            self.hold.hide()
         self._above.setVisible(not self.hold.isHidden() or not self.asking.isHidden())
