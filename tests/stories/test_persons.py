@@ -1,0 +1,76 @@
+"""Who works here: persons are named in the dialog, and what is commanded then is in their name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.runlog.events import Commanded
+from smsl_studio.studio.people.persons_dialog import PersonsDialog
+from tests.stories.at_tasks import AtTasks, asking
+from tests.stories.conftest import Sit
+from tests.stories.person import Person
+from tests.stories.test_window import check_named, check_whole
+
+Key = Qt.Key
+
+
+def _open(person: Person) -> PersonsDialog:
+    """Open the dialog from its row in the table of actions."""
+    person.window.actions_table["persons"].trigger()
+    person.until(lambda: bool(_dialogs(person)))
+    (dialog,) = _dialogs(person)
+    dialog.activateWindow()
+    person.until(dialog.isActiveWindow)
+    return dialog
+
+
+def _dialogs(person: Person) -> list[PersonsDialog]:
+    return [one for one in person.window.findChildren(PersonsDialog) if one.isVisible()]
+
+
+def test_a_person_is_named_by_keyboard_and_stops_a_run_in_that_name(
+    sit: Sit, tmp_path: Path
+) -> None:
+    person = sit(asking(tmp_path, go={"actor": "human"}), (1280, 800))
+    room = AtTasks(person)
+    dialog = _open(person)
+    for name, role in (("L. Brandt", "supervisor"), ("A. Okafor", "surgeon")):
+        dialog.new_name.setFocus()
+        QTest.keyClicks(dialog.new_name, name)
+        QTest.keyClick(dialog.new_name, Key.Key_Tab)
+        assert dialog.new_role.hasFocus()
+        QTest.keyClicks(dialog.new_role, role)
+        QTest.keyClick(dialog.new_role, Key.Key_Return)
+    person.until(lambda: len(dialog.rows) == 2)
+    assert dialog.isVisible(), "Enter adds a person and closes nothing"
+    for widget in dialog.findChildren(QWidget):
+        if widget.isVisible():
+            check_named(widget)
+            check_whole(widget)
+
+    # The second person works here from now on, and locks the name with a PIN.
+    person.click(dialog.rows[1].mine)
+    person.click(dialog.rows[1].pin_button)
+    row = dialog.rows[1]
+    assert row.new.hasFocus()
+    for field in (row.new, row.again):
+        QTest.keyClicks(field, "2468")
+    QTest.keyClick(row.again, Key.Key_Return)
+    person.until(lambda: dialog.rows[1].pin_button.text() == "Unlock")
+    assert dialog.rows[1].mine.isChecked()
+    QTest.keyClick(dialog, Key.Key_Escape)
+    person.until(lambda: not _dialogs(person))
+    person.window.activateWindow()
+    person.until(person.window.isActiveWindow)
+
+    room.start()
+    room.until_asked("go: please carry it out")
+    assert person.window.supervise.bar.person == "A. Okafor"
+    person.press(Key.Key_F8)
+    person.until(lambda: any(isinstance(e, Commanded) for e in room.events))
+    (stop,) = [e for e in room.events if isinstance(e, Commanded)]
+    assert (stop.command, stop.by) == ("stop", "A. Okafor")
