@@ -44,7 +44,7 @@ def fault_words(edge: Edge, tick: Tick) -> str:
     """Why a function failed; empty where it returned."""
     words = f": {tick.message}" if tick.message else ""
     if tick.outcome is Outcome.FAILED:
-        return f"{edge} says that it failed{words}"
+        return f"{edge} failed{words}" if words else f"{edge} says that it failed"
     if tick.outcome is Outcome.RAISED:
         return f"{edge} raised an error{words}"
     if tick.outcome is Outcome.IDLE:
