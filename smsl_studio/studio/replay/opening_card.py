@@ -10,8 +10,8 @@ from smsl_studio.studio.controls import label
 from smsl_studio.studio.replay.opening import Opening
 from smsl_studio.studio.theme import Tokens
 
-WIDTH, LOW, LINE = 460, 24, 4.0
-"""Pixels: its width, how far it is from the bottom, and the thickness of its line."""
+WIDTH, LOW, LINE = 460, 46, 4.0
+"""Pixels: its width, how far it is from the bottom (above the status line), and its line."""
 SOON, OFTEN = 300, 100
 """Milliseconds until it comes, and between two looks at how far it is."""
 
