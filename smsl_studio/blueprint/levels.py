@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
@@ -48,7 +49,7 @@ class Levels:
     def inspection(self) -> str:
         return self._of(INSPECTION) or DEFAULTS[INSPECTION]
 
-    @property
+    @cached_property
     def supervision(self) -> str:
         return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
 

@@ -17,7 +17,7 @@ from smsl_studio.dispatch.people.questions import operation_task
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.stage import ENDED, Failure, Stage, fault_words
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
-from smsl_studio.host.protocol import Bound, Outcome
+from smsl_studio.host.protocol import Bound, Outcome, Tick
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
 
@@ -95,8 +95,7 @@ class Carrier:
         elif self.stage is Stage.RUNNING:
             self._running()
         elif self.stage is Stage.SETTLING:
-            tick, changes = self._run.senses.tick()
-            self._run.emit(*changes)
+            tick = self._tick()
             if tick.time >= self._until - HAIR:
                 self._decide()
 
@@ -150,19 +149,14 @@ class Carrier:
             self._fail("; ".join(unsure), risky=False, pending=bool(run.transit))
             return
         run.transit = action.transit
+        now = run.time
         for edge in action.begins:
             function = self.bound.function if edge is action.edge else self._function(edge)
-            run.emit(
-                OperationStarted(
-                    t=run.time,
-                    address=str(edge),
-                    target=edge.target,
-                    function=function,
-                )
-            )
+            address, target = str(edge), edge.target
+            run.emit(OperationStarted(t=now, address=address, target=target, function=function))
         if run.people_say:
             run.emit(*run.senses.forget(changed_by(run, action)))
-        self.since, self._answerable, self._by = run.time, True, ""
+        self.since, self._answerable, self._by = now, True, ""
         if run.by_person(action.edge):
             self._want(operation_task(run.blueprint, action.edge.address))
             return
@@ -213,10 +207,16 @@ class Carrier:
             return ""
         return self._run.bound[edge.address].function
 
-    def _running(self) -> None:
+    def _tick(self) -> Tick:
         tick, changes = self._run.senses.tick()
-        self._run.emit(*changes)
-        if tick.outcome is Outcome.RUNNING:
+        self._run.events.extend(changes)
+        return tick
+
+    def _running(self) -> None:
+        tick = self._tick()
+        if tick.outcome is Outcome.RETURNED:
+            self._ended("returned", tick.message or self._by)
+        elif tick.outcome is Outcome.RUNNING:
             limit = self.bound.timeout
             if tick.time - self.since < limit - HAIR:
                 return
@@ -234,8 +234,9 @@ class Carrier:
 
     def _settle(self) -> None:
         self.stage = Stage.SETTLING
-        self._until = self._run.time + self._run.opened.settle
-        if self._run.opened.settle <= 0:
+        settle = self._run.opened.settle
+        self._until = self._run.time + settle
+        if settle <= 0:
             self._decide()
 
     def _decide(self) -> None:
@@ -245,10 +246,11 @@ class Carrier:
         if self._fault:
             self._fail(self._fault, risky=self._blame, unanswered=self._unanswered)
             return
+        after = action.after
         run.pending.update(action.moved)
-        run.transit = action.after
+        run.transit = after
         targets = {**action.moved, **action.committed}
-        checks = [run.check(branch, state, action.after) for branch, state in targets.items()]
+        checks = [run.check(branch, state, after) for branch, state in targets.items()]
         asked = in_checks(run, checks) if run.people_say and self._answerable else ()
         if asked and all(check.truth is not False for check in checks):
             self._answerable = False
@@ -263,9 +265,8 @@ class Carrier:
         if action.commits:
             run.commit(action.committed, action.commits)
             operations = tuple(map(str, action.commits))
-            run.emit(
-                Committed(t=run.time, operations=operations, configuration=dict(action.committed))
-            )
+            committed = dict(action.committed)
+            run.emit(Committed(t=run.time, operations=operations, configuration=committed))
         self._index += 1
         if self._index == len(self.step.actions):
             self.stage = Stage.DONE

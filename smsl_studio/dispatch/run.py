@@ -74,7 +74,9 @@ class Run:
 
     def by_person(self, edge: Edge) -> bool:
         """Whether a person carries out what an edge's own function would do."""
-        return edge.function and self.levels.operation(edge.address) == HUMAN
+        if edge.branch not in self.people_act or not edge.function:
+            return False
+        return self.levels.operation(edge.address) == HUMAN
 
     def emit(self, *events: Event) -> None:
         if events:
@@ -82,18 +84,17 @@ class Run:
 
     def look(self) -> None:
         """Read every sensor now."""
-        self.emit(*self.senses.look())
+        self.events.extend(self.senses.look())
 
     def check(
         self, branch: str, state: str, transit: Collection[FactKey] = frozenset()
     ) -> CheckResult:
         """The state check of a state on the scene, without what hangs on digits in transit."""
-        own = self.blueprint.branches[branch]
-        expected = as_expected(own, state, self.senses.scene, state)
+        scene = self.senses.scene
+        expected = as_expected(self.blueprint.branches[branch], state, scene, state)
         if expected is not None:
             return expected
         believed = {**self.configuration, **self.pending, branch: state}
-        scene = self.senses.scene
         result = state_check(self.blueprint, branch, state, scene, believed, transit=transit)
         if not transit:
             return result
@@ -112,11 +113,11 @@ class Run:
 
     def broken(self) -> tuple[Term, ...]:
         """Integrity (clause 9): the sensed facts that differ from the flags, transit left out."""
-        believed, scene = self.believed, self.senses.scene
+        believed = self.believed if self.pending else self.configuration
+        branches, scene = self.blueprint.branches, self.senses.scene
         found: list[Term] = []
         for name, state in believed.items():
-            own = self.blueprint.branches[name]
-            if as_expected(own, state, scene, state) is None:
+            if as_expected(branches[name], state, scene, state) is None:
                 transit = self.transit
                 check = state_check(self.blueprint, name, state, scene, believed, transit=transit)
                 found.extend(check.misses)
@@ -137,9 +138,10 @@ class Run:
     def commit(self, committed: Mapping[str, str], edges: Iterable[Edge]) -> None:
         """SBs take the states that became true together with these edges."""
         self.configuration.update(committed)
+        now = self.time
         for edge in edges:
             self.operations += 1
-            self.since[edge.branch], self.previous[edge.branch] = self.time, edge.address
+            self.since[edge.branch], self.previous[edge.branch] = now, edge.address
             self.history.append((str(edge), "committed"))
         self.pending = {
             name: state for name, state in self.pending.items() if self.configuration[name] != state

@@ -114,7 +114,8 @@ class Senses:
         heard = self._inbox.take()
         if heard:
             self._monitor.accept(heard, self.time)
-        self.scene = self._monitor.scene(self.time, self._live)
+        live = self._live if self._remote is not None else 0.0
+        self.scene = self._monitor.scene(self.time, live)
         if self._doubts:
             self._dispel()
         return self._changes() if self.scene.readings else ()

@@ -65,6 +65,7 @@ class LocalHost:
         self._injecting = Injecting(world, {})
         self._costing = Costing({})
         self._stepping = self._mending("broke")
+        self._aside = _prints_aside()
         self._ticks = 0
         self._boot = 0
         self._poses: tuple[float, ...] = ()
@@ -114,7 +115,7 @@ class LocalHost:
     def sense(self) -> tuple[Sample, ...]:
         """Every sensor once, now, without moving the time."""
         engine = self._standing()
-        with _prints_aside():
+        with self._aside:
             return self._sensing.all(self._subject, self._ticks * engine.tick)
 
     def begin(self, edge: Address) -> None:
@@ -131,7 +132,7 @@ class LocalHost:
         """Let the world and the running call go on for one tick; HostError if the world breaks."""
         engine = self._standing()
         outcome, message = Outcome.IDLE, ""
-        with _prints_aside():
+        with self._aside:
             if self._call is not None:
                 outcome, message = self._call.resume()
                 if outcome is not Outcome.RUNNING:

@@ -68,7 +68,7 @@ def _guarded(driver: Driver, step: JointStep, chosen: bool) -> str:
         if objection:
             return _refuse(driver, step, chosen, (objection,))
         return _confirmed(driver, step, chosen, fresh=True)
-    circling = driver.loops.why_not(run.configuration, step.asked.address)
+    circling = driver.loops.why_not(run.configuration, step.asked)
     if circling:
         driver.course.drop_plan()
         driver.hold(Hold(circling))
@@ -124,7 +124,7 @@ def _begin(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -
         driver.loops.forget()
         driver.reviewer.forget()
     else:
-        driver.loops.count(run.configuration, step.asked.address)
+        driver.loops.count(run.configuration, step.asked)
     driver.begin(step)
     return ""
 

@@ -107,7 +107,7 @@ class Desk:
 
     def withdraw(self) -> None:
         """The run has moved on; nobody is called."""
-        if self._then is None and not self._board.tasks:
+        if self._then is None:  # no task is open without an errand
             return
         self._then, self._names = None, ()
         self._run.emit(*self._board.withdraw(self._run.time))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.edges import Edge
 
 VISITS = 3
 """So often the automatic route may begin one edge from one configuration."""
@@ -16,16 +16,16 @@ class LoopGuard:
 
     def __init__(self, most: int = VISITS) -> None:
         self.most = most
-        self._visits: dict[tuple[tuple[str, ...], Address], int] = {}
+        self._visits: dict[tuple[tuple[str, ...], str], int] = {}
 
-    def why_not(self, configuration: Mapping[str, str], edge: Address) -> str:
+    def why_not(self, configuration: Mapping[str, str], edge: Edge) -> str:
         """Why an edge must not begin: it was begun too often from here. Empty where it may."""
         if self._visits.get(_key(configuration, edge), 0) < self.most:
             return ""
         here = ", ".join(f"{name}/{state}" for name, state in configuration.items())
         return f"{edge} was begun {self.most} times from {here} without getting further."
 
-    def count(self, configuration: Mapping[str, str], edge: Address) -> None:
+    def count(self, configuration: Mapping[str, str], edge: Edge) -> None:
         """An edge begins."""
         key = _key(configuration, edge)
         self._visits[key] = self._visits.get(key, 0) + 1
@@ -34,5 +34,5 @@ class LoopGuard:
         self._visits.clear()
 
 
-def _key(configuration: Mapping[str, str], edge: Address) -> tuple[tuple[str, ...], Address]:
-    return tuple(configuration.values()), edge
+def _key(configuration: Mapping[str, str], edge: Edge) -> tuple[tuple[str, ...], str]:
+    return tuple(configuration.values()), str(edge)
