@@ -131,7 +131,8 @@ def _events(events: tuple[Event, ...], names: Names) -> Iterator[str]:
     by = next((one.world for one in events if isinstance(one, RunStarted)), "")
     causes = Causes()
     for event in islice(events, MOST):
-        yield _row(event.t, told(event, by, causes.of(event), names))
+        cause = causes.of(event)
+        yield _row(event.t, told(causes.worded(event, names), by, cause, names))
     yield "</tbody></table>" + vanished(len(events) - MOST, "event")
 
 
@@ -170,6 +171,8 @@ def _said(value: Json, deep: int = DEEP) -> str:
     """A value of the header, which says what it likes, in one line that ends."""
     if value is None or value in ([], {}, ""):
         return "none"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
     if isinstance(value, list):
         return ", ".join(_said(one) for one in value[:MOST] if isinstance(one, str | int))
     if isinstance(value, dict) and deep:

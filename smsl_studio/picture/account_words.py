@@ -7,7 +7,9 @@ from dataclasses import dataclass, fields
 from types import MappingProxyType
 from typing import Any
 
+from smsl_studio.blueprint.address import fact_text
 from smsl_studio.picture import account_regulating as regulating
+from smsl_studio.picture.account_people import Answers
 from smsl_studio.picture.account_regulating import LONGEST, listed, states
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
@@ -35,6 +37,10 @@ _KINDS: Mapping[type[Event], str] = MappingProxyType(
     }
 )
 """What is not listed was decided."""
+BY_HAND = "done by "
+"""How the end of an operation begins that a person carried out."""
+NOBODY = "nobody has answered yet"
+"""Why a fact is unknown that only a person can say: no sensor said anything."""
 
 _BAD = (
     run.Mismatch,
@@ -76,9 +82,18 @@ class Causes:
     def __init__(self) -> None:
         self._time = 0.0
         self._by: dict[str, str] = {}
+        self._answers = Answers()
+
+    def worded(self, event: Event, names: Names) -> Event:
+        """The same event with the questions of its tasks and the words of values."""
+        return self._answers.worded(event, names)
 
     def of(self, event: Event) -> str:
-        """Whose command an event answers; the empty text where it answers none."""
+        """Whose command or answer an event is due to; the empty text where it is to none."""
+        self._answers.see(event)
+        people = self._answers.by(event)
+        if people:
+            return people
         if event.t != self._time:
             self._time, self._by = event.t, {}
         if isinstance(event, run.Commanded):
@@ -119,8 +134,12 @@ def _by(event: Event, kind: str, world: str) -> str:
     if by:
         role = getattr(event, "role", "")
         return f"{by}, {role}" if role else str(by)
+    if isinstance(event, run.OperationStarted) and not event.function:
+        return "dispatcher"
     if isinstance(event, run.OperationStarted | run.OperationEnded):
         return "library function"
+    if isinstance(event, run.FactChanged) and event.reason == NOBODY:
+        return "nobody"
     if isinstance(event, run.FactChanged):
         return f"sensors of {world}" if world else "sensors"
     return "dispatcher" if kind != SENSED else "state check"
@@ -156,9 +175,10 @@ def _operation(event: run.OperationStarted) -> str:
 
 
 def _ended(event: run.OperationEnded) -> str:
-    return listed(
-        f"The function of {event.address} {event.outcome}", (event.message,) * bool(event.message)
-    )
+    message = (event.message,) * bool(event.message)
+    if event.message.startswith(BY_HAND):
+        return listed(f"{event.address} was done by hand", message)
+    return listed(f"The function of {event.address} {event.outcome}", message)
 
 
 def _checked(event: run.StateChecked) -> str:
@@ -167,7 +187,8 @@ def _checked(event: run.StateChecked) -> str:
 
 
 def _fact(event: run.FactChanged, names: Names) -> str:
-    reads = "is unknown" if event.value is None else f"reads {event.value}"
+    fact = fact_text(event.branch, event.digit)
+    reads = "is unknown" if event.value is None else f"reads {names.value(fact, event.value)}"
     why = f" ({event.reason})" if event.reason else ""
     return f"{names.fact(event.branch, event.digit)} of {event.branch} {reads}{why}"
 

@@ -16,7 +16,7 @@ MOST = 1000
 """So many names of each kind stand in a header: it is one line of a log, which people open."""
 LONGEST = 200
 """So many characters of a name are kept."""
-KINDS = ("facts", "states", "operations")
+KINDS = ("facts", "states", "operations", "values")
 _ADDRESSES = ("address", "goal", "target", "operations", "route", "goals")
 _CONFIGURATIONS = ("configuration", "start")
 
@@ -24,10 +24,11 @@ _CONFIGURATIONS = ("configuration", "start")
 def names_of(blueprint: Blueprint) -> Mapping[str, Json]:
     """The names that a blueprint gives, by kind; what it does not name is left out.
 
-    Facts are written ``SB/digit``, states ``SB/State``, operations ``SB/Operation`` or
-    ``SB/State/Operation``, as ``_operations`` has them.
+    Facts are written ``SB/digit``, their values ``SB/digit/value``, states ``SB/State``,
+    operations ``SB/Operation`` or ``SB/State/Operation``, as ``_operations`` has them.
     """
-    found = zip(KINDS, (_facts(blueprint), _states(blueprint), _operations(blueprint)), strict=True)
+    of_all = (_facts, _states, _operations, _values)
+    found = zip(KINDS, (of(blueprint) for of in of_all), strict=True)
     return {
         kind: {key: name[:LONGEST] for key, name in islice(((k, n) for k, n in pairs if n), MOST)}
         for kind, pairs in found
@@ -41,6 +42,7 @@ class Names:
     facts: Mapping[str, str] = field(default_factory=dict)
     states: Mapping[str, str] = field(default_factory=dict)
     operations: Mapping[str, str] = field(default_factory=dict)
+    values: Mapping[str, str] = field(default_factory=dict)
 
     @staticmethod
     def of_header(said: Json) -> Names:
@@ -51,6 +53,11 @@ class Names:
     def fact(self, branch: str, digit: int) -> str:
         """The name of a fact, ``Fact 1`` (counted from 1) where it has none."""
         return self.facts.get(fact_text(branch, digit)) or f"Fact {digit + 1}"
+
+    def value(self, fact: str, value: str) -> str:
+        """A value of the fact ``SB/digit`` with what it means, where that is said: ``0 "free"``."""
+        name = self.values.get(f"{fact}/{escape(value)}")
+        return f'{value} "{name}"' if name else value
 
     def address(self, text: str) -> str:
         """``SB/State/Operation`` with the title that it has: ``SB/State/Operation "Fix it"``."""
@@ -99,6 +106,13 @@ def _facts(blueprint: Blueprint) -> Iterator[tuple[str, str]]:
     for branch in blueprint:
         for digit, note in branch.notes.facts.items():
             yield fact_text(branch.name, digit), note.name
+
+
+def _values(blueprint: Blueprint) -> Iterator[tuple[str, str]]:
+    for branch in blueprint:
+        for digit, note in branch.notes.facts.items():
+            for value, words in note.values.items():
+                yield f"{fact_text(branch.name, digit)}/{escape(value)}", words
 
 
 def _states(blueprint: Blueprint) -> Iterator[tuple[str, str]]:

@@ -22,6 +22,7 @@ from smsl_studio.runlog.events import (
     FactChanged,
     Held,
     Mismatch,
+    OperationEnded,
     OperationPruned,
     OperationStarted,
     Paused,
@@ -31,6 +32,7 @@ from smsl_studio.runlog.events import (
     SweepFinished,
     TaskAnswered,
     TaskClosed,
+    TaskOpened,
 )
 from smsl_studio.runlog.reading import Head, LoggedRun, Record, read_records
 from tests.runlog.any_event import events
@@ -184,6 +186,33 @@ def test_what_has_a_name_is_told_by_it() -> None:
         'Vetoed SB/B/go "Go on"',
     ]
     assert seen.under("li") == ['SB/A/go "Fix the head"']
+
+
+def test_what_people_said_and_did_is_told_as_theirs_and_in_words() -> None:
+    """No sensor said it, and no function did it."""
+    said = {"N. Kaya": "1"}
+    given = (
+        FactChanged(t=0.0, branch="H", digit=0, value=None, reason="nobody has answered yet"),
+        TaskOpened(t=0.0, task="task-1", kind="operation", address="H/A/fix", question="Close it.",
+                   options=("done", "could_not"), role="nurse", persons=1, deadline=9.0),
+        TaskClosed(t=1.0, task="task-1", outcome="answered", answer="done",
+                   answers={"N. Kaya": "done"}),
+        OperationEnded(t=1.1, address="H/A/fix", outcome="returned", message="done by N. Kaya"),
+        TaskOpened(t=1.1, task="task-2", kind="fact", address="H/0", question="Is it fixed?",
+                   options=("0", "1"), role="nurse", persons=1, deadline=9.0),
+        TaskClosed(t=2.0, task="task-2", outcome="answered", answer="1", answers=said),
+        FactChanged(t=2.0, branch="H", digit=0, value="1"),
+        FactChanged(t=3.0, branch="H", digit=0, value="0"),
+    )  # fmt: skip
+    names = {"facts": {"H/0": "Head fixed"}, "values": {"H/0/1": "fixed", "H/0/0": "free"}}
+    rows = Page(account(logged(*given, header={"names": names}))).rows[1:]
+    assert [row[3] for row in rows] == [
+        "nobody", "dispatcher", "N. Kaya", "N. Kaya", "dispatcher", "N. Kaya", "N. Kaya", "sensors",
+    ]  # fmt: skip
+    assert rows[3][2] == "H/A/fix was done by hand: done by N. Kaya"
+    assert rows[4][2].endswith('Is it fixed? 0 "free" / 1 "fixed"')
+    assert rows[5][2] == ('task-2 "Is it fixed?" was answered with 1 "fixed" (N. Kaya: 1 "fixed")')
+    assert rows[6][2] == 'Head fixed of H reads 1 "fixed"'
 
 
 def test_a_log_without_an_end_says_so(run: LoggedRun) -> None:
