@@ -45,7 +45,9 @@ class TryAlone(QWidget):
         self.words.hide()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 8, 0, 0)
-        column.addLayout(row(self.world, self.button, None))
+        across = row(self.world, self.button)
+        across.setStretch(0, 1)
+        column.addLayout(across)
         column.addWidget(self.words)
         session.blueprint_changed.connect(lambda *_: self._forget())
 

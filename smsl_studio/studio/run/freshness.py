@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import ceil
 
-from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.check import FactKey, Reading
 from smsl_studio.monitor.facts import SourceState
 
 BARS = 4
@@ -45,6 +45,11 @@ def slow_words(age: float | None, limit: float | None) -> str:
     if age is None or limit is None or bars(age, limit) > SLOW:
         return ""
     return f", limit {age_words(limit)}"
+
+
+def age_of_nothing(reading: Reading) -> float | None:
+    """How old what is no value any more is; None where nothing was ever said."""
+    return reading.age or None
 
 
 def age_of(age: float, limit: float | None) -> str:

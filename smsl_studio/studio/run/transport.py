@@ -173,10 +173,9 @@ class Transport(QWidget):
         self._labels.append(label(words, "small"))
         across.addWidget(self._labels[-1])
 
-    def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> Combo:
+    def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> _Choice:
         self._label(across, words)
-        combo = _Choice(width)
-        combo.setToolTip(tip)
+        combo = _Choice(width, tip)
         combo.setAccessibleName(words)
         across.addWidget(combo)
         return combo
@@ -185,11 +184,18 @@ class Transport(QWidget):
 class _Choice(Combo):
     """A choice as wide as the longest of its words, within reason."""
 
-    def __init__(self, least: int) -> None:
+    def __init__(self, least: int, tip: str) -> None:
         super().__init__()
-        self._least = least
+        self._least, self._tip = least, tip
+        self.currentTextChanged.connect(lambda _: self.say())
+        self.say()
         self.setMinimumWidth(least)
         self.setMaximumWidth(LONGEST)
+
+    def say(self) -> None:
+        """The tooltip has the whole of what is chosen, for where there is no room to show it."""
+        chosen = self.currentText()
+        self.setToolTip(f"{self._tip}: {chosen}" if chosen else self._tip)
 
     def sizeHint(self) -> QSize:
         metrics = self.fontMetrics()
@@ -198,7 +204,7 @@ class _Choice(Combo):
         return QSize(min(max(widest, self._least), LONGEST), super().sizeHint().height())
 
 
-def _fill(combo: Combo, items: Sequence[tuple[str, str]]) -> None:
+def _fill(combo: _Choice, items: Sequence[tuple[str, str]]) -> None:
     """Replace the items; keeps a choice that was made and still exists, else takes the first."""
     before = combo.currentData() if combo.currentIndex() > 0 else None
     blocked = combo.blockSignals(True)
@@ -208,4 +214,5 @@ def _fill(combo: Combo, items: Sequence[tuple[str, str]]) -> None:
     known = [data for _, data in items]
     combo.setCurrentIndex(known.index(before) if before in known else 0)
     combo.blockSignals(blocked)
+    combo.say()
     combo.updateGeometry()

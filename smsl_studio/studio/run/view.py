@@ -11,7 +11,7 @@ from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.run.facts_table import FactRow
-from smsl_studio.studio.run.freshness import limit_of, slow_words
+from smsl_studio.studio.run.freshness import age_of_nothing, limit_of, slow_words
 from smsl_studio.studio.run.guard_view import held_back, standings
 from smsl_studio.studio.run.possible_list import PossibleRow
 from smsl_studio.studio.run.story import Story
@@ -229,7 +229,7 @@ def _fact_row(
         return FactRow(name, believed, reading.value, reading.age, "transit", words)
     if reading.value is None:
         words = reading.reason or "no reading"
-        return FactRow(name, believed, None, reading.age, "unknown", words)
+        return FactRow(name, believed, None, age_of_nothing(reading), "unknown", words)
     quality, words = "differs", f"not {believed}"
     if reading.value == believed:
         quality = words = "agrees"
@@ -259,9 +259,11 @@ def _kind(status: DispatchStatus, item: Possible) -> tuple[str, str]:
         return "pruned", "; ".join(item.reasons) or ("risky" if item.risky else "pruned")
     if status.running is not None:
         return "waits", "waits: one operation at a time"
+    if any(task.address == str(item.address) for task in status.tasks):
+        return "waits", "waits for an answer"
     if not item.permitted:
         return "refused", "; ".join(item.reasons)
-    if item.on_route:
+    if item.on_route or item.address in status.route[:1]:
         return "route", "on the route"
     return "possible", "off the route" if status.route else "possible"
 

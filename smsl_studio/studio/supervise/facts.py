@@ -12,7 +12,7 @@ from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.chips import kind_of
 from smsl_studio.studio.run.facts_table import FactRow
-from smsl_studio.studio.run.freshness import limit_of, slow_words
+from smsl_studio.studio.run.freshness import age_of_nothing, limit_of, slow_words
 
 LOST = "process gone"
 SIGNS = {True: "true", False: "false", None: "unknown"}
@@ -118,7 +118,7 @@ def _row(
         return FactRow(name, believed, "", None, "believed", words, chip=chip)
     if lost or reading.value is None:
         words = LOST if lost else reading.reason or "no reading"
-        age = None if lost else reading.age
+        age = None if lost else age_of_nothing(reading)
         return FactRow(name, believed, None, age, "unknown", words, chip=chip)
     wanted = term.wanted if term is not None else believed
     if moving and wanted != believed:

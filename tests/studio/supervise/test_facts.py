@@ -124,3 +124,11 @@ def test_a_person_s_answer_has_no_limit_of_a_sensor_that_does_not_count() -> Non
 def test_no_age_is_claimed_where_none_is_known_and_no_limit_where_none_is_set() -> None:
     assert bars(None, 0.3) == 0
     assert bars(50.0, None) == 4
+
+
+def test_what_nobody_said_yet_has_no_age() -> None:
+    fact = ("REGISTRATION", 2)
+    silent = Scene({**_scene().readings, fact: Reading(None, "nobody has answered yet")}, 60.0)
+    view = check_view(SAMPLE, status(HERE, scene=silent), "REGISTRATION")
+    assert view is not None
+    assert (view.rows[2].age, view.rows[2].words) == (None, "nobody has answered yet")
