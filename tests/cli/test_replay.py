@@ -141,7 +141,9 @@ def test_what_a_log_says_cannot_disturb_a_terminal(shell: Shell, tmp_path: Path)
     log = tmp_path / "log"
     write_log(log, [Held(t=0.0, reason="\x1b[2J\n\u202egood\x9b", details=("\udcff",))])
     out = shell("replay", str(log)).out
-    assert out == "    0.000 s  held: reason \\x1b[2J\\n\\u202egood\\x9b, details \\udcff, kind held\n"
+    assert (
+        out == "    0.000 s  held: reason \\x1b[2J\\n\\u202egood\\x9b, details \\udcff, kind held\n"
+    )
 
 
 def test_an_account_is_written_instead(shell: Shell, log: Path, tmp_path: Path) -> None:

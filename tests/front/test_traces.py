@@ -13,9 +13,10 @@ import smsl_studio as smsl
 from smsl_studio import front
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.front.script.acting import Acting
+from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.reading import read_log
-from smsl_studio.runlog.retelling import Retold, after
+from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.run.runner import FASTEST, Runner
 from tests.front.any_run import AnyRun, any_run
 

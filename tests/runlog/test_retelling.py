@@ -9,8 +9,10 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, FactChanged, RunStarted
-from smsl_studio.runlog.retelling import EVERY, Retelling, Retold, after
+from smsl_studio.runlog.retelling import EVERY, Retelling
+from smsl_studio.runlog.retold import Retold
 from smsl_studio.shipped import samples_dir
 
 

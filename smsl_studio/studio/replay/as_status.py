@@ -6,7 +6,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, Reading, Scene, state_check
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
-from smsl_studio.runlog.retelling import Retold
+from smsl_studio.runlog.retold import Retold
 
 
 def as_status(blueprint: Blueprint, told: Retold) -> DispatchStatus:

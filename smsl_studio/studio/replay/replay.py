@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
-from smsl_studio.runlog.retelling import Retold
+from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.replay.as_status import as_status
 from smsl_studio.studio.replay.recording import Recording
 from smsl_studio.studio.replay.whole_story import WholeStory

@@ -8,7 +8,8 @@ from collections.abc import Iterable
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.account_words import Causes
 from smsl_studio.runlog.events import Committed
-from smsl_studio.runlog.retelling import Retelling, Retold
+from smsl_studio.runlog.retelling import Retelling
+from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.replay.marks import marks_of
 from smsl_studio.studio.run.story import Span, Story
 
