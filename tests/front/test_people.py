@@ -6,10 +6,11 @@ import json
 from pathlib import Path
 from typing import Any
 
+import smsl_studio as smsl
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.agents import RiskLimit
-from smsl_studio.front.running import open_run
+from smsl_studio.front.running import Run, open_run
 from smsl_studio.front.script.reading import script_of
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
@@ -102,3 +103,23 @@ def test_levels_and_an_agent_are_given_to_a_run() -> None:
     assert "nobody is there to answer" in held.sentence
     asks = front.run(blueprint, supervisor=RiskLimit())
     assert "No risk is declared" in asks.sentence
+
+
+def _answered(lines: int | None = None) -> Run:
+    blueprint = smsl.read(samples_dir() / "registration-people.json")
+    file = samples_dir() / "scripts" / "registration-answered.jsonl"
+    raw = b"".join(file.read_bytes().splitlines(keepends=True)[:lines])
+    return front.run(blueprint, script=script_of(raw, "script", blueprint))
+
+
+def test_the_sample_script_answers_all_that_people_are_asked() -> None:
+    run = _answered()
+    assert (run.reason, run.left) == ("goal_reached", ())
+    assert not [event for event in run.events if event.as_json().get("refused")]
+
+
+def test_a_start_that_a_script_leaves_unknown_is_refused() -> None:
+    run = _answered(1)
+    assert run.reason == "refused"
+    assert "Has every landmark been touched and recorded?" in run.sentence
+    assert "run_started" not in [event.event for event in run.events]

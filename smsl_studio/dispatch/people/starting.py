@@ -37,6 +37,11 @@ class Starting:
         """Whether the run may move."""
         return self._told and not self._findings
 
+    @property
+    def told(self) -> bool:
+        """Whether the world stands at the start, and the run has begun."""
+        return self._told
+
     def go_on(self) -> None:
         """As far as it goes now. RunRefused where the world does not stand at the start, or
         nobody is there to say so."""
@@ -53,7 +58,9 @@ class Starting:
         nobody = self._driver.desk.ask(facts, self._said)
         if nobody:
             raise RunRefused(
-                nobody, advice="Run it where somebody answers, or let sensors say what it asks."
+                nobody,
+                advice="Run it where somebody answers, or by a script that does, or let sensors "
+                "say what it asks.",
             )
 
     def _said(self, closed: tuple[Closed, ...]) -> None:

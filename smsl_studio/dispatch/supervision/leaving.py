@@ -23,6 +23,8 @@ def leave(driver: Driver) -> None:
     elif phase in ("ready", "paused") and _at_goals(driver):
         driver.state.by_hand = False
         driver.arrived()
+    elif phase == "waiting" and not driver.starting.told:
+        driver.finish("refused", f"The start is not known, and {driver.desk.nobody}.")
     elif phase == "waiting":
         _finish(driver, f"The run is waiting, and {driver.desk.nobody}.")
     elif phase in ("ready", "paused", "taken_over"):
