@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from smsl_studio.dispatch.people.names import same_name
+from smsl_studio.dispatch.people.names import NAMELESS, same_name
 from smsl_studio.dispatch.people.seats import seated
 from smsl_studio.dispatch.people.task import Answered, Option, Task
 from smsl_studio.errors import did_you_mean
@@ -175,6 +175,8 @@ class TaskBoard:
         who = same_name(by)
         if not who:
             return "an answer needs the name of a person"
+        if task.persons > 1 and who in NAMELESS:
+            return f"{task.persons} persons must be told apart, say the name of who answers"
         if any(same_name(one.by) == who for one in task.answered):
             return f"{by} has answered already; another person must"
         if option not in (one.value for one in task.options):

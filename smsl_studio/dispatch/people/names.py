@@ -7,6 +7,9 @@ import unicodedata
 UNSEEN = frozenset("\u034f\u115f\u1160\u17b4\u17b5\u180b\u180c\u180d\u180f\u2800")
 """What nobody sees though it counts as a letter, a mark or a symbol."""
 
+NAMELESS = frozenset(("a person", "script"))
+"""Who speaks where nobody said a name: enough to answer alone, not to be told from another."""
+
 
 def same_name(text: str) -> str:
     """What two spellings of one name or role have in common.

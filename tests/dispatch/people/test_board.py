@@ -162,6 +162,8 @@ def test_the_default_time_is_two_minutes() -> None:
         ("B", "nurse", "maybe", "'maybe' is no answer to it, choose one of yes, no"),
         ("B", "nurse", "", "'' is no answer to it"),
         ("  ", "nurse", "yes", "an answer needs the name of a person"),
+        ("a person", "nurse", "yes", "2 persons must be told apart, say the name of who answers"),
+        ("Script", "nurse", "yes", "2 persons must be told apart"),
     ],
 )
 def test_what_does_not_count_says_why(by: str, role: str, option: str, words: str) -> None:
