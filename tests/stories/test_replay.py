@@ -134,6 +134,20 @@ def test_a_click_on_the_timeline_goes_there(sit: Sit, tmp_path: Path) -> None:
     assert 0 < at.replay.index < at.replay.count
 
 
+def test_keys_in_the_list_of_events_go_where_they_lead(sit: Sit, tmp_path: Path) -> None:
+    """What is marked in the list and what is shown are one moment."""
+    person = sit(HANOI)
+    person.window.open_path(_recorded(tmp_path))
+    at = AtReplay(person)
+    at.click_event("became true")
+    here = at.replay.told.index
+    QTest.keyClick(at.pane.events, Key.Key_Up)
+    assert at.replay.told.index == here - 1
+    QTest.keyClick(at.pane.events, Key.Key_Home)
+    assert at.replay.told.index == 1
+    assert "The run begins" in at.event()
+
+
 def test_it_plays_to_its_end_and_is_closed(sit: Sit, tmp_path: Path) -> None:
     person = sit(HANOI)
     person.window.open_path(_recorded(tmp_path))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QAbstractListModel, QModelIndex, QPersistentModelIndex, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QListView, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
@@ -79,6 +80,13 @@ class EventTable(QListView):
         else:
             self.clearSelection()
             self.scrollToTop()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """The row that the keys lead to is the moment that is shown: one mark, one meaning."""
+        before = self.currentIndex().row()
+        super().keyPressEvent(event)
+        if self.currentIndex().row() != before:
+            self._choose(self.currentIndex())
 
     def _choose(self, index: QModelIndex) -> None:
         self.index_wanted.emit(index.row() + 1)

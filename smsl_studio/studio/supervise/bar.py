@@ -12,8 +12,9 @@ from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens
 
 NARROW = 620
-LONGEST = 170
 """Pixels from which the buttons have their words."""
+LONGEST = 170
+"""Pixels that a goal and a name may take where it is narrow; a quarter of the bar where not."""
 
 
 class SuperviseBar(QWidget):
@@ -88,7 +89,8 @@ class SuperviseBar(QWidget):
         for before, (part, said) in zip(self._said, pairs, strict=True):
             part.setToolTip(said)
             metrics = part.fontMetrics()
-            part.setText(metrics.elidedText(said, Qt.TextElideMode.ElideMiddle, LONGEST))
+            room = max(LONGEST, self.width() // 4)
+            part.setText(metrics.elidedText(said, Qt.TextElideMode.ElideMiddle, room))
             part.setVisible(bool(said))
             before.setVisible(bool(said))
         latched = phase == "stopped" and exists
