@@ -87,6 +87,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             broker=options.broker,
             site=options.site,
         )
+    for words in done.unbound:
+        note(one_line(words))
     if script is not None:
         for event in done.events:
             if isinstance(event, Commanded) and event.refused:

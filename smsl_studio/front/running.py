@@ -39,13 +39,15 @@ Several = Written | Iterable[Written] | None
 class Run:
     """A run that is over: why it ended, in one word and one sentence, and everything it said.
 
-    ``left`` are the acts of its script whose moment never came.
+    ``left`` are the acts of its script whose moment never came, ``unbound`` says which bindings do
+    not fit, and where they are written.
     """
 
     reason: str
     sentence: str
     events: tuple[Event, ...]
     left: tuple[Act, ...] = ()
+    unbound: tuple[str, ...] = ()
 
 
 def open_run(
@@ -198,7 +200,10 @@ def run(
         recording.close()
     last = events[-1]
     assert isinstance(last, RunFinished), "the last event of a run is run_finished"
-    return Run(last.reason, last.sentence, tuple(events), acting.left if acting else ())
+    left = acting.left if acting else ()
+    opened = dispatcher.opened if dispatcher is not None else None
+    unbound = opened.faults if opened is not None else ()
+    return Run(last.reason, last.sentence, tuple(events), left, unbound)
 
 
 def _refuse_nonsense(blueprint: Blueprint) -> None:

@@ -319,6 +319,15 @@ def test_a_plugins_world_runs_and_its_prints_are_no_data(shell: Shell, lamp: str
     assert "switching" in answer.err
 
 
+def test_a_binding_that_does_not_fit_is_said_with_its_place(shell: Shell, lamp: str) -> None:
+    beside = Path(lamp).with_suffix(".toml")
+    beside.write_text('[world.lamp.operations]\n"Op_on" = {function = "lamp.swich"}\n')
+    answer = shell("run", lamp, "--world", "lamp", "--avoid=Op_break", "--avoid=Op_spin")
+    assert answer.status == 1
+    assert f"{beside}:2:2: LAMP/State_0/Op_on is not bound: " in answer.err
+    assert "Did you mean lamp.switch?" in answer.err
+
+
 def test_an_operation_that_raises_is_held_with_its_line(shell: Shell, lamp: str) -> None:
     others = [f"--avoid=State_0/{name}" for name in ("Op_on", "Op_spin")]
     answer = shell("run", lamp, "--world", "lamp", "--format", "json", *others)
