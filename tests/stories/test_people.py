@@ -207,3 +207,14 @@ def test_everything_of_a_card_can_be_read_at_1280(sit: Sit) -> None:
             check_named(widget)
             check_whole(widget)
     assert room.people.continuum.width() >= room.people.continuum.minimumSizeHint().width()
+
+
+def test_why_a_run_holds_is_said_once(sit: Sit, tmp_path: Path) -> None:
+    notes = {"confirm": ["nurse"], "title": "Drill", "answer_within": 0.5}
+    room = AtTasks(sit(asking(tmp_path, go=notes)), NURSE)
+    room.start()
+    room.until_phase("fault_hold")
+    supervise = room.person.window.supervise
+    assert "within 0.5 s" in room.run.sentence
+    room.person.until(supervise.hold.isVisible)
+    assert supervise.step_in.refusal == ""

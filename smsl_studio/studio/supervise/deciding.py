@@ -12,6 +12,7 @@ from shiboken6 import isValid
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.runlog.events import Commanded, Event, OperationRefused
+from smsl_studio.studio.run.phases import LATCHED
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.supervise.decisions import Decision
@@ -76,6 +77,9 @@ class Deciding(QObject):
         """A question whose ground is gone is asked no more; a located state is asked about."""
         if view is None or view.card(self.picked) is None:
             self.picked = None
+        if self._run.exists and _tells(status, self._step_in.refusal):
+            # The card above says why the run holds: once is enough.
+            self._step_in.say("")
         located = self._located(status)
         decision = self._asking.decision
         if decision is None:
@@ -131,3 +135,10 @@ class Deciding(QObject):
                 self._step_in.say(capital(event.refused))
             elif isinstance(event, OperationRefused):
                 self._step_in.say(" ".join(map(capital, event.reasons)))
+
+
+def _tells(status: DispatchStatus | None, refusal: str) -> bool:
+    """Whether the sentence on why a run holds has all of a refusal."""
+    if status is None or status.phase not in LATCHED or not refusal:
+        return False
+    return refusal.rstrip(".").casefold() in status.sentence.casefold()
