@@ -21,3 +21,12 @@ def test_every_place_becomes_a_colour(tokens: Tokens) -> None:
 
 def test_the_sheet_stays_below_150_lines() -> None:
     assert len((resources_dir() / "studio.qss").read_text("utf-8").splitlines()) < 150
+
+
+@pytest.mark.parametrize("tokens", [LIGHT, DARK], ids=lambda tokens: tokens.name)
+def test_what_has_the_keys_is_seen_on_a_filled_button_too(tokens: Tokens) -> None:
+    """The ring of the primary button is not of the colour that fills it."""
+    rules = re.findall(r"([^{}]+)\{([^{}]*)\}", style_sheet(tokens))
+    (ring,) = (body for names, body in rules if 'QPushButton[role="primary"]:focus' in names)
+    assert tokens.acc.name() not in ring
+    assert f"2px solid {tokens.tx.name()}" in ring
