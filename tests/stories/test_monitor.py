@@ -137,6 +137,27 @@ def test_a_sensor_is_disturbed_from_its_row_with_keys_alone(sit: Sit) -> None:
     at.until_cells(*fact, value="a", quality="good", disturbed="")
 
 
+def test_something_goes_wrong_in_the_world_and_what_is_refused_says_why(sit: Sit) -> None:
+    at = _by_hand(sit, SAMPLES / "hanoi-2.json")
+    page, fact = at.open(), ("SB1", "0")
+    at.until_cells(*fact, value="a", disturbed="")
+    bar = page.faults
+    bar.fault.setFocus()
+    QTest.keyClicks(bar.fault, "set")
+    assert bar.fault.currentData() == "set"
+    bar.parameters.setFocus()
+    QTest.keyClicks(bar.parameters, "fact SB1/0")
+    QTest.keyClick(bar.parameters, Key.Key_Return)
+    assert bar.refusal.startswith("Fact is no name=value")
+    bar.parameters.setText("fact=SB1/9 value=c")
+    QTest.keyClick(bar.parameters, Key.Key_Return)
+    at.person.until(lambda: "SB1/9" in bar.refusal)
+    bar.parameters.setText("fact=SB1/0 value=c")
+    QTest.keyClick(bar.parameters, Key.Key_Return)
+    at.until_cells(*fact, value="c")
+    assert bar.refusal == ""
+
+
 def test_a_row_has_a_menu_of_what_can_go_wrong(sit: Sit) -> None:
     at = _by_hand(sit, SAMPLES / "hanoi-2.json")
     page, fact = at.open(), ("SB1", "1")

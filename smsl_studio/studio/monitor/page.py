@@ -15,6 +15,7 @@ from smsl_studio.studio.controls import Elided, label, row, rule
 from smsl_studio.studio.monitor.checks import Checks
 from smsl_studio.studio.monitor.disturb_bar import KINDS, DisturbBar
 from smsl_studio.studio.monitor.estimates import Estimates
+from smsl_studio.studio.monitor.fault_bar import FaultBar
 from smsl_studio.studio.monitor.network import network_rows
 from smsl_studio.studio.monitor.rows import MonitorRow, monitor_rows, of_lost, summary
 from smsl_studio.studio.monitor.table import MonitorTable
@@ -58,7 +59,7 @@ class MonitorPage(QDialog):
         self.network.setAccessibleName("Nodes and broker")
         self.network.setSelectionMode(RowsView.SelectionMode.NoSelection)
         self.checks = Checks(tokens)
-        self.bar = DisturbBar()
+        self.bar, self.faults = DisturbBar(), FaultBar()
         empty = label(EMPTY, "hint")
         empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         empty.setContentsMargins(48, 0, 48, 0)
@@ -68,6 +69,7 @@ class MonitorPage(QDialog):
         self.table.row_chosen.connect(lambda _: self._show_bar())
         self.table.disturb_wanted.connect(self._open_menu)
         self.bar.wanted.connect(self._disturb)
+        self.faults.wanted.connect(self._inject)
         top = row(self.words, self._refusal, self._time)
         top.setContentsMargins(12, 10, 12, 10)
         left = QWidget()
@@ -76,7 +78,7 @@ class MonitorPage(QDialog):
         column = QVBoxLayout(left)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        for part in (self._pages, rule(), self.bar):
+        for part in (self._pages, rule(), self.bar, rule(), self.faults):
             column.addWidget(part, 1 if part is self._pages else 0)
         side = split(
             Qt.Orientation.Vertical,
@@ -139,6 +141,7 @@ class MonitorPage(QDialog):
 
     def _show_bar(self) -> None:
         self.bar.show_row(self.table.chosen, self._run.exists)
+        self.faults.show_faults(self._run.faults, self._run.exists)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Take other colours."""
@@ -172,9 +175,14 @@ class MonitorPage(QDialog):
                         kinds[event.kind] = event.kind
             elif isinstance(event, Commanded) and event.command == "disturb":
                 self._refusal.setText(capital(event.refused))
+            elif isinstance(event, Commanded) and event.command == "inject":
+                self.faults.refuse(capital(event.refused))
 
     def _disturb(self, sensor: str, kind: str, parameters: dict[str, float | str]) -> None:
         self._run.disturb(sensor, kind, **parameters)
+
+    def _inject(self, fault: str, parameters: dict[str, float | str]) -> None:
+        self._run.inject(fault, **parameters)
 
     def _open_menu(self, chosen: MonitorRow, at: QPoint) -> None:
         """Every disturbance as it is by default; the line below has the parameters."""

@@ -73,6 +73,8 @@ class RunSession(QObject, Verbs):
         self.story = Story()
         self.shapes: tuple[Shape, ...] = ()
         self.sensors: tuple[SensorInfo, ...] = ()
+        self.faults: tuple[str, ...] = ()
+        """What can be injected into the world of the run."""
         self.choice: RunChoice | None = None
         self._runner: Runner | None = None
         self._dispatcher: Dispatcher | None = None
@@ -203,6 +205,7 @@ class RunSession(QObject, Verbs):
             self._dispatcher = dispatcher
             opened = dispatcher.opened
             self.shapes, self.sensors = (opened.shapes, opened.sensors) if opened else ((), ())
+            self.faults = opened.world_faults if opened else ()
             self.opened.emit()
 
     def _listen(self) -> None:

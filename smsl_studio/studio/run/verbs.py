@@ -108,5 +108,10 @@ class Verbs:
         name = self.who()
         self._command(lambda one: one.disturb(target, kind, by=name, **parameters))
 
+    def inject(self, fault: str, **parameters: float | str) -> None:
+        """Have something go wrong in the world (``faults`` has the names)."""
+        name = self.who()
+        self._command(lambda one: one.inject(fault, by=name, **parameters))
+
     def set_automatic(self, automatic: bool) -> None:
         self.command("set_automatic", automatic)
