@@ -19,6 +19,7 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -102,6 +103,7 @@ def main() -> int:
             studio.take_monitor(Path(folder))
         if asked.mode in (None, "replay"):
             studio.take_replay(Path(folder))
+        studio.finish()
     return 0
 
 
@@ -111,6 +113,8 @@ class Studio:
     def __init__(self, application: QApplication, settings: Settings, out: Path) -> None:
         self._application, self._out = application, out
         self._windows = Windows(application, settings)
+        self._writer = ThreadPoolExecutor(1)
+        self._writing: list[Future[None]] = []
 
     def take(self, scene: Scene, modes: list[str]) -> None:
         """Every picture of a scene."""
@@ -381,15 +385,24 @@ class Studio:
                 self._wait(0.1)
                 if window.mode == "draw":
                     window.docks.set_first_sizes()
-                self._wait(0.5)
+                self._wait(0.3)
                 yield theme, size
 
     def _shoot(self, window: Window, name: str) -> None:
         self._keep(window.grab().toImage(), name)
 
     def _keep(self, picture: QImage, name: str) -> None:
+        """Written beside: the next picture need not wait for this one."""
+        self._writing.append(self._writer.submit(self._write, picture, name))
+
+    def _write(self, picture: QImage, name: str) -> None:
         small(picture).save(str(self._out / f"{name}.png"))
         print(f"{name}.png")
+
+    def finish(self) -> None:
+        """Wait until every picture is written."""
+        for one in self._writing:
+            one.result()
 
     def _until(self, condition: Callable[[], bool]) -> None:
         end = time.monotonic() + PATIENCE
