@@ -156,6 +156,7 @@ def test_something_goes_wrong_in_the_world_and_what_is_refused_says_why(sit: Sit
     QTest.keyClick(bar.parameters, Key.Key_Return)
     at.until_cells(*fact, value="c")
     assert bar.refusal == ""
+    assert bar.words.startswith("Injected: set, at ")
 
 
 def test_a_row_has_a_menu_of_what_can_go_wrong(sit: Sit) -> None:

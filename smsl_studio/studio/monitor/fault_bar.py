@@ -73,6 +73,16 @@ class FaultBar(QWidget):
         self._refusal.setToolTip(words)
         self._who.setVisible(not words)
 
+    def tell(self, fault: str, time: float) -> None:
+        """Say that it was injected, and at which simulated second."""
+        self.refuse("")
+        self._who.setText(f"Injected: {fault.replace('_', ' ')}, at {time:.1f} s")
+
+    @property
+    def words(self) -> str:
+        """What the line says at its left."""
+        return self._who.text()
+
     def inject(self) -> None:
         """Ask for the fault that is chosen."""
         try:

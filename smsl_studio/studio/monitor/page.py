@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidg
 
 from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.regulating import Commanded, Disturbed
+from smsl_studio.runlog.regulating import Commanded, Disturbed, FaultInjected
 from smsl_studio.studio.controls import Elided, label, row, rule
 from smsl_studio.studio.monitor.checks import Checks
 from smsl_studio.studio.monitor.disturb_bar import KINDS, DisturbBar
@@ -175,6 +175,8 @@ class MonitorPage(QDialog):
                         kinds[event.kind] = event.kind
             elif isinstance(event, Commanded) and event.command == "disturb":
                 self._refusal.setText(capital(event.refused))
+            elif isinstance(event, FaultInjected):
+                self.faults.tell(event.fault, event.t)
             elif isinstance(event, Commanded) and event.command == "inject":
                 self.faults.refuse(capital(event.refused))
 
