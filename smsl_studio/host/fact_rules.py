@@ -9,19 +9,23 @@ from smsl_studio.monitor.aggregate import FactRule
 
 
 def rules_of(blueprint: Blueprint, bindings: Bindings) -> dict[FactKey, FactRule]:
-    """The rule of every fact that ``_facts`` says anything of; other facts have none."""
+    """The rule of every fact that ``_facts`` says anything of, or for which sensors are named;
+    other facts have none."""
     found: dict[FactKey, FactRule] = {}
     for branch, digit in leaf_facts(blueprint):
         note = branch.fact_note(digit)
-        if note is None:
-            continue
         key = (branch.name, digit)
+        named = bindings.named.get(key, ())
+        if note is None:
+            if named:
+                found[key] = FactRule(sensors=named)
+            continue
         found[key] = FactRule(
             note.aggregation,
             note.k,
             note.critical,
             note.conflict_after,
-            bindings.named.get(key, ()),
+            named,
             note.max_age,
         )
     return found

@@ -100,7 +100,7 @@ class FactMonitor:
             for name, ledger in fact.sources.items()
         }
         for key, rule in rules.items():
-            if rule.people or (rule.awaits_all and rule.sensors):
+            if rule.people or rule.sensors:
                 self._facts.setdefault(key, _Fact(rule, {}))
         for fact in self._facts.values():
             alone = len(fact.sources) == 1 and not fact.rule.people
@@ -171,9 +171,13 @@ class FactMonitor:
 
 
 def _others(fact: _Fact, now: float) -> list[Said]:
-    """What is said by no sensor that stands: a person's answer, and named sensors nobody has."""
+    """What is said by no sensor that stands: a person's answer, and named sensors nobody has.
+
+    Where none of those that are named stands, the fact is one that nobody reads, not one that is
+    believed.
+    """
     answers = [_answered(fact, now)] if fact.rule.people and fact.answer else []
-    if not fact.rule.awaits_all:
+    if fact.sources and not fact.rule.awaits_all:
         return answers
     named = (name for name in fact.rule.sensors if name not in fact.sources)
     return [*(Said(name, None, "this world has no such sensor", now) for name in named), *answers]

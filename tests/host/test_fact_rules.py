@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+import smsl_studio as smsl
+from smsl_studio import front
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
@@ -87,3 +90,24 @@ def test_time_never_goes_back_where_all_is_delayed(tmp_path: Path) -> None:
         times.append(senses.time)
     assert times == sorted(times)
     assert times[-1] == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("aggregation", ["single", "any", "all", "k_of_n", "priority"])
+def test_a_fact_whose_named_sensors_nobody_has_is_not_believed(
+    tmp_path: Path, aggregation: str
+) -> None:
+    note = {"aggregation": aggregation, "sensors": ["blub_1"]}
+    value, reason = _reading(_senses(tmp_path / "one", note))
+    assert value is None
+    assert reason
+    assert _reading(_senses(tmp_path / "other", note, "table"))[0] == "0"
+
+
+def test_a_misspelt_sensor_in_the_bindings_file_refuses_the_start(tmp_path: Path) -> None:
+    write_plugin(tmp_path / "plugins", "lamp", LAMP_PLUGIN)
+    file = tmp_path / "lamp.json"
+    file.write_text(json.dumps(LAMP))
+    (tmp_path / "lamp.toml").write_text('[world.lamp.facts]\n"LAMP/0" = "blub_1"\n')
+    run = front.run(smsl.read(file), "lamp", plugin_paths=[tmp_path / "plugins"])
+    assert run.reason == "refused"
+    assert "this world has no such sensor" in run.sentence
