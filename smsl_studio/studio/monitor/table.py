@@ -38,9 +38,9 @@ from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 
 ROW, LINE_OF_GROUP = 30, 28
-WIDTHS = (150, 150, 48, 200, 58, 62, 66, 74, 44, 100)
+WIDTHS = (150, 150, 48, 200, 58, 62, 66, 74, 44, 84)
 NAME, FROM, VALUE, QUALITY, DISTURBED = 0, 1, 2, 3, 9
-LEAST_NAME, LEAST_QUALITY = 100, 190
+LEAST_NAME, LEAST_QUALITY = 100, 178
 INSET = {NAME: 12, DISTURBED: 18}
 """What is left of the words of a column."""
 Index = QModelIndex | QPersistentModelIndex

@@ -197,13 +197,13 @@ class _Cells(QStyledItemDelegate):
         ink = t.tx if row.quality in ("agrees", "believed") else colour
         room = room.adjusted(8, 0, -4, 0)
         sign = "arrow" if row.quality == "transit" else "layers" if row.sub else ""
+        known = row.quality in ("agrees", "differs")
         if sign:
             draw(painter, sign, QRectF(room.left(), room.center().y() - 7, 14, 14), colour, t.surf)
-        else:
-            known = row.quality in ("agrees", "differs")
+        elif row.age is not None or not known:
             self._bars(painter, room, colour, bars(row.age, row.limit) if known else 0)
         painter.setFont(text_font(13))
-        after = 20 if sign else 31
+        after = 20 if sign else 0 if known and row.age is None else 31
         self._words(painter, room.adjusted(after, 0, 0, 0), row.words, ink)
 
     def _bars(self, painter: QPainter, room: QRectF, colour: QColor, filled: int) -> None:

@@ -52,6 +52,8 @@ class PossibleRow:
 
 BESIDE = 2 * 12 + 16 + 5 * 8 + 30 + 26
 """Pixels of a row that are neither names nor words: its edges, mark, gaps, cost and scissors."""
+ENOUGH = 110
+"""Pixels in which the beginning of a sentence tells what it says; the tooltip has the rest."""
 
 
 class PossibleList(QScrollArea):
@@ -96,10 +98,12 @@ class PossibleList(QScrollArea):
             self._rebuild()
 
     def _is_narrow(self) -> bool:
-        """Whether what is said of some row has no room beside its name, and goes on below."""
+        """Whether what is said of a row has no room beside its name that tells anything: then it
+        stands below."""
         words = [row.words for row in self._rows if row.kind not in REASONED]
         metrics = QFontMetricsF(text_font(12))
-        needed = max((metrics.horizontalAdvance(one) for one in words), default=0.0)
+        longest = max((metrics.horizontalAdvance(one) for one in words), default=0.0)
+        needed = min(longest, ENOUGH)
         columns = sum(self._column_width(column) for column in (0, 1)) if words else 0
         return columns + needed + BESIDE > self.viewport().width()
 
@@ -239,6 +243,7 @@ class _Words(QLabel):
 
     def __init__(self, words: str) -> None:
         super().__init__(words)
+        self.setToolTip(words)
         self.setProperty("role", "small")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
