@@ -18,8 +18,9 @@ from smsl_studio.studio.words import counted
 ENDING = "Not a medical device"
 LONG = 64
 """Pixels from which on a saying may be shortened, so that what ends the line is never cut."""
-SENTENCES = (3, 5)
-"""Where a run, one that is over and one that goes on, has its sentence: it takes what is left."""
+SENTENCES = {3: 100, 5: 1}
+"""Where a run, one that is over and one that goes on, has its sentence: it takes what is left.
+While a run goes on its pace stands in the first of these, and has its room before the sentence."""
 
 
 class StatusLine(QStatusBar):
@@ -37,7 +38,7 @@ class StatusLine(QStatusBar):
         for part in self.counts:
             self.addWidget(part)
         for at, part in enumerate(self.run):
-            self.addWidget(part, int(at in SENTENCES))
+            self.addWidget(part, SENTENCES.get(at, 0))
         self.form, self.place = _Part(), _Part()
         self.run_right = [_Part() for _ in range(3)]
         self.ending = QLabel(ENDING)
