@@ -210,9 +210,11 @@ class TaskCard(QWidget):
         self.answer.show_card(card, self.answers.chosen, self.outcomes.refusals.get(name, ""))
 
     def _lead_to_button(self) -> None:
-        """The keys go to the button that decides; a tall card is scrolled so that it is seen."""
+        """The keys go to the button that decides, or to the PIN that is still to be typed; a tall
+        card is scrolled so that it is seen."""
         button, above = self.answer.button, self.parentWidget()
-        button.setFocus()
+        who = self.answer.who
+        (who.pin if who.has_pin and not who.opens() else button).setFocus()
         while above is not None:
             if isinstance(above, QScrollArea):
                 above.ensureWidgetVisible(button)

@@ -202,3 +202,16 @@ def test_who_may_not_answer_is_led_to_the_choice_of_persons(show: Show) -> None:
     _press(card, Key.Key_Down)
     card.take_focus()
     assert card.options[0].hasFocus(), "who may answer is led to the answers"
+
+
+def test_after_an_answer_is_chosen_the_keys_go_to_the_pin_that_is_asked(show: Show) -> None:
+    card = show(OKAFOR.with_pin("1234"))
+    said = _said(card)
+    card.take_focus()
+    _press(card, Key.Key_M)
+    assert card.answer.who.pin.hasFocus()
+    QTest.keyClicks(card.answer.who.pin, "1234")
+    _press(card, Key.Key_Return)
+    assert not said, "the PIN is no decision yet"
+    _press(card, Key.Key_Return)
+    assert [one[2] for one in said] == ["A. Okafor"]
