@@ -78,10 +78,13 @@ def _silent(run: Run, checks: Sequence[CheckResult]) -> str:
     """What to do about facts that nobody has told from elsewhere; empty where there are none."""
     elsewhere = run.opened.remote
     wanted = {term.fact for check in checks for term in check.terms if term.truth is None}
+    silent = {(*one.fact, one.said.source) for one in run.senses.sources if one.said.value is None}
     missing = [
         f"{fact_text(one.branch, one.digit)} as {one.name}"
         for one in run.opened.sensors
-        if one.remote and (one.branch, one.digit) in wanted
+        if one.remote
+        and (one.branch, one.digit) in wanted
+        and (one.branch, one.digit, one.name) in silent
     ]
     if elsewhere is None or not missing:
         return ""
