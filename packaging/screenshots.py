@@ -123,7 +123,7 @@ class Studio:
             self._windows.set_theme("light")
             window = make_window(self._windows)
             window.files.open_copy(ROOT / "samples" / f"{name}.json")
-            self._until(partial(getattr, window.inspector, "current"))
+            self._until(partial(self._knows, window))
             {"draw": self._draw, "run": self._run}[mode](window, scene)
             for theme, size in self._dressed(window):
                 if mode == "run" and scene.world == "hanoi":

@@ -138,6 +138,8 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             for side in (1, -1)
             for share in shares
         ]
+        covered = sheet.geometry.covered(edge, rects)
+        rects = [rects[at] for at in sorted(range(len(rects)), key=lambda at: covered[at])]
         if not (look.trail or look.planned or look.hovered):
             # What is only possible is named where there is room; its row in the list says the rest.
             rects = [r for r in rects if _lies_in(r, view) and _is_free(sheet, r, taken)]
