@@ -23,6 +23,10 @@ MOST = 400
 them at most: finding a place takes a millisecond, and thousands of names can be read by nobody."""
 
 
+STEPS = 24
+"""Points of a line that are looked at."""
+
+
 @dataclass(frozen=True)
 class LitLabel:
     """A label of a lit edge; ``ground`` says whether it stands on its line and needs a ground."""
@@ -142,7 +146,11 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         rects = [rects[at] for at in sorted(range(len(rects)), key=lambda at: covered[at])]
         if not (look.trail or look.planned or look.hovered):
             # What is only possible is named where there is room; its row in the list says the rest.
-            rects = [r for r in rects if _lies_in(r, view) and _is_free(sheet, r, taken)]
+            rects = [
+                r
+                for r in rects
+                if _lies_in(r, view) and _is_free(sheet, r, taken) and not _on_a_way(sheet, edge, r)
+            ]
         if sheet.level < Level.COMPACT and not look.hovered:
             rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
         return _first(sheet, edge, text, rects, taken, False) if rects else None
@@ -223,6 +231,21 @@ def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
     if sheet.states_in(left, top, right, bottom):
         return False
     return not any(labels.meet(rect, other) for other in taken)
+
+
+def _on_a_way(sheet: Sheet, edge: int, rect: Rect) -> bool:
+    """Whether a way that was gone or is planned passes through a rectangle."""
+    left, top, right, bottom = rect
+    for other in sheet.edges_in(left, top, right, bottom).tolist():
+        look = sheet.edge_look(other)
+        if other == edge or not (look.trail or look.planned or look.running is not None):
+            continue
+        shape = sheet.geometry.shape(other)
+        for at in range(STEPS + 1):
+            x, y = shape.at(shape.length * at / STEPS)
+            if left <= x <= right and top <= y <= bottom:
+                return True
+    return False
 
 
 def _lies_in(rect: Rect, view: Rect) -> bool:

@@ -85,3 +85,31 @@ def test_nothing_that_is_lit_is_named_over_a_name_or_a_state(
                     inner = (left + hair, top + hair, right - hair, bottom - hair)
                     assert not sheet.states_in(*inner), (here, one.text)
     assert named > 0.8 * asked, f"only {named} of {asked} are named"
+
+
+def test_what_is_only_possible_is_not_named_across_the_way_that_was_gone(qtbot: QtBot) -> None:
+    blueprint = sample("registration.json")
+    branch = blueprint["REGISTRATION"]
+    canvas = Canvas(LIGHT)
+    qtbot.addWidget(canvas)
+    canvas.editing = False
+    done = Address(branch.name, "State_0000", "Op_PlanToolPose")
+    possible = frozenset(Address(branch.name, HERE, name) for name in branch.table[HERE])
+    for size in ((560, 526), (628, 600), (884, 400)):
+        canvas.resize(*size)
+        canvas.show_branch(blueprint, branch.name, place_states(branch))
+        canvas.fit(smooth=False)
+        canvas.set_marks(Marks(active=HERE, trail=(done,), possible=possible, dimmed=True))
+        sheet = canvas.sheet
+        assert sheet is not None
+        seen = canvas.mapToScene(canvas.viewport().rect()).boundingRect()
+        # Narrow on the left, so that the side that is free is out of sight.
+        view = (seen.left() + 40, seen.top(), seen.right(), seen.bottom())
+        (way,) = (e for e in sheet.looks.lit_edges if sheet.edge_look(e).trail)
+        shape = sheet.geometry.shape(way)
+        points = [shape.at(shape.length * at / 20) for at in range(21)]
+        for label in lit_labels(sheet, by_weight(sheet), view):
+            if label.edge != way:
+                left, top, right, bottom = label.rect
+                crossed = [p for p in points if left < p[0] < right and top < p[1] < bottom]
+                assert not crossed, (size, label.text)
