@@ -7,6 +7,8 @@ from typing import Any
 from smsl_studio.runlog.events import EdgeSwept, Event, RunFinished, SweepFinished
 
 _LEFT_OUT = ("event", "t")
+_PLACES = ("start", "configuration", "candidates")
+"""Values that are states, each by its SB; in all others a name stands before what belongs to it."""
 
 
 def line_of(event: Event) -> str:
@@ -20,7 +22,11 @@ def line_of(event: Event) -> str:
     if isinstance(event, RunFinished):
         count = f"{event.operations} operation{'' if event.operations == 1 else 's'}"
         return f"{event.t:9.3f} s  {words}: {event.reason}, {count}. {event.sentence}"
-    rest = [f"{k} {_said(v)}" for k, v in values.items() if k not in _LEFT_OUT and not _blank(v)]
+    rest = [
+        f"{key} {_said(value, '/' if key in _PLACES else ' ')}"
+        for key, value in values.items()
+        if key not in _LEFT_OUT and not _blank(value)
+    ]
     return f"{event.t:9.3f} s  {words}: {', '.join(rest)}".rstrip(": ")
 
 
@@ -35,9 +41,10 @@ def _blank(value: Any) -> bool:
     return value is None or value in ("", [], {})
 
 
-def _said(value: Any) -> str:
+def _said(value: Any, between: str) -> str:
     if isinstance(value, dict):
-        return ", ".join(f"{name}/{_said(inner)}" for name, inner in value.items())
+        pairs = value.items()
+        return ", ".join(f"{name}{between}{_said(inner, between)}" for name, inner in pairs)
     if isinstance(value, list):
-        return "; ".join(map(_said, value))
+        return "; ".join(_said(one, between) for one in value)
     return str(value)

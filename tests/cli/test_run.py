@@ -238,6 +238,16 @@ def test_the_text_tells_the_same_story(shell: Shell) -> None:
     )
 
 
+def test_the_text_says_what_belongs_to_a_fault_and_where_states_are(
+    shell: Shell, tmp_path: Path
+) -> None:
+    script = tmp_path / "script.jsonl"
+    script.write_text('{"do": "inject", "fault": "set", "fact": "SB1/1", "value": "b"}\n')
+    out = shell("run", sample("hanoi-corrected"), "--world", "table", "--script", str(script)).out
+    assert "start SB1/State_aaa, goals" in out
+    assert "fault injected: fault set, parameters fact SB1/1, value b\n" in out
+
+
 @pytest.mark.parametrize(
     ("branch", "rule"),
     [
