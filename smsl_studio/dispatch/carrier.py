@@ -153,7 +153,9 @@ class Carrier:
         for edge in action.begins:
             function = self.bound.function if edge is action.edge else self._function(edge)
             address, target = str(edge), edge.target
-            run.emit(OperationStarted(t=now, address=address, target=target, function=function))
+            run.events.append(
+                OperationStarted(t=now, address=address, target=target, function=function)
+            )
         if run.people_say:
             run.emit(*run.senses.forget(changed_by(run, action)))
         self.since, self._answerable, self._by = now, True, ""
@@ -230,7 +232,9 @@ class Carrier:
     def _ended(self, outcome: str, message: str) -> None:
         run = self._run
         address = str(self.action.edge)
-        run.emit(OperationEnded(t=run.time, address=address, outcome=outcome, message=message))
+        run.events.append(
+            OperationEnded(t=run.time, address=address, outcome=outcome, message=message)
+        )
 
     def _settle(self) -> None:
         self.stage = Stage.SETTLING
@@ -266,7 +270,7 @@ class Carrier:
             run.commit(action.committed, action.commits)
             operations = tuple(map(str, action.commits))
             committed = dict(action.committed)
-            run.emit(Committed(t=run.time, operations=operations, configuration=committed))
+            run.events.append(Committed(t=run.time, operations=operations, configuration=committed))
         self._index += 1
         if self._index == len(self.step.actions):
             self.stage = Stage.DONE
@@ -282,7 +286,7 @@ class Carrier:
         # What checks true has neither: it is what nearly every check comes to.
         misses = () if truth else all_words(run.blueprint, check.misses)
         unknown = () if truth else all_words(run.blueprint, check.unknown)
-        run.emit(
+        run.events.append(
             StateChecked(
                 t=run.time,
                 address=check.address,

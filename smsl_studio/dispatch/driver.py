@@ -83,7 +83,7 @@ class Driver:
         if carrier is not None and not (asking or self.state.frozen):
             self._carry(carrier)  # whatever the run state: what is on its way goes on
             return
-        phase = self.phase
+        phase = self.state.phase(carrier is not None, asking)
         if phase == "paused":
             self.run.emit(*self.run.senses.listen())
             return

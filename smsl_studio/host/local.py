@@ -114,7 +114,7 @@ class LocalHost:
 
     def sense(self) -> tuple[Sample, ...]:
         """Every sensor once, now, without moving the time."""
-        engine = self._standing()
+        engine = self._engine or self._standing()
         with self._aside:
             return self._sensing.all(self._subject, self._ticks * engine.tick)
 
@@ -130,7 +130,7 @@ class LocalHost:
 
     def tick(self) -> Tick:
         """Let the world and the running call go on for one tick; HostError if the world breaks."""
-        engine = self._standing()
+        engine = self._engine or self._standing()
         outcome, message = Outcome.IDLE, ""
         with self._aside:
             if self._call is not None:
@@ -138,8 +138,11 @@ class LocalHost:
                 if outcome is not Outcome.RUNNING:
                     self._call = None
             self._injecting.resume()
-            with self._stepping:
+            try:
                 engine.step()
+            except BaseException as error:
+                self._stepping.mend(error)
+                raise
             self._ticks += 1
             time = self._ticks * engine.tick
             samples = self._sensing.due(self._subject, self._ticks, time)
@@ -283,8 +286,13 @@ class _Mending:
     def __enter__(self) -> None: ...
 
     def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        if error is not None:
+            self.mend(error)
+
+    def mend(self, error: BaseException) -> None:
+        """Tell what was raised, unless it passes."""
         # SystemExit, and what compiled libraries raise, is library code's, too.
-        if error is not None and not isinstance(error, (KeyboardInterrupt, self._passes)):
+        if not isinstance(error, (KeyboardInterrupt, self._passes)):
             raise HostError(f"{self._what}: {words_of(error, self._location)}") from None
 
 
