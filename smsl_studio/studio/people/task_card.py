@@ -248,6 +248,9 @@ class TaskCard(QWidget):
         if event.key() == Qt.Key.Key_Escape and self.answers.chosen is not None:
             self.answers.clear()
             return
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            # What is around the card would press the button to which this very key has led.
+            return
         typing = isinstance(QApplication.focusWidget(), QLineEdit)
         plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
         if not typing and plain and self.press_letter(event.text()):

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.dispatch.people.task import Answered, Option
@@ -215,3 +216,28 @@ def test_after_an_answer_is_chosen_the_keys_go_to_the_pin_that_is_asked(show: Sh
     assert not said, "the PIN is no decision yet"
     _press(card, Key.Key_Return)
     assert [one[2] for one in said] == ["A. Okafor"]
+
+
+def test_the_enter_that_ends_a_pin_reaches_nothing_around_the_card(
+    show: Show, qtbot: QtBot
+) -> None:
+    """Supervise presses the button that has the focus on Enter: that would decide at once."""
+    heard: list[int] = []
+
+    class Around(QWidget):
+        def keyPressEvent(self, event: QKeyEvent) -> None:
+            heard.append(event.key())
+
+    card = show(OKAFOR.with_pin("1234"))
+    around = Around()
+    qtbot.addWidget(around)
+    QVBoxLayout(around).addWidget(card)
+    around.show()
+    around.activateWindow()
+    qtbot.waitUntil(around.isActiveWindow)
+    card.take_focus()
+    _press(card, Key.Key_M)
+    QTest.keyClicks(card.answer.who.pin, "1234")
+    QTest.keyClick(card.answer.who.pin, Key.Key_Return)
+    assert card.answer.button.hasFocus()
+    assert Key.Key_Return not in heard
