@@ -56,11 +56,15 @@ def add_arguments(parser: Parser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    from smsl_studio.front.reading import inspect
     from smsl_studio.front.running import run
 
     speed = _speed(options.speed)
     blueprint = read_argument(options.file)
     script = _script(options.script, options.file, blueprint)
+    # What guards a run and is misspelt guards nothing: this is said, whoever inspected it or not.
+    for finding in inspect(blueprint, ("R29",)):
+        note(one_line(f"{finding.place}: {finding.message}"))
     told: list[str] = []
 
     def tell(event: Event) -> None:

@@ -238,6 +238,15 @@ def test_the_text_tells_the_same_story(shell: Shell) -> None:
     )
 
 
+def test_annotations_that_do_not_count_are_said(shell: Shell, tmp_path: Path) -> None:
+    note = {"_operations": {"Op": {"confirm": "nurse"}}}
+    file = _write(tmp_path, {"SB1": {**note, "State_0": {"Op": "State_1"}, "State_1": {}}})
+    answer = shell("run", file, *TABLE)
+    assert answer.status == 0
+    assert f"{file}:" in answer.err.splitlines()[0]
+    assert "Op in _operations is not understood: confirm" in answer.err.splitlines()[0]
+
+
 def test_the_text_says_what_belongs_to_a_fault_and_where_states_are(
     shell: Shell, tmp_path: Path
 ) -> None:
