@@ -31,7 +31,7 @@ def test_play_reaches_the_goal_and_shows_the_way(sit: Sit) -> None:
         "SB1/State100/Operation100B",
     ]
     assert run.pane.facts.facts.rows[0].group
-    assert ("Fact 1", "1", "1", "0 ms", "agrees") in run.facts()
+    assert ("Fact 1", "1", "1", "", "agrees") in run.facts(), "nothing of what is over has an age"
     assert [lane.label for lane in run.pane.timeline.lanes][:3] == ["SB1", "SB2", "Operation"]
     assert person.window.outline.tree.active == run.active()
     assert "World table | Seed 0" in person.window.status_line.words
@@ -85,6 +85,9 @@ def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
     run.pane.run.end()
     person.qtbot.waitUntil(lambda: not run.pane.run.exists)
     assert run.phase == "Stopped"
+    # What was read last stands there, and claims no age.
+    assert [row.sensed for row in run.pane.facts.facts.rows]
+    assert {row.age for row in run.pane.facts.facts.rows} == {None}
 
 
 def test_stop_is_there_in_every_mode_and_from_a_dialog(sit: Sit) -> None:

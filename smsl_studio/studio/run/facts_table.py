@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPen, QResizeEvent
@@ -49,6 +49,11 @@ class FactRow:
     chip: str = ""
     sub: bool = False
     limit: float | None = None
+
+
+def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
+    """Rows of what is over: what was read last stands there, but nothing of it has an age now."""
+    return tuple(replace(row, age=None) for row in rows)
 
 
 class FactsModel(QAbstractTableModel):

@@ -24,7 +24,7 @@ from smsl_studio.studio.people.next_levels import NextLevels
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.camera import VIEWS
 from smsl_studio.studio.run.event_list import EventList
-from smsl_studio.studio.run.facts_table import FactsTable
+from smsl_studio.studio.run.facts_table import FactsTable, as_they_were
 from smsl_studio.studio.run.framing import (
     head,
     laid_over,
@@ -336,7 +336,8 @@ class RunPane(QWidget):
             self._show_nothing()
             return
         lost = run.phase == "failed"
-        self.facts.show_rows(view.fact_rows(blueprint, status, lost))
+        facts = view.fact_rows(blueprint, status, lost)
+        self.facts.show_rows(facts if run.exists else as_they_were(facts))
         rows = view.possible_rows(blueprint, status) if run.exists else ()
         choosable = run.exists and status.phase in view.CHOOSABLE
         self.possible.show_rows(rows, choosable, capital(run.sentence) or "Nothing is possible")

@@ -10,7 +10,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.studio.canvas.ink import Ink, Type, draw_unknown
 from smsl_studio.studio.controls import Elided, label
-from smsl_studio.studio.run.facts_table import FactsTable
+from smsl_studio.studio.run.facts_table import FactsTable, as_they_were
 from smsl_studio.studio.supervise.facts import check_view
 from smsl_studio.studio.supervise.partial import Outside, PartialView, outside_facts
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
@@ -87,8 +87,9 @@ class CheckPanel(QWidget):
         status: DispatchStatus | None,
         view: PartialView | None,
         lost: bool,
+        over: bool = False,
     ) -> None:
-        """Follow the run, for the SB that is shown."""
+        """Follow the run, for the SB that is shown; of one that is over nothing has an age."""
         found = None
         if blueprint is not None and status is not None and view is not None:
             found = check_view(blueprint, status, view.branch, lost)
@@ -104,7 +105,7 @@ class CheckPanel(QWidget):
             for part in (self._state, self._written, self._verdict):
                 part.setToolTip(tip)
             self._show_verdict(found.verdict, found.kind)
-            self.table.show_rows(found.rows)
+            self.table.show_rows(as_they_were(found.rows) if over else found.rows)
             self.table.setMinimumHeight(self.table.maximumHeight())
         self._outside.show_lines(lines)
 

@@ -267,7 +267,9 @@ class SupervisePane(QWidget):
         if mapped:
             self.full_map.refresh()
         self.notice.show_run(run)
-        self.check.show_status(blueprint, status, self._view, lost=run.phase == "failed")
+        self.check.show_status(
+            blueprint, status, self._view, run.phase == "failed", over=not run.exists
+        )
         self.hold.show_status(status, run.exists)
         self.step_in.show_status(blueprint, status, run.exists, self.subject)
 
