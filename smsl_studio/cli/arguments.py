@@ -83,9 +83,17 @@ def add_seed_and_host(parser: Parser) -> None:
     parser.add_argument(
         "--host",
         choices=("local", "process"),
-        default="local",
-        help="run the world in this process (default) or in a child of it",
+        help="run the world in this process, or in a child of it that may die without taking the "
+        "run along (default: local for the world table, process for those of plugins)",
     )
+
+
+def host_of(options: argparse.Namespace) -> str:
+    """Where the world runs: code of plugins in a child, unless something else was asked for."""
+    from smsl_studio.library.operation_library import TABLE
+
+    chosen: str | None = options.host
+    return chosen or ("local" if options.world == TABLE else "process")
 
 
 def _seed(text: str) -> int:

@@ -10,7 +10,13 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from smsl_studio.cli.arguments import Parser, add_format, add_seed_and_host, add_world
+from smsl_studio.cli.arguments import (
+    Parser,
+    add_format,
+    add_seed_and_host,
+    add_world,
+    host_of,
+)
 from smsl_studio.cli.output import Output, note, one_line
 from smsl_studio.cli.reading import STDIN, read_argument, standard_input
 from smsl_studio.cli.story import line_of
@@ -80,7 +86,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             options.goal,
             options.start,
             seed=options.seed,
-            host=options.host,
+            host=host_of(options),
             speed=speed,
             avoid=options.avoid,
             on_mismatch=options.on_mismatch,

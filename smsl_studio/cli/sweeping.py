@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import argparse
 
-from smsl_studio.cli.arguments import Parser, add_format, add_seed_and_host, add_world
+from smsl_studio.cli.arguments import (
+    Parser,
+    add_format,
+    add_seed_and_host,
+    add_world,
+    host_of,
+)
 from smsl_studio.cli.output import Output, one_line
 from smsl_studio.cli.reading import read_argument
 from smsl_studio.cli.story import line_of
@@ -23,7 +29,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
     blueprint = read_argument(options.file)
     status = 1
-    for event in sweep(blueprint, options.world, seed=options.seed, host=options.host):
+    for event in sweep(blueprint, options.world, seed=options.seed, host=host_of(options)):
         out.line(event.line() if options.format == "json" else one_line(line_of(event)))
         if isinstance(event, SweepFinished):
             status = 0 if event.passed == event.edges else 1

@@ -334,8 +334,23 @@ def lamp(tmp_path: Path, home: Path) -> str:
 def test_a_plugins_world_runs_and_its_prints_are_no_data(shell: Shell, lamp: str) -> None:
     others = [f"--avoid=State_0/{name}" for name in ("Op_break", "Op_spin")]
     answer = shell("run", lamp, "--world", "lamp", "--format", "json", *others)
+    assert _end(answer) == (0, "goal_reached"), "what a child prints is not in its answers"
+    answer = shell("run", lamp, "--world", "lamp", "--format", "json", "--host", "local", *others)
     assert _end(answer) == (0, "goal_reached")
     assert "switching" in answer.err
+
+
+def test_library_code_that_crashes_its_process_ends_the_run_and_not_the_program(
+    shell: Shell, tmp_path: Path, home: Path
+) -> None:
+    crash = LAMP_PLUGIN.replace('print("switching")', "import ctypes; ctypes.string_at(0)")
+    assert crash != LAMP_PLUGIN
+    write_plugin(home / "plugins", "lamp", crash)
+    others = [f"--avoid=State_0/{name}" for name in ("Op_break", "Op_spin")]
+    run = (_write(tmp_path, LAMP), "--world", "lamp", "--format", "json", *others)
+    answer = shell("run", *run)
+    assert _end(answer) == (1, "failed")
+    assert "SIGSEGV" in answer.err
 
 
 def test_a_binding_that_does_not_fit_is_said_with_its_place(shell: Shell, lamp: str) -> None:

@@ -111,7 +111,7 @@ def test_an_expanded_fact_has_no_sensor_elsewhere_either(tmp_path: Path) -> None
 
 
 def test_facts_without_a_broker_and_a_broker_without_facts(declare: Declare) -> None:
-    with pytest.raises(UsageError, match="no broker is named .* elsewhere: SB1"):
+    with pytest.raises(UsageError, match=r"no broker is named .* elsewhere: SB1"):
         _host(declare('[mqtt.facts]\n"SB1/0" = "eye"\n'))
     with pytest.raises(UsageError, match="a broker is named and no fact is sensed elsewhere"):
         _host(declare(""), broker="localhost")
