@@ -233,7 +233,8 @@ def _with_words(
         for fault in error.errors(include_url=False):
             inner = ".".join(str(part) for part in fault["loc"])
             odd.add(inner.partition(".")[0])
-            faults.append((path, f"{inner}: {fault['msg']}" if inner else fault["msg"]))
+            words = fault["msg"].replace("valid tuple", "list").replace("valid dictionary", "map")
+            faults.append((path, f"{inner}: {words}" if inner else words))
     fitting = {} if not isinstance(raw, dict) else {k: v for k, v in raw.items() if k not in odd}
     if not fitting or len(fitting) == len(raw):
         return None, frozenset()
