@@ -99,7 +99,8 @@ def test_pictures_are_drawn_without_them(tmp_path: Path) -> None:
 
 
 def test_a_world_whose_engine_is_absent_is_told_and_not_thrown() -> None:
-    done = python(BLOCKER + COMMANDS, "run", sample("hanoi-2.json"), "--world", "hanoi")
+    here = ("--world", "hanoi", "--host", "local")
+    done = python(BLOCKER + COMMANDS, "run", sample("hanoi-2.json"), *here)
     assert done.returncode in (1, 2)
     assert "pybullet" in (done.stdout + done.stderr).lower()
     assert "Traceback" not in done.stderr
