@@ -23,6 +23,7 @@ from smsl_studio.front.run_header import asked_for
 from smsl_studio.front.script.acting import Acting
 from smsl_studio.front.script.fitting import check_faults
 from smsl_studio.front.script.script import Act, Script
+from smsl_studio.front.supervising import supervisor_of
 from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.library.table_faults import table_faults
@@ -98,7 +99,7 @@ def open_run(
         automatic=automatic,
         attended=attended,
         levels=chosen,
-        supervisor=supervisor,
+        supervisor=supervisor_of(chosen, supervisor),
         findings=to_accept(blueprint, chosen),
     )
 
@@ -150,6 +151,7 @@ def run(
             on_event(event)
 
     chosen = {**(levels or {}), **(script.levels if script else {})}
+    supervisor = supervisor_of(Levels(blueprint, chosen), supervisor)
     recording, acting = Recording(hear), Acting(script) if script and script.acts else None
     dispatcher: Dispatcher | None = None
     refusal: RunRefused | None = None

@@ -14,12 +14,14 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio import front
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import StudioError
 from smsl_studio.front.recording import new_recording, start_log
 from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.supervising import supervisor_of
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.host.remote import WithRemote
@@ -261,6 +263,7 @@ def _log(
     blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder: Path, who: str
 ) -> RunLog:
     """The log of a run that begins now. SaveError where there can be none."""
+    agent = supervisor_of(Levels(blueprint, choice.levels))
     asked = asked_for(
         seed=choice.seed,
         host="process",
@@ -268,7 +271,7 @@ def _log(
         goals=[choice.goal] if choice.goal else [],
         by_hand=choice.by_hand,
         levels=choice.levels,
-        supervisor=who,
+        supervisor=agent.name if agent else who,
     )
     path = new_recording(folder, blueprint.file, datetime.now())
     return start_log(path, blueprint, choice.world, loaded, asked)
