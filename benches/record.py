@@ -40,7 +40,7 @@ def _rows(kills: int) -> Iterator[Row]:
         folder = Path(name)
         yield _changed(folder)
         random = Random(1)
-        lost = sum(kill_a_writer(folder / "killed", random).lost for _ in range(kills))
+        lost = sum(kill_a_writer(folder / f"killed-{n}", random).lost for n in range(kills))
         yield Row(f"{kills:,} kills of a writer", lost, "lost events", bound="0")
         yield from _costs(folder)
 

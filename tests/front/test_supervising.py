@@ -14,7 +14,11 @@ AUTOMATIC = {"supervision": "automatic"}
 
 def _rated(near: str, far: str) -> Blueprint:
     """Two ways from a to c: ``near`` is the risk of the cheap one, ``far`` of the other."""
-    priced = {"Near": {"risk": near}, "Far": {"risk": far, "cost": 5}, "On": {"risk": far}}
+    priced: dict[str, dict[str, object]] = {
+        "Near": {"risk": near},
+        "Far": {"risk": far, "cost": 5},
+        "On": {"risk": far},
+    }
     notes = {name: {k: v for k, v in note.items() if v} for name, note in priced.items()}
     values = {
         "SB": {
