@@ -10,6 +10,7 @@ import pytest
 from smsl_studio.errors import HostError
 from smsl_studio.host.describing import Elsewhere, describe
 from smsl_studio.library.loading import Loaded, discover
+from tests.plugin_folder import write_plugin
 
 GOOD = """
 class Odd:
@@ -34,12 +35,6 @@ def register(library):
 """
 
 
-def _plugin(folder: Path, name: str, code: str) -> None:
-    (folder / name).mkdir()
-    (folder / name / "plugin.toml").write_text(f'name = "{name}"\nversion = "1"\n')
-    (folder / name / "plugin.py").write_text(code)
-
-
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SMSL_STUDIO_HOME", str(tmp_path / "home"))
@@ -52,7 +47,7 @@ def _named(loaded: Loaded) -> dict[str, str]:
 
 
 def test_a_description_is_what_loading_finds_without_the_code(folder: Path) -> None:
-    _plugin(folder, "good", GOOD)
+    write_plugin(folder, "good", GOOD)
     told, loaded = describe([folder]), discover([folder])
     assert [p.name for p in told.plugins] == [p.name for p in loaded.plugins]
     assert told.worlds == loaded.worlds
@@ -74,7 +69,7 @@ def test_a_description_is_what_loading_finds_without_the_code(folder: Path) -> N
 
 
 def test_code_that_is_elsewhere_cannot_be_called(folder: Path) -> None:
-    _plugin(folder, "good", GOOD)
+    write_plugin(folder, "good", GOOD)
     (go,) = describe([folder]).plugins[0].library.operations
     with pytest.raises(HostError, match="go is not here"):
         go.function(None)
@@ -91,16 +86,16 @@ def test_code_that_is_elsewhere_cannot_be_called(folder: Path) -> None:
     ],
 )
 def test_a_plugin_that_ends_its_process_is_one_fault(folder: Path, code: str, words: str) -> None:
-    _plugin(folder, "bad", code)
-    _plugin(folder, "good", GOOD)
+    write_plugin(folder, "bad", code)
+    write_plugin(folder, "good", GOOD)
     told = describe([folder])
     assert "good" in told.worlds
     assert words in _named(told)["bad"]
 
 
 def test_a_plugin_that_never_ends_loading_is_one_fault(folder: Path) -> None:
-    _plugin(folder, "bad", "while True: pass")
-    _plugin(folder, "good", GOOD)
+    write_plugin(folder, "bad", "while True: pass")
+    write_plugin(folder, "good", GOOD)
     told = describe([folder], limit=1.0)
     assert "good" in told.worlds
     assert _named(told)["bad"] == "it did not load within 1 s"
@@ -109,7 +104,7 @@ def test_a_plugin_that_never_ends_loading_is_one_fault(folder: Path) -> None:
 def test_what_a_plugin_prints_stays_out_of_our_output(
     folder: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    _plugin(folder, "good", "import os\nos.write(1, b'noise')\nprint('noise')\n" + GOOD)
+    write_plugin(folder, "good", "import os\nos.write(1, b'noise')\nprint('noise')\n" + GOOD)
     assert "good" in describe([folder]).worlds
     assert capfd.readouterr().out == ""
 
@@ -117,7 +112,7 @@ def test_what_a_plugin_prints_stays_out_of_our_output(
 def test_nothing_of_a_plugin_runs_here(folder: Path) -> None:
     told_in = folder.parent / "process"
     code = f"import os, pathlib\npathlib.Path({str(told_in)!r}).write_text(str(os.getpid()))\n"
-    _plugin(folder, "good", code + GOOD)
+    write_plugin(folder, "good", code + GOOD)
     describe([folder])
     assert int(told_in.read_text()) != os.getpid()
 
@@ -126,7 +121,7 @@ def test_a_plugin_that_prints_without_end_is_cut_short(
     folder: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     loud = GOOD.replace("def register(library):", "def register(library):\n    print('x' * 10**7)")
-    _plugin(folder, "good", loud)
+    write_plugin(folder, "good", loud)
     assert "good" in describe([folder]).worlds
     said = capfd.readouterr()
     assert not said.out

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.host.spare import Spare
 from smsl_studio.studio.plugins import Plugins
+from tests.plugin_folder import write_plugin
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -33,10 +34,7 @@ def _code(name: str) -> str:
 @pytest.fixture
 def plugin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The code of a plugin in a folder that is looked into."""
-    folder = tmp_path / "plugins" / "lamp"
-    folder.mkdir(parents=True)
-    (folder / "plugin.toml").write_text('name = "lamp"\nversion = "1"\n')
-    (folder / "plugin.py").write_text(_code("Op_1b"))
+    folder = write_plugin(tmp_path / "plugins", "lamp", _code("Op_1b"))
     monkeypatch.setenv("SMSL_PLUGIN_PATH", str(folder.parent))
     return folder / "plugin.py"
 

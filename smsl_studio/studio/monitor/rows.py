@@ -65,7 +65,8 @@ def monitor_rows(
         state = status.configuration.get(branch.name)
         if state is None:
             continue
-        found.append(_group(branch, state, estimates.get(branch.name)))
+        moving = status.running is not None and status.running.branch == branch.name
+        found.append(_group(branch, state, estimates.get(branch.name), moving))
         for digit in range(branch.num_facts):
             key = (branch.name, digit)
             reading = status.scene.get(*key)
@@ -109,9 +110,13 @@ def short(name: str) -> str:
     return name if len(name) <= LONG else f"{name[: LONG // 2]}…{name[-LONG // 2 + 1 :]}"
 
 
-def _group(branch: StateBranch, state: str, estimate: Estimate | None) -> MonitorRow:
+def _group(branch: StateBranch, state: str, estimate: Estimate | None, moving: bool) -> MonitorRow:
+    """The line of an SB. While an operation moves it, it stands in no state, and nothing is
+    wrong with that."""
     words, standing = "", UNKNOWN
-    if estimate is not None:
+    if estimate is not None and moving and estimate.kind == "off the map":
+        words = "by its sensors: between states, an operation moves it"
+    elif estimate is not None:
         words = f"by its sensors: {estimate_words(estimate)}"
         off = estimate.kind in ("off the map", "ambiguous")
         standing = KNOWN if estimate.kind == "located" else CONFLICT if off else UNKNOWN

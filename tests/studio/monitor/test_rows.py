@@ -95,6 +95,13 @@ def test_what_fits_no_state_is_off_the_map(hanoi: Blueprint) -> None:
     assert rows["SB1",].standing == "conflict"
 
 
+def test_what_an_operation_moves_stands_in_no_state_and_that_is_not_wrong(hanoi: Blueprint) -> None:
+    status = _status(hanoi, eye="z", ear="z", scale="a")
+    rows = _rows(hanoi, replace(status, running=hanoi.resolve("SB1/State_aa/Op_1b")))
+    assert rows["SB1",].cells[3] == "by its sensors: between states, an operation moves it"
+    assert rows["SB1",].standing == "unknown"
+
+
 def test_of_a_world_that_is_gone_nothing_is_known(hanoi: Blueprint) -> None:
     rows = _rows(hanoi, of_lost(_status(hanoi, eye="a", ear="a", scale="a")))
     facts = [row for row in rows.values() if row.kind == "fact"]
