@@ -10,7 +10,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import PurePath
 
-WRITTEN_FORMS = (".json", ".smsl", ".yaml", ".yml")
+from smsl_studio.legible import one_line
+
+SHOWN = (".json", ".smsl", ".yaml", ".yml", ".jsonl")
+"""Suffixes of what the window shows: the written forms of a blueprint, and a recorded run."""
 
 
 def window_arguments(argv: Sequence[str]) -> list[str] | None:
@@ -22,20 +25,22 @@ def window_arguments(argv: Sequence[str]) -> list[str] | None:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the program; the exit status (0 good, 1 the answer is no, 2 cannot)."""
+    """Run the program; the exit status (0 good, 1 the answer is no, 2 cannot, 130 stopped)."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     wanted = window_arguments(arguments)
     if wanted is None:
-        return _command_line(arguments)
+        return _command_line(arguments, alone=argv is None)
     return _open_window(wanted)
 
 
-def _command_line(arguments: list[str]) -> int:
+def _command_line(arguments: list[str], alone: bool) -> int:
+    """Run a command; ``alone`` says that this process is there for nothing else."""
     try:
-        from smsl_studio.cli import main as command_line
+        from smsl_studio.cli import main as command
+        from smsl_studio.cli import program
     except KeyboardInterrupt:  # so early that the command line cannot say so itself
-        return 1
-    return command_line(arguments)
+        return 130
+    return program(arguments) if alone else command(arguments)
 
 
 def _open_window(arguments: list[str]) -> int:
@@ -60,13 +65,13 @@ def _missing_display() -> str:
 
 
 def _no_window(reason: str) -> int:
-    print(f"smsl-studio: no window: {reason}.", file=sys.stderr)
+    print(one_line(f"smsl-studio: no window: {reason}."), file=sys.stderr)
     print("The command line works without one: smsl-studio --help", file=sys.stderr)
     return 2
 
 
 def _is_file_name(part: str) -> bool:
-    return not part.startswith("-") and PurePath(part).suffix.lower() in WRITTEN_FORMS
+    return not part.startswith("-") and PurePath(part).suffix.lower() in SHOWN
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
     ├── ReadError            a text or file cannot be opened as SMSL        (exit 2)
     ├── ConvertError         the other form has no spelling for it          (exit 2)
     ├── SaveError            a file could not be written; the old one stands (exit 2)
+    │   └── FileChanged      somebody else has written it since it was read
     ├── AddressError         nothing stands at that address                  (exit 2)
     ├── UsageError           a command or call that makes no sense           (exit 2)
     ├── EditRefused          an edit that would leave nonsense; nothing was changed
@@ -100,6 +101,17 @@ class ConvertError(StudioError):
 
 class SaveError(StudioError):
     """A file that could not be written; what stood there before still stands."""
+
+
+class FileChanged(SaveError):  # noqa: N818
+    """A file that was not replaced, because it is no longer the one that was read."""
+
+    def __init__(self, file: str) -> None:
+        super().__init__(
+            f"{file} was not saved: another program has written it since it was read",
+            advice="What the other program wrote still stands. Read it, then save again.",
+        )
+        self.file = file
 
 
 class AddressError(StudioError):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
-import stat
 import time
 from collections.abc import Iterable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
+
+from smsl_studio.smsl.traits import Traits, give
 
 try:
     import fcntl
@@ -31,30 +32,15 @@ def short(name: str) -> str:
     return f"{name[:20]}~{hashlib.sha256(raw).hexdigest()[:20]}"
 
 
-def mode_of(target: Path) -> int | None:
-    """The permissions of the file that stands at ``target``, None where there is none.
-
-    OSError where it may not be written, because a replaced file would not ask.
-    """
-    try:
-        found = target.stat()
-    except FileNotFoundError:
-        return None
-    if not stat.S_ISREG(found.st_mode):
-        raise OSError(0, "it is no ordinary file")
-    if not os.access(target, os.W_OK):
-        raise PermissionError(13, "it may only be read")
-    return stat.S_IMODE(found.st_mode)
-
-
-def write_new(path: Path, raw: bytes, mode: int | None = None) -> None:
+def write_new(path: Path, raw: bytes, mode: int | Traits | None = None) -> None:
     """Write all bytes to a new file and wait until the disk has them.
 
     A write may be short without an error (a full disk, a quota): what is missing is written
-    again, and a file of another length than its bytes is a failure.
+    again, and a file of another length than its bytes is a failure. A file that is to have a
+    ``mode``, or all traits of another, can be read by nobody else until it has them.
     """
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0)
-    handle = os.open(path, flags, 0o666)
+    handle = os.open(path, flags, 0o666 if mode is None else 0o600)
     try:
         left = memoryview(raw)
         while left:
@@ -62,7 +48,9 @@ def write_new(path: Path, raw: bytes, mode: int | None = None) -> None:
             if written <= 0:
                 raise OSError(28, "the disk took nothing more")
             left = left[written:]
-        if mode is not None:
+        if isinstance(mode, Traits):
+            give(handle, mode)
+        elif mode is not None:
             os.chmod(path, mode)  # noqa: PTH101
         os.fsync(handle)
         if os.fstat(handle).st_size != len(raw):

@@ -59,6 +59,8 @@ class Document:
     ``values`` keeps the order of the keys; where a key is written twice the last one wins and
     ``doubled`` is true (see ``duplicates``). ``file`` is the name that messages show. ``form`` is
     the name of the form (``json``, ``smsl``, ``yaml``), ``spans_of`` finds where things stand.
+    ``stands_in`` names the file in which this text was found, where that is not ``file``: the new
+    text of a save that has not come to its end.
     """
 
     text: str
@@ -67,6 +69,7 @@ class Document:
     values: Mapping[str, Json]
     spans_of: Callable[[str], Spans] = field(repr=False)
     doubled: bool = False
+    stands_in: str = ""
 
     @cached_property
     def spans(self) -> Spans:

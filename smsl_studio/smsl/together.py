@@ -1,132 +1,211 @@
 """Saving several files: all or none, whatever happens in between.
 
-1. Every file gets its marker, which names the journal of the save; what stands there now is kept
-   beside it (``.old``), and all new bytes are written beside it (``.part``).
-2. The journal appears under its name in one step: from here on the new bytes count.
-3. The parts take their places, the journal goes, then all that is left.
+1. A draft in the user's folder lists the files. What stands there now is kept beside each
+   (``.old``), and all new bytes are written beside it (``.part``).
+2. The draft becomes a journal in one step: from here on the new bytes count.
+3. The parts take their places. The journal becomes a draft again, and all that is left goes.
 
 A process that dies in 1 leaves old bytes that count, in 2 and 3 new ones (see ``pending``);
-``finish_saves`` brings to its end what it left. The folders are held by who works in them.
+``unfinished`` brings to its end what it left. The folders are held by who works in them.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NoReturn
 
-from smsl_studio.errors import SaveError
-from smsl_studio.smsl.disk import held, mode_of, settle, write_new
+from smsl_studio.errors import FileChanged, SaveError
+from smsl_studio.smsl.disk import held, settle, write_new
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.files import bytes_to_save, save_document
-from smsl_studio.smsl.pending import Marker, digest_at, journal_path, marker_of
-from smsl_studio.smsl.unfinished import bring_back, clear, end, finish_saves, keep, listing
+from smsl_studio.smsl.inputs import NOTHING, Seen, seen_at
+from smsl_studio.smsl.limits import LARGEST_FILE
+from smsl_studio.smsl.outputs import put
+from smsl_studio.smsl.pending import (
+    DRAFT,
+    JOURNAL,
+    PendingFile,
+    PendingSave,
+    digest_of_bytes,
+    is_safe,
+    pending_saves,
+    saving_folder,
+)
+from smsl_studio.smsl.traits import traits_of
+from smsl_studio.smsl.unfinished import FRESH, bring_back, clear, clear_up, end, finish, keep
 
 PATIENCE = 5.0
 """So long (wall seconds) a save waits for another one in the same folders."""
 
+Pairs = Sequence[tuple[Document | str, str | os.PathLike[str]]]
+
 
 @dataclass(frozen=True)
 class _File:
-    """One file of a save: its name as it was given, its real path, its new bytes."""
+    """One file of a save: its name as it was given, its real path, its new bytes, and what its
+    writer has seen there (None: whatever it is).
+    """
 
     shown: str
     target: Path
     raw: bytes
+    over: Seen | None
 
 
-def save_together(pairs: Sequence[tuple[Document | str, str | os.PathLike[str]]]) -> None:
+def save_together(pairs: Pairs, over: Mapping[str, Seen] | None = None) -> None:
     """Write the bytes of several documents (or plain texts), each to its path: all or none.
 
     SaveError names the file that could not be written, and why; then every file is as it was.
     Whoever reads them through ``read_document`` sees all new or all old bytes, also where this
     process is killed. A symbolic link keeps pointing, and the file behind it keeps its mode.
+
+    ``over`` has, by path, what was seen there when it was read: FileChanged where something else
+    stands at one of them right before it would be replaced. An earlier save of one of these files
+    that was left unfinished is brought to its end first.
     """
-    files = _files(pairs)
+    files = _files(pairs, over or {})
     if len(files) < 2:
         for document, path in pairs[:1]:
-            save_document(document, path)
+            save_document(document, path, files[0].over)
         return
     folders = list(dict.fromkeys(file.target.parent for file in files))
     with _telling(files[0].shown):
+        for save in _earlier(files):
+            finish(save)
         for folder in folders:
-            finish_saves(folder)
+            clear_up(folder)
         with held(folders, PATIENCE) as alone:
             if not alone:
                 raise OSError(0, "another program is saving in the same folder")
+            for _ in _earlier(files):
+                raise OSError(0, "an earlier save of it has not come to its end")
             _save(files, folders)
 
 
-def _files(pairs: Sequence[tuple[Document | str, str | os.PathLike[str]]]) -> list[_File]:
+def _files(pairs: Pairs, over: Mapping[str, Seen]) -> list[_File]:
     """The files to write, each once."""
     files: dict[Path, _File] = {}
     for document, path in pairs:
         shown = os.fspath(path)
         with _telling(shown):
-            file = _File(shown, Path(os.path.realpath(path)), bytes_to_save(document))
+            raw = bytes_to_save(document)
+            file = _File(shown, Path(os.path.realpath(path)), raw, over.get(shown))
             if not file.target.parent.is_dir():
                 raise FileNotFoundError(2, "there is no such folder")
+            if len(raw) > LARGEST_FILE:
+                raise OSError(27, f"it is larger than {LARGEST_FILE >> 20} MB")
             if file.raw != files.setdefault(file.target, file).raw:
                 raise OSError(0, "it is to be written twice, with different texts")
     return list(files.values())
 
 
+def _earlier(files: list[_File]) -> Iterator[PendingSave]:
+    """The saves of one of these files that have not come to their end."""
+    targets = {file.target for file in files}
+    for save in pending_saves():
+        if not targets.isdisjoint(file.target for file in save.files):
+            yield save
+
+
 def _save(files: list[_File], folders: list[Path]) -> None:
-    journal = journal_path(folders[0], os.urandom(6).hex())
-    fresh = journal.with_name(f"{journal.stem}-{len(files)}.part")
-    markers: list[Marker] = []
+    token = os.urandom(6).hex()
+    seen = []
+    pending = []
+    for index, file in enumerate(files):
+        with _telling(file.shown):
+            seen.append(_standing(file))
+            before = None if seen[-1] == NOTHING else digest_of_bytes(seen[-1].raw)
+            after = digest_of_bytes(file.raw)
+            pending.append(PendingFile(file.target, token, index, before, after))
+    draft = PendingSave(_records(files[0].shown) / f"{token}{DRAFT}", tuple(pending))
+    journal = draft.renamed(JOURNAL)
     try:
-        for index, file in enumerate(files):
+        _write_record(draft)
+        for file, one in zip(files, pending, strict=True):
             with _telling(file.shown):
-                _prepare(file, journal, index, markers)
-        write_new(fresh, listing(journal, markers))
+                _prepare(file, one)
         settle(folders)
-        fresh.replace(journal)
+        draft.record.replace(journal.record)
     except BaseException:
-        for path in (journal, fresh):
-            with suppress(OSError):
-                path.unlink()
-        clear(markers)
+        with suppress(OSError):
+            journal.record.replace(draft.record)
+        clear(draft)
         raise
-    settle(folders[:1])
-    for file, marker in zip(files, markers, strict=True):
+    settle([journal.record.parent])
+    for file, stood, one in zip(files, seen, pending, strict=True):
         try:
-            marker.part.replace(marker.target)
-        except OSError as error:
-            _undo(journal, markers, file, error)
-    end(journal, markers)
+            put(one.part, one.target, stood, file.shown)
+        except (OSError, FileChanged) as error:
+            _undo(journal, file, error)
+    end(journal)
 
 
-def _prepare(file: _File, journal: Path, index: int, markers: list[Marker]) -> None:
+def _standing(file: _File) -> Seen:
+    """What stands where a file is to go; FileChanged where its writer has seen something else."""
+    traits_of(file.target)
+    stood = seen_at(file.target, LARGEST_FILE)
+    if len(stood.raw) > LARGEST_FILE:
+        raise OSError(27, f"what stands there is larger than {LARGEST_FILE >> 20} MB")
+    if file.over is not None and file.over != stood:
+        raise FileChanged(file.shown)
+    return stood
+
+
+def _records(shown: str) -> Path:
+    """The folder of this user's records, made where there is none; SaveError where it cannot be
+    used.
+    """
+    folder = saving_folder()
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        if is_safe(folder):
+            return folder
+        reason = f"{folder} can be written by others, or is no folder of yours"
+    except OSError as error:
+        reason = f"{folder} cannot be made ({error.strerror})"
+    raise SaveError(
+        f"{shown} was not saved: {reason}",
+        advice="Saving several files at once needs that folder. Give it to yourself alone, or set "
+        "SMSL_STUDIO_HOME to another folder of yours.",
+    )
+
+
+def _write_record(draft: PendingSave) -> None:
+    fresh = draft.record.with_suffix(FRESH)
+    try:
+        write_new(fresh, draft.encoded(), 0o600)
+        fresh.replace(draft.record)
+    except BaseException:
+        with suppress(OSError):
+            fresh.unlink()
+        raise
+    settle([draft.record.parent])
+
+
+def _prepare(file: _File, pending: PendingFile) -> None:
     """Write what the save needs beside one file."""
-    target = file.target
-    earlier = marker_of(target)
-    if earlier is not None and earlier.committed:
-        raise OSError(0, "an earlier save of it has not come to its end")
-    mode = mode_of(target)
-    marker = Marker(target, journal, index, digest_at(target))
-    with suppress(FileNotFoundError):
-        marker.path.unlink()
-    markers.append(marker)
-    write_new(marker.path, marker.encoded())
-    if mode is not None:
-        keep(target, marker.old, mode)
-    write_new(marker.part, file.raw, mode)
+    traits = traits_of(file.target)
+    if traits is not None:
+        keep(file.target, pending.old, traits)
+    write_new(pending.part, file.raw, traits)
 
 
-def _undo(journal: Path, markers: list[Marker], file: _File, error: OSError) -> NoReturn:
+def _undo(journal: PendingSave, file: _File, error: OSError | FileChanged) -> NoReturn:
     """One part could not take its place: what stood there before comes back everywhere."""
     try:
-        bring_back(journal, markers)
+        bring_back(journal)
     except OSError:
         raise SaveError(
-            f"{file.shown} cannot be replaced: {error.strerror or error}",
+            f"{file.shown} cannot be replaced: {getattr(error, 'strerror', None) or error}",
             advice="What was saved stands beside the files, and takes their places with the next "
-            "save in this folder. Studio reads it already.",
+            "save of one of them. Studio reads it already.",
         ) from error
+    if isinstance(error, FileChanged):
+        raise error
     raise _refused(file.shown, error) from error
 
 

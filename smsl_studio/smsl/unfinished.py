@@ -1,154 +1,187 @@
-"""Saves that a process has left behind: brought to their end, or cleared away."""
+"""Saves of several files that a process has left behind: brought to their end, or undone."""
 
 from __future__ import annotations
 
-import json
 import os
 import re
+import stat
 import time
-from collections.abc import Iterable
-from contextlib import suppress
+from collections.abc import Iterable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
+from smsl_studio.home import is_own
 from smsl_studio.smsl.disk import held, settle, write_new
 from smsl_studio.smsl.pending import (
-    MARKER,
-    Marker,
-    journal_in,
-    marker_of,
-    small_json,
-    token_of,
+    DRAFT,
+    PendingFile,
+    PendingSave,
+    pending_at,
+    pending_saves,
+    saving_folder,
 )
+from smsl_studio.smsl.traits import Traits
 
-_OF_SEVERAL = re.compile(r"\..+\.(?P<token>[0-9a-f]{12})-\d{1,6}\.(?:part|old)", re.DOTALL)
+FRESH = ".fresh"
+"""The ending of a record that is being written."""
+
 _OF_ONE = re.compile(r"\..+\.(?:json|smsl|ya?ml)\.[0-9a-f]{12}\.part", re.DOTALL | re.IGNORECASE)
+_RECORD = re.compile(rf"[0-9a-f]{{12}}\{FRESH}")
 _LONG_AGO = 3600.0
 """Seconds."""
 
 
-def finish_saves(folder: str | os.PathLike[str]) -> tuple[Path, ...]:
-    """Bring to its end what an earlier save of several files has left in a folder.
+def interrupted_saves(files: Iterable[str | os.PathLike[str]]) -> tuple[PendingSave, ...]:
+    """The saves that a process has left behind, and whose new bytes count for one of these files
+    without having taken their place.
+    """
+    wanted = {Path(os.path.realpath(file)) for file in files}
+    found = []
+    for save in pending_saves():
+        if any(one.target in wanted and pending_at(one.target) for one in save.files):
+            with _alone(save) as alone:
+                found += [save] * alone
+    return tuple(found)
 
-    Where its new bytes count they take their places, and these files are the answer; anything
-    else it left goes. A save that a living process is making is left alone.
+
+def finish_saves(folder: str | os.PathLike[str]) -> tuple[Path, ...]:
+    """Bring to their end all saves of this user with files in a folder, and clear it up.
+
+    The answer is the files that were replaced.
     """
     finished: list[Path] = []
     with suppress(OSError, ValueError):
         place = Path(os.path.realpath(folder))
-        for journal in _journals(place):
-            finished.extend(_finish(journal))
-        _clear_folder(place)
+        for save in pending_saves():
+            if place in save.folders:
+                finished.extend(finish(save))
+        clear_up(place)
     return tuple(finished)
 
 
-def listing(journal: Path, markers: Iterable[Marker]) -> bytes:
-    """What a journal says: the files of its save."""
-    return json.dumps([os.path.relpath(one.target, journal.parent) for one in markers]).encode()
+def finish(save: PendingSave) -> tuple[Path, ...]:
+    """Let the new bytes of a save take their places; which files were replaced.
+
+    What somebody else has written since stays. A save that a living process is making is left
+    alone.
+    """
+    finished: list[Path] = []
+    with suppress(OSError), _alone(save) as alone:
+        if alone:
+            finished.extend(file.target for file in save.files if _take_place(file))
+            end(save)
+    return tuple(finished)
 
 
-def keep(target: Path, old: Path, mode: int) -> None:
+def undo(save: PendingSave) -> bool:
+    """Give every file of a save that was left behind its former bytes; whether that went well."""
+    with suppress(OSError), _alone(save) as alone:
+        if alone:
+            bring_back(save)
+            return True
+    return False
+
+
+def keep(target: Path, old: Path, traits: int | Traits) -> None:
     """Keep what stands in a file under another name, without room where the disk can do that."""
     try:
         os.link(target, old)
     except OSError:
-        write_new(old, target.read_bytes(), mode)
+        write_new(old, target.read_bytes(), traits)
 
 
-def end(journal: Path, markers: list[Marker]) -> None:
-    """The parts have taken their places: first the disk has to know, then the journal goes.
+def end(save: PendingSave) -> None:
+    """The new bytes have taken their places: first the disk has to know, then the record goes.
 
     What cannot be taken away now says nothing wrong, and goes with the next save.
     """
-    settle({marker.target.parent for marker in markers})
+    settle(save.folders)
     with suppress(OSError):
-        journal.unlink()
-        settle([journal.parent])
-        clear(markers)
+        _stop_counting(save)
 
 
-def clear(markers: Iterable[Marker]) -> None:
-    """Take away what a save wrote beside its files, the markers last."""
-    for marker in markers:
-        for path in (marker.part, marker.old, marker.path):
-            with suppress(OSError):
-                path.unlink()
-
-
-def bring_back(journal: Path, markers: list[Marker]) -> None:
+def bring_back(save: PendingSave) -> None:
     """Undo a save of which one part could not take its place.
 
-    The new bytes count until the journal goes, so each stays reachable until then: first they
-    have their ``.part`` again, then what stood there before has its place again.
+    The new bytes count until the record says otherwise, so each stays reachable until then: first
+    they stand beside the file again, then what stood there before has its place again. OSError
+    where that cannot be done.
     """
-    for marker in markers:
-        if marker.part.exists():
+    for file in save.files:
+        if file.part.exists() or not file.holds(file.after):
             continue
-        if marker.before is None:
-            marker.target.replace(marker.part)
+        if file.before is None:
+            file.target.replace(file.part)
         else:
-            keep(marker.target, marker.part, 0o600)
-            marker.old.replace(marker.target)
-    settle({marker.target.parent for marker in markers})
-    journal.unlink()
-    clear(markers)
+            keep(file.target, file.part, 0o600)
+            file.old.replace(file.target)
+    settle(save.folders)
+    _stop_counting(save)
 
 
-def _journals(folder: Path) -> set[Path]:
-    """The journals that stand in a folder, or are named by a marker in it."""
-    named = {path if token_of(path) else journal_in(path) for path in folder.iterdir()}
-    return {journal for journal in named if journal is not None and journal.is_file()}
+def clear(draft: PendingSave) -> None:
+    """Take away what a save that does not count wrote beside its files, its record last."""
+    for file in draft.files:
+        for path in (file.part, file.old):
+            with suppress(OSError):
+                path.unlink(missing_ok=True)
+    with suppress(OSError):
+        draft.record.unlink()
 
 
-def _finish(journal: Path) -> list[Path]:
-    """Let the parts of a save that counts take their places."""
-    # Who took a whole folder away took its files out of the save.
-    targets = [target for target in _listed(journal) if target.parent.is_dir()]
-    with suppress(OSError), held({journal.parent, *(one.parent for one in targets)}) as alone:
-        if not alone or not journal.is_file():
-            return []
-        found = [marker for marker in map(marker_of, targets) if marker is not None]
-        markers = [marker for marker in found if marker.journal == journal]
-        finished = [marker.target for marker in markers if _take_place(marker)]
-        end(journal, markers)
-        return finished
-    return []
+def clear_up(folder: Path) -> None:
+    """Take away what saves that do not count have left in a folder (by its real path).
+
+    Of all that stands there only what this user's records name, and old ``.part`` files of the
+    user's own; a save that is being made is left alone.
+    """
+    for draft in pending_saves(DRAFT):
+        if folder in draft.folders:
+            with _alone(draft) as alone:
+                if alone:
+                    clear(draft)
+    with suppress(OSError):
+        _clear_old(folder, _OF_ONE)
+    with suppress(OSError):
+        _clear_old(saving_folder(), _RECORD)
 
 
-def _listed(journal: Path) -> list[Path]:
-    written = small_json(journal)
-    names = written if isinstance(written, list) else []
-    found = (os.path.join(journal.parent, name) for name in names if isinstance(name, str))  # noqa: PTH118
-    return [Path(os.path.normpath(name)) for name in found if "\0" not in name]
+@contextmanager
+def _alone(save: PendingSave) -> Iterator[bool]:
+    """Hold the folders of a save; False where its process lives, or it has ended.
+
+    Who took a whole folder away took its files out of the save.
+    """
+    folders = [one for one in save.folders if one.is_dir()]
+    with ExitStack() as stack:
+        try:
+            alone = stack.enter_context(held(folders)) and save.record.is_file()
+        except OSError:
+            alone = False
+        yield alone
 
 
-def _take_place(marker: Marker) -> bool:
-    """Whether a part took its place; it gives way to what somebody else has written since."""
-    if not marker.part.is_file() or not marker.untouched:
+def _stop_counting(save: PendingSave) -> None:
+    draft = save.renamed(DRAFT)
+    save.record.replace(draft.record)
+    settle([draft.record.parent])
+    clear(draft)
+
+
+def _take_place(file: PendingFile) -> bool:
+    """Whether the new bytes took their place; they give way to what somebody has written since."""
+    if file.new_bytes() is None or not file.untouched:
         return False
-    marker.part.replace(marker.target)
+    file.part.replace(file.target)
     return True
 
 
-def _clear_folder(folder: Path) -> None:
-    """Take away what belongs to no save that counts, unless a save is being made here."""
-    with held([folder]) as alone:
-        if not alone:
-            return
-        counting = {token_of(journal) for journal in _journals(folder)}
-        for path in list(folder.iterdir()):
-            if _is_left(path, counting):
-                path.unlink()
-
-
-def _is_left(path: Path, counting: set[str]) -> bool:
-    """Whether a file is what a save that ended too early has left; ``counting`` are the tokens of
-    those that are still to be finished.
-    """
-    name = path.name
-    if name.startswith(".") and name.endswith(MARKER):
-        journal = journal_in(path)
-        return journal is None or not journal.is_file()
-    if several := _OF_SEVERAL.fullmatch(name):
-        return several["token"] not in counting
-    # A save of one file holds no folder: what is old cannot be at work any more.
-    return bool(_OF_ONE.fullmatch(name)) and time.time() - path.stat().st_mtime > _LONG_AGO
+def _clear_old(folder: Path, names: re.Pattern[str]) -> None:
+    """Take away the user's own files of such names in which nobody can be writing any more."""
+    for path in folder.iterdir():
+        if not names.fullmatch(path.name):
+            continue
+        found = path.lstat()
+        old = time.time() - found.st_mtime > _LONG_AGO
+        if old and stat.S_ISREG(found.st_mode) and is_own(found):
+            path.unlink()

@@ -21,8 +21,9 @@ from pathlib import Path
 
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json, write_json
+from smsl_studio.smsl.pending import saving_folder
 from smsl_studio.smsl.together import save_together
-from smsl_studio.smsl.unfinished import finish_saves
+from smsl_studio.smsl.unfinished import FRESH, finish_saves
 
 TEXTS = {
     letter: write_json({"SB": {f"State{n}": {"o": letter * 40} for n in range(size)}})
@@ -104,6 +105,7 @@ class Counts:
             stand = {letter_in(path.read_text("utf-8")) for path in files}
             self.changed_by_finishing += stand != read
             self.left += sum(len(left_in(path.parent)) for path in files)
+            self.left += len(records_left())
 
 
 def finish_all(files: list[Path]) -> None:
@@ -115,6 +117,11 @@ def left_in(folder: Path) -> list[str]:
     """What stands in a folder besides files; one that a save of one file has left may."""
     hidden = [path.name for path in folder.iterdir() if path.name.startswith(".")]
     return [name for name in hidden if "-" in name or not name.endswith(".part")]
+
+
+def records_left() -> list[str]:
+    """The records of saves that stand; one that was being written may stand for an hour."""
+    return [one.name for one in saving_folder().iterdir() if one.suffix != FRESH]
 
 
 def at_random(folder: Path, kills: int, seed: int) -> Counts:

@@ -95,7 +95,7 @@ def test_a_refusal_names_the_place(text: str, line: int, column: int, words: str
 def test_a_text_has_an_end() -> None:
     text = " " * (MAX_CHARACTERS + 1)
     error = refusal(text)
-    assert error.sentence == "the file is larger than 64 million characters"
+    assert error.sentence == "the file is larger than 32 million characters"
     assert error.place == Place("f.json", 1, 1)
     assert recover(text, "f.json").values == {}
 

@@ -8,13 +8,15 @@ from collections.abc import Mapping
 from math import isfinite
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from smsl_studio.errors import Place, ReadError
+from smsl_studio.errors import ReadError
+from smsl_studio.smsl.budget import refused_by_budget
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
+from smsl_studio.smsl.json_form.count import beyond_budget
 from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
 from smsl_studio.smsl.json_form.style import CANONICAL, render
-from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_DEPTH, too_large, too_long
+from smsl_studio.smsl.limits import MAX_DEPTH, too_large
 
 if TYPE_CHECKING:
     from smsl_studio.smsl.comments import Comments
@@ -28,9 +30,9 @@ def parse(text: str, file: str) -> Document:
     A BOM is accepted and kept. A key written twice opens: the last one wins, in the place of the
     first, and ``Document.duplicates`` finds them all.
     """
-    if len(text) > MAX_CHARACTERS:
-        sentence, advice = too_long(MAX_CHARACTERS)
-        raise ReadError(sentence, Place(file, 1, 1), advice)
+    over = beyond_budget(text)
+    if over is not None:
+        raise refused_by_budget(Document(text, file, "json", {}, JsonSpans), over)
     quick = quick_values(text.removeprefix("\ufeff"), MAX_DEPTH) if len(text) >= LONG else None
     values, doubled = (quick, False) if quick is not None else _exact_values(text, file)
     return Document(text, file, "json", values, JsonSpans, doubled)
@@ -46,7 +48,7 @@ def recover(text: str, file: str) -> Document:
     from smsl_studio.smsl.json_form.refusing import other_form
 
     values: Any = {}
-    if len(text) <= MAX_CHARACTERS:
+    if beyond_budget(text) is None:
         form = other_form(text)
         values = form_named(form).recover(text, file).values if form else Recovery(text).values
     try:

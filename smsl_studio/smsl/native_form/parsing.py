@@ -10,10 +10,11 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.errors import TextFix
+from smsl_studio.smsl.budget import over_budget
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.json_form.characters import HALF_PAIR
-from smsl_studio.smsl.limits import MAX_CHARACTERS, too_long
 from smsl_studio.smsl.native_form import strays
+from smsl_studio.smsl.native_form.count import beyond_budget
 from smsl_studio.smsl.native_form.faults import Enough, Faults
 from smsl_studio.smsl.native_form.keeping import Keeping
 from smsl_studio.smsl.native_form.lines import Line, line_at
@@ -60,8 +61,9 @@ class Parser:
 
     def _is_sound(self) -> bool:
         text = self.text
-        if len(text) > MAX_CHARACTERS:
-            self.faults.add(0, 1, *too_long(MAX_CHARACTERS))
+        over = beyond_budget(text)
+        if over is not None:
+            self.faults.add(over, over + 1, *over_budget(text))
             return False
         try:
             text.encode("utf-8")

@@ -5,7 +5,7 @@ Elements are found container by container, and only when somebody asks.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cached_property
 from typing import Literal, NamedTuple
 
@@ -42,9 +42,10 @@ class Element(NamedTuple):
 
 
 class _Branch(NamedTuple):
-    """What stands in a branch: its header lines, and its states and fields, the last of each."""
+    """What stands in a branch: its header lines, and its lines, states and fields by key."""
 
     lines: tuple[Element, ...]
+    headers: dict[str, Element]
     latest: dict[str, Element]
 
 
@@ -55,6 +56,7 @@ class NativeSpans:
         self._text = text
         self._inside: dict[int, tuple[Element, ...]] = {}
         self._branches: dict[int, _Branch] = {}
+        self._scanned: dict[int, dict[str, Member]] = {}
         self._members: dict[Path, tuple[Member, ...]] = {}
 
     @property
@@ -67,6 +69,11 @@ class NativeSpans:
         """The branches and lines of the file."""
         return tuple(_file_elements(self._text))
 
+    @cached_property
+    def _latest(self) -> dict[str, Element]:
+        """The branches and lines of the file by key; of a doubled one the last."""
+        return by_key(self.elements)
+
     def members(self, path: Path) -> tuple[Member, ...]:
         """See ``Spans``. The key of a branch is its NAME; HEADER is its header lines together."""
         if len(path) > 1:
@@ -78,25 +85,25 @@ class NativeSpans:
     def _find(self, path: Path) -> tuple[Member, ...]:
         if not path:
             return tuple(element.member for element in self.elements)
-        first = _last(self.elements, path[0])
+        first = self._latest[path[0]]
         if first.kind != "branch":
             return self._values(first.value_start, path[1:])
         if len(path) == 1:
             inside = first.elements
             return (*header_member(inside), *(e.member for e in in_values(inside)))
-        lines, latest = self._branch(first)
+        lines, headers, latest = self._branch(first)
         if path[1] == "HEADER":
             if not lines:
                 raise KeyError(path)
             if len(path) == 2:
                 return tuple(line.member for line in lines)
-            return self._values(_last(lines, path[2]).value_start, path[3:])
+            return self._values(headers[path[2]].value_start, path[3:])
         second = latest[path[1]]
         if second.kind != "state":
             return self._values(second.value_start, path[2:])
         if len(path) == 2:
             return tuple(element.member for element in self.inside(second))
-        third = _last(self.inside(second), path[2])
+        third = by_key(self.inside(second))[path[2]]
         if third.kind != "field":
             raise KeyError(path)
         return self._values(third.value_start, path[3:])
@@ -104,8 +111,8 @@ class NativeSpans:
     def _branch(self, branch: Element) -> _Branch:
         if branch.start not in self._branches:
             lines = tuple(element for element in branch.elements if element.kind == "header")
-            latest = {element.key: element for element in in_values(branch.elements)}
-            self._branches[branch.start] = _Branch(lines, latest)
+            latest = by_key(in_values(branch.elements))
+            self._branches[branch.start] = _Branch(lines, by_key(lines), latest)
         return self._branches[branch.start]
 
     def inside(self, state: Element) -> tuple[Element, ...]:
@@ -153,16 +160,16 @@ class NativeSpans:
 
     def _values(self, start: int, path: Path) -> tuple[Member, ...]:
         """The members of the map or list that opens at ``start``, or of one inside it."""
+        for key in path:
+            if start not in self._scanned:
+                self._scanned[start] = {member.key: member for member in self._scan(start)}
+            start = self._scanned[start][key].value_start
+        return tuple(self._scan(start))
+
+    def _scan(self, start: int) -> Iterator[Member]:
         if self._text[start : start + 1] == "(":
-            found = tuple(entries(self._text, start))
-        else:
-            found = tuple(scan_container(self._text, start))
-        if not path:
-            return found
-        for member in reversed(found):
-            if member.key == path[0]:
-                return self._values(member.value_start, path[1:])
-        raise KeyError(path)
+            return entries(self._text, start)
+        return scan_container(self._text, start)
 
 
 def in_values(elements: tuple[Element, ...]) -> tuple[Element, ...]:
@@ -183,11 +190,9 @@ def header_member(elements: tuple[Element, ...]) -> tuple[Member, ...]:
     return (Member("HEADER", first.start, first.start, first.start, end),) if first else ()
 
 
-def _last(elements: tuple[Element, ...], key: str) -> Element:
-    for element in reversed(elements):
-        if element.key == key:
-            return element
-    raise KeyError(key)
+def by_key(elements: Iterable[Element]) -> dict[str, Element]:
+    """Elements by their keys; of a doubled one the last."""
+    return {element.key: element for element in elements}
 
 
 def _doubled(path: Path, members: tuple[Member, ...]) -> Iterator[tuple[Path, tuple[int, ...]]]:

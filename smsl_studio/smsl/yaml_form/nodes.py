@@ -14,10 +14,9 @@ from typing import Any
 import yaml
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP
+from smsl_studio.smsl.limits import MAX_DEPTH, MAX_VALUES, TOO_DEEP, TOO_MANY_VALUES
 from smsl_studio.smsl.yaml_form.faults import Fault, shown, syntax_fault
 
-MAX_NODES = 2_000_000
 MAX_REPEATED = 250_000
 """What all aliases together may stand for, in characters and nodes."""
 
@@ -83,7 +82,7 @@ class Tree:
             text = text[:at] + _ODD.sub("\ufffd", text[at:])
         for _ in range(_RESUMES):
             stopped = self._read_from(text, at)
-            if stopped is None or self.count > MAX_NODES:
+            if stopped is None or self.count > MAX_VALUES:
                 return
             following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped - 1, at)))
             if following is None:
@@ -148,11 +147,7 @@ class _Building:
 
     def take(self, event: Any) -> None:
         kind = type(event)
-        self._tree.count += 1
-        if self._tree.count > MAX_NODES:
-            words = f"the file holds more than {MAX_NODES:,} names and values"
-            self._stop(event.start_mark.index + self._shift, words, "Split it into several files.")
-        elif kind is yaml.ScalarEvent:
+        if kind is yaml.ScalarEvent:
             self._scalar(event)
         elif kind is yaml.MappingStartEvent:
             self._begin(event, "map")
@@ -251,6 +246,7 @@ class _Building:
         name = self._names[-1]
         if above.kind == "list":
             above.value.append(node)
+            self._count(node)
         elif name is None:
             self._names[-1] = node
         else:
@@ -259,6 +255,13 @@ class _Building:
                 node.start = node.end = colon + 1 if colon >= 0 else name.end
             above.value.append((name, node))
             self._names[-1] = None
+            self._count(name)
+
+    def _count(self, node: Node) -> None:
+        """Count one more member or element; reading stops where there are too many."""
+        self._tree.count += 1
+        if self._tree.count == MAX_VALUES + 1:
+            self._stop(node.start, *TOO_MANY_VALUES)
 
 
 def _odd_character(match: re.Match[str]) -> Fault:

@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.limits import too_long
+from smsl_studio.smsl.limits import MAX_CHARACTERS, TOO_LONG
 from smsl_studio.smsl.yaml_form import scalars
 from smsl_studio.smsl.yaml_form.faults import Fault, as_error, shown
 from smsl_studio.smsl.yaml_form.levels import FILE, FREE, NAME, below, is_map, members, strangers
@@ -20,7 +20,6 @@ from smsl_studio.smsl.yaml_form.spans import YamlSpans
 
 Json = Any
 
-MAX_CHARACTERS = 32 * 1024 * 1024
 _JOINED = re.compile(r"[^\s:]+?(\s*->\s*|:|\s*=\s*)[^\s:]+")
 _LEVELS = {0: "the file", 1: "a State Branch", 2: "a state", 3: "a HEADER"}
 
@@ -43,8 +42,8 @@ def recover(text: str, file: str) -> Document:
 
 def _read(text: str, file: str) -> tuple[Document, list[Fault]]:
     if len(text) > MAX_CHARACTERS:
-        fault = Fault(0, 1, *too_long(MAX_CHARACTERS))
-        return Document(text, file, "yaml", {}, lambda _: YamlSpans("")), [fault]
+        fault = Fault(0, 1, *TOO_LONG)
+        return Document(text, file, "yaml", {}, lambda _: YamlSpans(Tree(""))), [fault]
     tree = Tree(text)
     reading = _Reading(tree.faults)
     values: dict[str, Json] = {}
@@ -56,7 +55,8 @@ def _read(text: str, file: str) -> tuple[Document, list[Fault]]:
     if not tree.faults and (not tree.roots or _is_nothing(tree.roots[0])):
         at = len(text) - len(text.removeprefix("\ufeff").lstrip())
         tree.faults.append(Fault(at, 1, "the file is empty", "An empty blueprint is written {}."))
-    return Document(text, file, "yaml", values, YamlSpans, reading.doubled), tree.faults
+    spans = YamlSpans(tree)
+    return Document(text, file, "yaml", values, lambda _: spans, reading.doubled), tree.faults
 
 
 _WHOLE = "An SMSL file is one map whose members are State Branches."

@@ -11,6 +11,7 @@ from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.likeness import same
 from smsl_studio.smsl.yaml_form.comments import comments_of
 from smsl_studio.smsl.yaml_form.faults import shown
+from smsl_studio.smsl.yaml_form.nodes import Tree
 from smsl_studio.smsl.yaml_form.reading import parse
 from smsl_studio.smsl.yaml_form.spans import YamlSpans
 from smsl_studio.smsl.yaml_form.writing import write
@@ -85,7 +86,8 @@ def _written(document: Document, values: Mapping[str, Json], kept: Comments) -> 
         text = "\ufeff" + text
     if text == document.text:
         return document
-    return Document(text, document.file, document.form, dict(values), YamlSpans)
+    values = dict(values)
+    return Document(text, document.file, document.form, values, lambda text: YamlSpans(Tree(text)))
 
 
 def _spans(document: Document) -> YamlSpans:

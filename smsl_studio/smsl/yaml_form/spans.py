@@ -11,10 +11,10 @@ from smsl_studio.smsl.yaml_form.nodes import Node, Tree
 
 
 class YamlSpans:
-    """The spans of one text: its tree is made at once, its maps are listed when asked for."""
+    """The spans of one text by its tree; its maps are listed when asked for."""
 
-    def __init__(self, text: str) -> None:
-        self.tree = Tree(text)
+    def __init__(self, tree: Tree) -> None:
+        self.tree = tree
         self._listed: dict[Path, tuple[tuple[Member, Node], ...]] = {}
         self._last: dict[Path, dict[str, Node]] = {}
 

@@ -1,0 +1,24 @@
+"""What is told of a text that asks for more than there is for one file (see ``limits``)."""
+
+from __future__ import annotations
+
+from smsl_studio.errors import ReadError
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.limits import MAX_CHARACTERS, TOO_LONG, TOO_MANY_VALUES
+
+
+def over_budget(text: str) -> tuple[str, str]:
+    """What is wrong with a text that is beyond the budget, and what to do."""
+    return TOO_LONG if len(text) > MAX_CHARACTERS else TOO_MANY_VALUES
+
+
+def share_of_budget(document: Document) -> int:
+    """How many names and values a document holds, or somewhat more: told by its marks alone."""
+    marks = {"json": ",{[", "smsl": ("->", "[", "{", "#", ","), "yaml": (":", ",", "- ", "[")}
+    return sum(map(document.text.count, marks[document.form]))
+
+
+def refused_by_budget(document: Document, at: int) -> ReadError:
+    """The one fault of a text that is beyond the budget from an offset on."""
+    sentence, advice = over_budget(document.text)
+    return ReadError(sentence, document.place_at(at), advice)

@@ -1,0 +1,41 @@
+"""How many names and values a native text holds, counted before anything is made of them."""
+
+from __future__ import annotations
+
+import re
+
+from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_VALUES
+from smsl_studio.smsl.native_form.tokens import QUOTED
+
+_MARKS = re.compile(rf"(->|[\[{{])|#([^\r\n]*+)|{QUOTED}|//[^\r\n]*+")
+_IN_A_LINE = re.compile(rf"[,{{\[(]|{QUOTED}")
+
+
+def beyond_budget(text: str) -> int | None:
+    """The offset at which a text holds more than it may; None where it does not.
+
+    A text that is too long is beyond it from its beginning.
+
+    Each operation has an arrow, each state and SB a bracket, each line a ``#``; in a line a comma
+    or a bracket stands before every value of a map or list.
+    """
+    if len(text) > MAX_CHARACTERS:
+        return 0
+    if sum(map(text.count, ("->", "[", "{", "#", ",", "("))) <= MAX_VALUES:
+        return None
+    count = 0
+    for found in _MARKS.finditer(text):
+        if found[1]:
+            count += 1
+        elif found[2] is not None:
+            count += 1
+            if count + sum(map(found[2].count, ",{[(")) > MAX_VALUES:
+                for inner in _IN_A_LINE.finditer(text, *found.span(2)):
+                    count += inner[0][0] != '"'
+                    if count > MAX_VALUES:
+                        return inner.start()
+            else:
+                count += sum(1 for one in _IN_A_LINE.finditer(found[2]) if one[0][0] != '"')
+        if count > MAX_VALUES:
+            return found.start()
+    return None

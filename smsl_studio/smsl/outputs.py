@@ -1,0 +1,111 @@
+"""Writing files: what may be replaced, and that it is still what the writer has seen.
+
+An output is an ordinary file. It is none of the files that it was made of, under whatever name,
+and where it is a link the file behind it is of the same kind.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterable
+from contextlib import suppress
+from pathlib import Path
+from typing import BinaryIO
+
+from smsl_studio.errors import FileChanged, UsageError
+from smsl_studio.smsl.disk import short, write_new
+from smsl_studio.smsl.inputs import Seen, seen_at
+from smsl_studio.smsl.limits import LARGEST_FILE
+from smsl_studio.smsl.traits import traits_of
+
+_APPEND = os.O_WRONLY | os.O_APPEND | os.O_CREAT
+_CAREFUL = ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY", "O_NOCTTY")
+Inputs = Iterable[str | int]
+"""Files that were read: their names, or the numbers of what is open, such as 0."""
+
+
+def replace_file(target: Path, raw: bytes, over: Seen | None, shown: str) -> None:
+    """Put these bytes at ``target`` (a real path): whole, or OSError and what stood there stays.
+
+    ``over`` is what stands there as the writer has seen it; where it is another file, or holds
+    other bytes, right before it would be replaced, FileChanged with the name ``shown``. None
+    replaces whatever stands there.
+    """
+    traits = traits_of(target)
+    fresh = target.with_name(f".{short(target.name)}.{os.urandom(6).hex()}.part")
+    try:
+        write_new(fresh, raw, traits)
+        put(fresh, target, over, shown)
+    except BaseException:
+        with suppress(OSError):
+            fresh.unlink()
+        raise
+
+
+def put(fresh: Path, target: Path, over: Seen | None, shown: str) -> None:
+    """Let a new file take the place of what stands at ``target``.
+
+    FileChanged where that is not ``over``. Compared are the bytes, and then, in the last moment,
+    whether anything has happened to the file since they were read.
+    """
+    if over is None:
+        fresh.replace(target)
+        return
+    now = seen_at(target, LARGEST_FILE)
+    source, goal = os.fspath(fresh), os.fspath(target)
+    if now == over and now.still_at(goal):
+        os.replace(source, goal)  # noqa: PTH105 -- nothing may come in between
+    else:
+        raise FileChanged(shown)
+
+
+def refuse_inputs(target: Path, shown: str, inputs: Inputs) -> None:
+    """UsageError where an output (its real path, and its name) is one of the files that it was
+    made of, or its name is a link to a file of another kind.
+    """
+    for one in inputs:
+        with suppress(OSError, ValueError):
+            if os.path.samestat(target.stat(), os.stat(one)):  # noqa: PTH116 -- takes numbers
+                read = "the file on standard input" if isinstance(one, int) else one
+                raise UsageError(
+                    f"{shown} is the same file as {read}, and would take its place",
+                    advice="Name another file.",
+                )
+    if target.suffix.lower() != Path(shown).suffix.lower():
+        raise UsageError(
+            f"{shown} leads to {target}, which is a file of another kind",
+            advice="Name another file, or take that link away.",
+        )
+
+
+def open_new(path: Path) -> BinaryIO:
+    """Open an ordinary file for appending that is new, or stands there and is empty.
+
+    UsageError where something else stands there: no link is followed. OSError where it cannot be
+    opened.
+    """
+    with suppress(FileNotFoundError):
+        _must_be_empty(path.lstat(), path)
+    flags = _APPEND
+    for name in _CAREFUL:
+        flags |= getattr(os, name, 0)
+    handle = os.open(path, flags, 0o666)
+    try:
+        _must_be_empty(os.fstat(handle), path)
+        return os.fdopen(handle, "ab", buffering=0)
+    except BaseException:
+        os.close(handle)
+        raise
+
+
+def _must_be_empty(found: os.stat_result, path: Path) -> None:
+    if stat.S_ISLNK(found.st_mode):
+        words = "is a link, and what is written has to stand under its own name"
+    elif not stat.S_ISREG(found.st_mode):
+        words = "is no ordinary file, and would not keep what is written"
+    elif found.st_size:
+        words = "holds something already, and a record is never written over"
+    else:
+        return
+    raise UsageError(f"{path} {words}", advice="Name a new file, or take that one away first.")
