@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.graph.shape import strong
 
 
 def levels(blueprint: Blueprint) -> dict[str, int]:
@@ -37,21 +38,43 @@ def levels(blueprint: Blueprint) -> dict[str, int]:
     return {name: found[name] for name in subs}
 
 
+MOST_CYCLES = 100
+"""So many cycles are sought: nobody breaks up more in one go."""
+
+
 def cycles(blueprint: Blueprint) -> tuple[tuple[str, ...], ...]:
     """Cycles among SBs: each a path of SUB_SBS whose last SB names its first as a sub-SB.
 
-    One shortest cycle is given through each SB that lies on one and on none given before.
+    One shortest cycle is given through each SB that lies on one and on none given before, at most
+    ``MOST_CYCLES`` of them.
     """
-    subs = _subs(blueprint)
+    subs = _within_cycles(_subs(blueprint))
     found: list[tuple[str, ...]] = []
     covered: set[str] = set()
     for name in subs:
         if name not in covered:
             cycle = _shortest_cycle(name, subs)
-            if cycle:
-                covered.update(cycle)
-                found.append(cycle)
+            covered.update(cycle)
+            found.append(cycle)
+            if len(found) == MOST_CYCLES:
+                break
     return tuple(found)
+
+
+def _within_cycles(subs: dict[str, list[str]]) -> dict[str, list[str]]:
+    """The SBs that lie on cycles, each with those of its subs that lie on one with it."""
+    number = {name: index for index, name in enumerate(subs)}
+    group = [0] * len(subs)
+    size: list[int] = []
+    for index, members in enumerate(strong([[number[s] for s in own] for own in subs.values()])):
+        size.append(len(members))
+        for member in members:
+            group[member] = index
+    return {
+        name: [sub for sub in own if group[number[sub]] == group[number[name]]]
+        for name, own in subs.items()
+        if size[group[number[name]]] > 1 or name in own
+    }
 
 
 def _subs(blueprint: Blueprint) -> dict[str, list[str]]:

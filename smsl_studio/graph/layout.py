@@ -1,12 +1,14 @@
 """Where the states of a State Branch are drawn.
 
-Three pictures, chosen by the shape of the graph and never by its names: a plane figure with three
-corners (Hanoi), columns (small procedures), and a spread by distances (everything else). All are
-pure functions of the branch: the same branch is always drawn the same way.
+Four pictures, chosen by the shape of the graph and never by its names: a plane figure with three
+corners (Hanoi), columns (small procedures), a spread by distances (larger ones), and a grid where
+there are more states than ``MOST_SPREAD``. All are pure functions of the branch: the same branch is
+always drawn the same way.
 """
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import count
@@ -14,13 +16,19 @@ from itertools import count
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.columns import in_columns
+from smsl_studio.graph.shape import distances
 from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
 SMALL = 60
 """Up to so many states columns are readable."""
+MOST_SPREAD = 8_000
+"""Up to so many states distances are worth their time; more stand in a grid, nearest to INITIAL
+first."""
 NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
 """No two nodes are nearer than this in both directions (a full node is 108 by 54)."""
+_WIDE = 1.6
+"""How much wider than high a grid is."""
 TRIED = 200_000
 """So many places are tried for all new states together; the rest stands in rows below."""
 
@@ -31,7 +39,9 @@ def place_states(
     """The centre of every state's node, in pixels at 100 % zoom, x right and y down.
 
     ``_layout`` wins over ``former``, and both over what is computed: where some states have a
-    place already, only the others get one, near the states they share operations with.
+    place already, only the others get one, near the states they share operations with. Where
+    ``_layout`` places fewer than half of the states and ``former`` none, the others stand where
+    they would stand without it: a state that was moved by hand does not scatter the rest.
     """
     fixed = {
         name: at
@@ -39,21 +49,45 @@ def place_states(
         if name in branch.table
     }
     if not fixed:
-        return _fresh(branch)
-    if len(fixed) < len(branch.table):
+        return place_anew(branch)
+    if not former and 2 * len(fixed) < len(branch.table):
+        fixed = {**place_anew(branch), **fixed}
+    elif len(fixed) < len(branch.table):
         fixed = _joined(branch, fixed)
     return {name: fixed[name] for name in branch.table}
 
 
-def _fresh(branch: StateBranch) -> dict[str, Point]:
+def place_anew(branch: StateBranch) -> dict[str, Point]:
+    """The centre of every state's node as if none had been placed: ``_layout`` is not looked at."""
     triangle = in_triangle(branch)
     if triangle is not None:
         return triangle
     if len(branch.table) <= SMALL:
         return in_columns(branch)
+    if len(branch.table) > MOST_SPREAD:
+        return _grid(branch)
     from smsl_studio.graph.spread import by_distance
 
     return by_distance(branch)
+
+
+def is_grid(branch: StateBranch) -> bool:
+    """Whether states stand in a grid because there are so many: the picture tells no distances."""
+    if len(branch.table) <= MOST_SPREAD or 2 * len(branch.notes.layout) >= len(branch.table):
+        return False
+    return in_triangle(branch) is None
+
+
+def _grid(branch: StateBranch) -> dict[str, Point]:
+    """Columns of states by their steps from INITIAL, filled from the left; the rest comes last."""
+    graph = graph_of(branch)
+    steps = distances(graph.neighbours, graph.index.get(branch.initial, 0))
+    order = sorted(range(len(graph)), key=lambda state: (steps[state] < 0, steps[state]))
+    high = math.ceil(math.sqrt(len(graph) * NODE_GAP_X / NODE_GAP_Y / _WIDE))
+    places: list[Point] = [(0.0, 0.0)] * len(graph)
+    for at, state in enumerate(order):
+        places[state] = at // high * NODE_GAP_X, at % high * NODE_GAP_Y
+    return dict(zip(graph.names, places, strict=True))
 
 
 def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:

@@ -39,7 +39,7 @@ def traps(branch: StateBranch, start: str, goal: str) -> tuple[str, ...]:
 def components(branch: StateBranch) -> tuple[tuple[str, ...], ...]:
     """The strongly connected components: states that lead to each other, in written order."""
     graph = graph_of(branch)
-    found = [sorted(group) for group in _strong(graph.successors)]
+    found = [sorted(group) for group in strong(graph.successors)]
     return tuple(tuple(graph.names[i] for i in group) for group in sorted(found))
 
 
@@ -53,6 +53,26 @@ def islands(branch: StateBranch) -> tuple[tuple[str, ...], ...]:
             part = flood(graph.neighbours, (state,))
             seen |= part
             found.append(tuple(graph.names[i] for i in sorted(part)))
+    return tuple(found)
+
+
+def connected(branch: StateBranch, states: Iterable[str]) -> tuple[tuple[str, ...], ...]:
+    """Some states in groups: those that operations between them join, in either direction."""
+    graph = graph_of(branch)
+    wanted = [graph.number(state) for state in states]
+    left = set(wanted)
+    found: list[tuple[str, ...]] = []
+    for start in wanted:
+        if start not in left:
+            continue
+        left.discard(start)
+        part = [start]
+        for state in part:
+            for other in (*graph.successors[state], *graph.predecessors[state]):
+                if other in left:
+                    left.discard(other)
+                    part.append(other)
+        found.append(tuple(graph.names[number] for number in sorted(part)))
     return tuple(found)
 
 
@@ -87,8 +107,11 @@ def _named(graph: BranchGraph, numbers: Iterable[int]) -> frozenset[str]:
     return frozenset(graph.names[number] for number in numbers)
 
 
-def _strong(near: list[list[int]]) -> list[list[int]]:
-    """Tarjan's algorithm without recursion, since a chain may be longer than the stack."""
+def strong(near: list[list[int]]) -> list[list[int]]:
+    """What is joined in both directions, by number.
+
+    Tarjan's algorithm without recursion, since a chain may be longer than the stack.
+    """
     order: dict[int, int] = {}
     low: dict[int, int] = {}
     stack: list[int] = []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import product
 from typing import Any
 
@@ -108,10 +109,10 @@ def _own_cells(places: Array) -> list[tuple[float, float]]:
     for x, y in places.tolist():
         wanted = (round(x / CELL_X), round(y / CELL_Y))
         ring = full.around(wanted)
-        cell = _free(wanted, ring, taken)
+        cell = full.free(wanted, ring, taken)
         while cell is None:
             ring += 1
-            cell = _free(wanted, ring, taken)
+            cell = full.free(wanted, ring, taken)
         full.learn(wanted, ring)
         taken.add(cell)
         found.append((cell[0] * CELL_X, cell[1] * CELL_Y))
@@ -127,6 +128,7 @@ class _Full:
     def __init__(self) -> None:
         self._rings: dict[Cell, int] = {}
         self._widest: dict[Cell, tuple[Cell, int]] = {}
+        self._walks: dict[Cell, tuple[int, Iterator[Cell]]] = {}
 
     def around(self, cell: Cell) -> int:
         """The first ring around a cell on which something may be free."""
@@ -147,12 +149,17 @@ class _Full:
         if ring > self._widest.get(block, (cell, -1))[1]:
             self._widest[block] = cell, ring
 
+    def free(self, wanted: Cell, ring: int, taken: set[Cell]) -> Cell | None:
+        """The first free cell on a ring around one; where one has walked it before, it goes on."""
+        last, walk = self._walks.get(wanted, (-1, iter(())))
+        if last != ring:
+            walk = _ring(wanted, ring)
+            self._walks[wanted] = ring, walk
+        return next((cell for cell in walk if cell not in taken), None)
 
-def _free(wanted: Cell, ring: int, taken: set[Cell]) -> Cell | None:
+
+def _ring(wanted: Cell, ring: int) -> Iterator[Cell]:
     around = range(-ring, ring + 1)
-    cells = (
-        (wanted[0] + i, wanted[1] + j)
-        for i in around
-        for j in (around if abs(i) == ring else (-ring, ring) if ring else (0,))
-    )
-    return next((cell for cell in cells if cell not in taken), None)
+    for i in around:
+        for j in around if abs(i) == ring else (-ring, ring) if ring else (0,):
+            yield wanted[0] + i, wanted[1] + j

@@ -23,6 +23,8 @@ _TRIALS = 6
 def in_triangle(branch: StateBranch) -> dict[str, tuple[float, float]] | None:
     """The triangle with INITIAL's corner on top; None where the graph is no such figure."""
     graph = graph_of(branch)
+    if len(graph.targets) < len(graph) - 1:  # parts that no operation joins
+        return None
     lone = _lone(graph)
     if len(graph) < 3 or len(lone) > _TOLERATED * len(graph.targets):
         return None

@@ -10,9 +10,10 @@ from collections.abc import Iterator, Mapping
 from itertools import islice
 from typing import Any
 
+from smsl_studio.legible import markup
 from smsl_studio.picture.account_words import Causes, Told, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
-from smsl_studio.picture.words import FAMILY, MONO_FAMILY, safe
+from smsl_studio.picture.words import FAMILY, MONO_FAMILY
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
 from smsl_studio.runlog.names import Names
 from smsl_studio.runlog.reading import LoggedRun
@@ -65,9 +66,9 @@ def _page(run: LoggedRun) -> Iterator[str]:
     yield '<meta http-equiv="Content-Security-Policy" '
     yield "content=\"default-src 'none'; style-src 'unsafe-inline'\">"
     yield '<meta name="viewport" content="width=device-width, initial-scale=1">'
-    yield f"<title>{safe(title)}</title>"
+    yield f"<title>{markup(title)}</title>"
     yield f"<style>{_style()}</style></head><body><main>"
-    yield f"<h1>{safe(title)}</h1>"
+    yield f"<h1>{markup(title)}</h1>"
     yield from _outcome(run)
     yield from _pairs("What was asked for", _header(run.header))
     yield from _pairs("Digests (SHA-256)", _named(run.header.get("digests")), code=True)
@@ -89,7 +90,7 @@ def _outcome(run: LoggedRun) -> Iterator[str]:
     else:
         what = _OUTCOMES.get(end.reason, end.reason)
         done = f"{end.operations} operation{'' if end.operations == 1 else 's'}"
-        yield f"<p><strong>{safe(what)}.</strong> {safe(end.sentence)}</p>"
+        yield f"<p><strong>{markup(what)}.</strong> {markup(end.sentence)}</p>"
         yield f"<p>{done} committed in {end.t:.3f} simulated seconds.</p>"
         where = (f"{branch}/{state}" for branch, state in end.configuration.items())
         yield f"<p>Believed at the end: {_list(where)}.</p>" if end.configuration else ""
@@ -97,10 +98,10 @@ def _outcome(run: LoggedRun) -> Iterator[str]:
     if run.doubt is not None:
         line = run.doubt.place.line
         yield f'<p class="seal bad"><strong>Not verified</strong>, line {line}: '
-        yield f"{safe(run.doubt.sentence)}.</p>"
+        yield f"{markup(run.doubt.sentence)}.</p>"
     elif run.head is not None:
         yield '<p class="seal"><strong>Verified</strong>: the chain holds over the whole log '
-        yield f"({run.head.count} events), and its head <code>{run.head.hash}</code>. "
+        yield f"({run.head.count} events), and its head <code>{markup(run.head.hash)}</code>. "
         yield "It is not signed: nothing was changed since, unless all of it was written anew."
         yield "</p>"
 
@@ -116,9 +117,9 @@ def _routes(events: tuple[Event, ...], names: Names) -> Iterator[str]:
         left = max(0, left - len(shown) - 1)
         if not left:
             break
-        goal = safe(names.address(one.goal))
+        goal = markup(names.address(one.goal))
         yield f"<h3>At {one.t:.3f} s, to {goal}, cost {one.cost:g}</h3><ol>"
-        yield from (f"<li>{safe(names.address(step))}</li>" for step in shown)
+        yield from (f"<li>{markup(names.address(step))}</li>" for step in shown)
         yield "</ol>"
     if not left:
         yield "<p>Further routes are left out here; the log has them.</p>"
@@ -137,7 +138,9 @@ def _events(events: tuple[Event, ...], names: Names) -> Iterator[str]:
 
 
 def _row(t: float, one: Told) -> str:
-    cells = f"<td>{t:.3f}</td><td>{one.kind}</td><td>{safe(one.what)}</td><td>{safe(one.by)}</td>"
+    cells = (
+        f"<td>{t:.3f}</td><td>{one.kind}</td><td>{markup(one.what)}</td><td>{markup(one.by)}</td>"
+    )
     return f'<tr class="{one.kind}{" bad" if one.bad else ""}">{cells}</tr>'
 
 
@@ -162,8 +165,8 @@ def _pairs(title: str, pairs: Iterator[tuple[str, str]], code: bool = False) -> 
         return
     yield f"<h2>{title}</h2><dl>"
     for name, value in rows:
-        shown = f"<code>{safe(value)}</code>" if code else safe(value)
-        yield f"<dt>{safe(name)}</dt><dd>{shown}</dd>"
+        shown = f"<code>{markup(value)}</code>" if code else markup(value)
+        yield f"<dt>{markup(name)}</dt><dd>{shown}</dd>"
     yield "</dl>"
 
 
@@ -182,7 +185,7 @@ def _said(value: Json, deep: int = DEEP) -> str:
 
 
 def _list(parts: Iterator[str]) -> str:
-    return ", ".join(map(safe, parts))
+    return ", ".join(map(markup, parts))
 
 
 def _style() -> str:

@@ -214,6 +214,7 @@ _WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
     {
         run.RunStarted: _started,
         run.RoutePlanned: _route,
+        run.SubsBypassed: lambda e: f"{e.sentence} ({e.address})",
         run.OperationStarted: _operation,
         run.OperationEnded: _ended,
         run.StateChecked: _checked,

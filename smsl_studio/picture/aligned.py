@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from smsl_studio.blueprint.comparing import Difference
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.shape import Point
+
+TENTH = 0.1
+"""Pixels: what a layout is written in."""
 
 
 def branch_pairs(difference: Difference) -> Iterator[tuple[str, str]]:
@@ -27,6 +31,34 @@ def changed_pairs(difference: Difference) -> list[tuple[str, str]]:
     after = {change.after.branch for change in told if change.after}
     after |= {address.branch for address in difference.moved}
     return [pair for pair in branch_pairs(difference) if pair[0] in before or pair[1] in after]
+
+
+def as_drawn(difference: Difference) -> Difference:
+    """The difference with those states alone as moved that are drawn elsewhere.
+
+    The first state that is placed by hand has all places of its SB written: the others stand where
+    they stood before, without a place that was written.
+    """
+    if not difference.moved:
+        return difference
+    old_names = {new: old for old, new in difference.branches.items()}
+    drawn: dict[str, tuple[Mapping[str, Point], Mapping[str, Point]]] = {}
+    moved = []
+    for address in difference.moved:
+        name = address.branch
+        old = old_names.get(name, name)
+        if name not in drawn:
+            drawn[name] = (
+                place_states(difference.before[old]), place_states(difference.after[name])
+            )  # fmt: skip
+        former = {new: state for state, new in difference.states.get(old, {}).items()}
+        (x, y), (u, v) = (
+            drawn[name][0][former.get(address.state, address.state)],
+            drawn[name][1][address.state],
+        )
+        if max(abs(x - u), abs(y - v)) > TENTH:
+            moved.append(address)
+    return replace(difference, moved=tuple(moved))
 
 
 def places_of(

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import Change, Difference
 from smsl_studio.blueprint.comparing.signs import Signs, sign_of, signs_of
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.aligned import changed_pairs, places_of
 from smsl_studio.picture.colours import LIGHT, Colours
+from smsl_studio.picture.crowd import crowd_of, refuse_too_many
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.panel import EDGE, Panel, panel_of
 from smsl_studio.picture.picture import Picture
@@ -28,27 +28,34 @@ def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[Pa
     """The words first, then a panel for each SB that changed."""
     signs = signs_of(difference)
     panels = [_in_words(difference, colours)]
-    for before, after in changed_pairs(difference):
-        places = places_of(difference, before, after)
-        sides = [
-            _side(difference.before, before, "before", signs[0], colours, places[0]),
-            _side(difference.after, after, "after", signs[1], colours, places[1]),
+    pairs = changed_pairs(difference)
+    sides = difference.before, difference.after
+    names = [[pair[i] for pair in pairs if pair[i]] for i in (0, 1)]
+    crowd = 0
+    for blueprint, chosen in zip(sides, names, strict=True):
+        refuse_too_many(blueprint, chosen, "Leave out -o to have the changes in words.")
+        crowd += crowd_of(blueprint, chosen)
+    for pair in pairs:
+        places = places_of(difference, *pair)
+        drawn = [
+            _side(
+                Picture(sides[i], pair[i], crowd),
+                ("before", "after")[i],
+                signs[i],
+                places[i],
+                colours,
+            )
+            for i in (0, 1)
+            if pair[i]
         ]
-        panels.append(_beside([side for side in sides if side is not None]))
+        panels.append(_beside(drawn))
     return panels
 
 
 def _side(
-    blueprint: Blueprint,
-    name: str,
-    word: str,
-    signs: Signs,
-    colours: Colours,
-    places: Mapping[str, Point],
-) -> Panel | None:
-    if not name:
-        return None
-    picture = Picture(blueprint, name)
+    picture: Picture, word: str, signs: Signs, places: Mapping[str, Point], colours: Colours
+) -> Panel:
+    name = picture.branch.name
     states = {
         i: sign for i, state in enumerate(picture.names) if (sign := signs.of(Address(name, state)))
     }

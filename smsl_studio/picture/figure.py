@@ -23,7 +23,7 @@ NAME, LABEL, CHIP_TEXT, SHORT = 12.0, 11.0, 12.0, 12.0
 CHIP, GAP = 18.0, 4.0
 WIDEST, LONGEST_LABEL = 320.0, 260.0
 MOST_LINES, MOST_LABELS = 3000, 1500
-"""More operations than these are straight lines, or have no labels."""
+"""More operations than these are straight lines, or have no labels; more states are dots."""
 DOT_PITCH = 26.0
 _LARGER = 1.2
 _STEPS = 6
@@ -57,7 +57,8 @@ class Figure:
     def _level(self) -> Level:
         if self.picture.small:
             return Level.FULL
-        return Level.COMPACT if len(self.picture.operations) <= MOST_LINES else Level.DOT
+        many = max(len(self.picture), len(self.picture.operations), self.picture.crowd)
+        return Level.COMPACT if many <= MOST_LINES else Level.DOT
 
     def _widths(self) -> Floats:
         if self.level is Level.FULL:
@@ -169,10 +170,15 @@ def compact_width(face: Face) -> float:
 
 def chip_places(face: Face, room: float) -> list[tuple[float, float]]:
     """Left and width of each chip about the middle of its node; what has no room is left out."""
-    widths = [chip_width(chip) for chip in face.chips]
-    while widths and sum(widths) + GAP * (len(widths) - 1) > room - 12.0:
-        widths.pop()
-    x = -(sum(widths) + GAP * (len(widths) - 1)) / 2
+    widths: list[float] = []
+    whole = -GAP
+    for chip in face.chips:
+        wide = chip_width(chip)
+        if whole + GAP + wide > room - 12.0:
+            break
+        widths.append(wide)
+        whole += GAP + wide
+    x = -whole / 2 if widths else 0.0
     places = []
     for wide in widths:
         places.append((x, wide))

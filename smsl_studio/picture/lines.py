@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from smsl_studio.legible import markup
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import LABEL, MARK, Figure
 from smsl_studio.picture.guards import needs_words
@@ -11,7 +12,6 @@ from smsl_studio.picture.levels import Level
 from smsl_studio.picture.shape import EdgeShape, Point
 from smsl_studio.picture.signs import DASHES, inks, sign_at
 from smsl_studio.picture.strokes import arch, box, number, polygon, polyline, text
-from smsl_studio.picture.words import safe
 
 HEAD = 8.0
 NO_SIGNS: Mapping[int, str] = {}
@@ -53,7 +53,7 @@ def _line(figure: Figure, edge: int, colours: Colours, sign: str) -> Iterator[st
     wide = 2.2 if sign else 1.5 if figure.level is Level.FULL else 1.2
     head = HEAD + (1.0 if sign else 0.0) - (0.0 if figure.level is Level.FULL else 1.0)
     name, needs = figure.picture.operations[edge], needs_words(figure.picture.guards(edge))
-    yield f"<g><title>{safe(f'{name} {needs}' if needs else name)}</title>"
+    yield f"<g><title>{markup(f'{name} {needs}' if needs else name)}</title>"
     body = shape.cut(0.0, max(shape.length - head + 2.0, 0.0))
     yield polyline(body, colour, wide, DASHES.get(sign, ""))
     yield polygon(_head(shape, head), colour)
@@ -106,7 +106,7 @@ def _label(
         x += MARK
     needs = figure.picture.guards(edge)
     if needs:
-        yield f"<g><title>{safe(needs_words(needs))}</title>"
+        yield f"<g><title>{markup(needs_words(needs))}</title>"
         yield from guard_at((x + 4.5, middle), colours)
         yield "</g>"
         x += MARK

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from smsl_studio.legible import markup
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import (
     CHIP,
@@ -19,7 +20,7 @@ from smsl_studio.picture.levels import FULL_SIZE, Level
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.picture.signs import DASHES, inks, sign_at
 from smsl_studio.picture.strokes import box, circle, number, polygon, polyline, text
-from smsl_studio.picture.words import elided, safe
+from smsl_studio.picture.words import elided
 
 
 def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> Iterator[str]:
@@ -32,7 +33,7 @@ def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> I
     radius = 8.0 if figure.level is Level.FULL else 6.0
     yield f'<g transform="translate({number(x)} {number(y)})">'
     title = f"{face.name}: {face.title}" if face.title else face.name
-    yield f"<title>{safe(title)}</title>"
+    yield f"<title>{markup(title)}</title>"
     ink = inks(sign, colours)
     rect = (-wide / 2, -high / 2, wide, high)
     yield box(rect, radius, ink.fill, ink.line, 2.2 if sign else 1.2, DASHES.get(sign, ""))

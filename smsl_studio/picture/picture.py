@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.picture.crowd import MOST_CAREFUL
 from smsl_studio.picture.guards import Guard, guards_of, has_guards
 from smsl_studio.picture.prefix import shared_prefix
 from smsl_studio.picture.sub_marks import sub_mark
@@ -39,15 +40,20 @@ class Face:
     activating: bool
 
 
+MOST_CHIPS = 64
+"""So many facts of a state have a chip: a node is never wide enough for more of them."""
+
+
 class Picture:
     """States and operations of one SB as integer arrays; faces and labels are made when asked.
 
     ``source`` and ``target`` give each edge's states by number. Edges whose target does not stand
-    in the SB (rule R02) are kept with target -1: they are drawn as a stub.
+    in the SB (rule R02) are kept with target -1: they are drawn as a stub. ``crowd`` is how much
+    stands in the same picture, where that is of several SBs (see ``crowd``).
     """
 
-    def __init__(self, blueprint: Blueprint, branch: str) -> None:
-        self.blueprint = blueprint
+    def __init__(self, blueprint: Blueprint, branch: str, crowd: int = 0) -> None:
+        self.blueprint, self.crowd = blueprint, crowd
         self.branch: StateBranch = blueprint[branch]
         self.names = tuple(self.branch.table)
         self.index = {name: i for i, name in enumerate(self.names)}
@@ -71,7 +77,8 @@ class Picture:
     @property
     def small(self) -> bool:
         """Whether every line is checked against every node, and every label against every line."""
-        return len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
+        alone = len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
+        return alone and self.crowd <= MOST_CAREFUL
 
     @cached_property
     def edge_index(self) -> dict[tuple[str, str], int]:
@@ -161,7 +168,10 @@ class Picture:
         short = name
         if not branch.shape.opaque:
             facts = branch.facts(name)
-            chips = tuple(self._chip(name, d, value) for d, value in enumerate(facts))
+            shown = enumerate(facts[:MOST_CHIPS])
+            chips = tuple(self._chip(name, d, value) for d, value in shown)
+            if len(facts) > MOST_CHIPS:  # both ends tell states apart
+                facts = (*facts[: MOST_CHIPS // 2], "…", *facts[-MOST_CHIPS // 2 :])
             short = "".join(facts) if branch.shape.width else " ".join(facts)
         return Face(
             name=name,

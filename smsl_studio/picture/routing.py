@@ -49,8 +49,9 @@ def joined(
     straight = clear and not style.compact and in_row(source, target)
     normal = _normal(source, target)
     shapes: dict[int, EdgeShape] = {}
+    there = frozenset(pair.there)
     for edge, offset in zip(ordered, offsets, strict=True):
-        ends = (source, target) if edge in pair.there else (target, source)
+        ends = (source, target) if edge in there else (target, source)
         if straight:
             shapes[edge] = _straight(*ends, offset, normal, style)
         else:
@@ -220,7 +221,8 @@ def _bent(
     ordered = _side_by_side(pair, is_forward(source, target), style.compact)
     offsets = _offsets(len(ordered), bool(pair.there and pair.back), source, target, style)
     shapes: dict[int, EdgeShape] = {}
+    there = frozenset(pair.there)
     for edge, offset in zip(ordered, offsets, strict=True):
-        ends = (source, target) if edge in pair.there else (target, source)
+        ends = (source, target) if edge in there else (target, source)
         shapes[edge] = curve(*ends, offset, bend, normal, style)
     return shapes

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from smsl_studio.legible import markup
 from smsl_studio.picture.shape import Floats, Point
-from smsl_studio.picture.words import MONO_FAMILY, safe
+from smsl_studio.picture.words import MONO_FAMILY
 
 
 def number(value: float) -> str:
@@ -81,5 +82,5 @@ def text(
     heavy = f' font-weight="{weight}"' if weight != 400 else ""
     return (
         f'<text x="{x}" y="{y}" font-size="{number(size)}"{heavy}{family} '
-        f'text-anchor="{anchor}" fill="{colour}">{safe(words)}</text>'
+        f'text-anchor="{anchor}" fill="{colour}">{markup(words)}</text>'
     )

@@ -7,12 +7,14 @@ from math import ceil
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
+from smsl_studio.legible import markup
 from smsl_studio.picture.colours import LIGHT, Colours
+from smsl_studio.picture.crowd import crowd_of, refuse_too_many
 from smsl_studio.picture.figure import Figure
 from smsl_studio.picture.panel import Panel, panel_of
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.strokes import box, number
-from smsl_studio.picture.words import FAMILY, safe
+from smsl_studio.picture.words import FAMILY
 
 GAP = 20.0
 
@@ -21,12 +23,15 @@ def draw_blueprint(
     blueprint: Blueprint, branches: Sequence[str], colours: Colours = LIGHT
 ) -> list[Panel]:
     """A panel for each of the SBs: where ``_layout`` puts its states, or where they fit best."""
-    return [_panel(blueprint, name, colours) for name in branches]
+    refuse_too_many(blueprint, branches, "Name those to draw with --sb.")
+    crowd = crowd_of(blueprint, branches)
+    return [_panel(Picture(blueprint, name, crowd), colours) for name in branches]
 
 
-def _panel(blueprint: Blueprint, name: str, colours: Colours) -> Panel:
-    branch = blueprint[name]
-    figure = Figure(Picture(blueprint, name), place_states(branch))
+def _panel(picture: Picture, colours: Colours) -> Panel:
+    branch = picture.branch
+    name = branch.name
+    figure = Figure(picture, place_states(branch))
     return panel_of(figure, name, size_words(len(branch.table), branch.edge_count), colours)
 
 
@@ -60,7 +65,7 @@ def as_svg(panel: Panel, title: str, colours: Colours = LIGHT) -> str:
             f'<svg xmlns="http://www.w3.org/2000/svg" role="img" '
             f'viewBox="0 0 {number(wide)} {number(high)}" width="{number(wide)}" '
             f'height="{number(high)}" font-family="{FAMILY}">',
-            f"<title>{safe(title)}</title>",
+            f"<title>{markup(title)}</title>",
             f'<rect width="{number(wide)}" height="{number(high)}" fill="{colours["canvas"]}"/>',
             panel.at(GAP, GAP),
             "</svg>",

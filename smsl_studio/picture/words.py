@@ -1,4 +1,4 @@
-"""Text in a picture: how wide it is, how it is cut, how it is written into SVG.
+"""Text in a picture: how wide it is as it is shown, and how it is cut.
 
 There is no font to ask, so the widths are those of Inter with a little room to spare; another
 font that stands in for it is seldom wider.
@@ -6,8 +6,10 @@ font that stands in for it is seldom wider.
 
 from __future__ import annotations
 
+from itertools import accumulate
 from unicodedata import east_asian_width
-from xml.sax.saxutils import escape
+
+from smsl_studio.legible import whole_text
 
 _SPARE = 1.03
 _ASCII = (
@@ -25,32 +27,30 @@ MONO_FAMILY = "'JetBrains Mono', 'Noto Sans Mono', 'DejaVu Sans Mono', monospace
 
 def width(text: str, size: float) -> float:
     """How wide a text is at a size, at most."""
-    return sum(map(_width, text)) * size * _SPARE / 100.0
+    return sum(map(_width, whole_text(text))) * size * _SPARE / 100.0
 
 
 def mono_width(text: str, size: float) -> float:
     """The same in the font of facts."""
-    return sum(1.0 if _is_wide(char) else MONO for char in text) * size * _SPARE
+    return sum(1.0 if _is_wide(char) else MONO for char in whole_text(text)) * size * _SPARE
 
 
 def elided(text: str, size: float, room: float) -> str:
     """The text, cut in its middle where it is wider than the room: both ends tell names apart."""
-    if len(text) <= 2 or width(text, size) <= room:
-        return text
-    # What is far too long is cut before it is measured.
+    # What is far too long is cut before it is looked at.
     most = int(room / size * 5) + 2
-    head, tail = text[:most], text[-most:]
-    for kept in range(min(most, len(text)) * 2 - 2, 1, -1):
+    long = len(text) > 2 * most
+    text = whole_text(f"{text[:most]}{text[-most:]}" if long else text)
+    if len(text) <= 2 or (not long and width(text, size) <= room):
+        return text
+    unit = size * _SPARE / 100.0
+    heads = list(accumulate(map(_width, text), initial=0))
+    tails = list(accumulate(map(_width, reversed(text)), initial=0))
+    for kept in range(len(text) - 1, 1, -1):
         left = (kept + 1) // 2
-        cut = f"{head[:left]}…{tail[len(tail) - (kept - left) :] if kept > left else ''}"
-        if kept < len(text) and width(cut, size) <= room:
-            return cut
+        if (heads[left] + _width("…") + tails[kept - left]) * unit <= room:
+            return f"{text[:left]}…{text[len(text) - (kept - left) :]}"
     return f"{text[:1]}…"
-
-
-def safe(text: str) -> str:
-    """A text for XML: what XML cannot hold, or what turns the text around it, is replaced."""
-    return escape("".join(char if _is_fit(char) else "\ufffd" for char in text), {'"': "&quot;"})
 
 
 def _width(char: str) -> int:
@@ -62,12 +62,3 @@ def _width(char: str) -> int:
 
 def _is_wide(char: str) -> bool:
     return ord(char) > 0x10FF and east_asian_width(char) in "WF"
-
-
-def _is_fit(char: str) -> bool:
-    code = ord(char)
-    if code < 32 or 0x7F <= code < 0xA0:
-        return False
-    if 0x202A <= code <= 0x202E or 0x2066 <= code <= 0x2069:
-        return False
-    return not (0xD800 <= code < 0xE000 or code & 0xFFFE == 0xFFFE)

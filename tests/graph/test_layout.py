@@ -13,8 +13,11 @@ from smsl_studio.blueprint.elements import Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.graph import layout
-from smsl_studio.graph.layout import place_states
+from smsl_studio.graph.build import graph_of
+from smsl_studio.graph.layout import MOST_SPREAD, is_grid, place_states
+from smsl_studio.graph.triangle import in_triangle
 from smsl_studio.smsl.json_form import parse_json
+from tests.bombs.test_work import steps
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 Tables = dict[str, dict[str, str]]
@@ -279,3 +282,34 @@ def test_very_many_new_states_in_a_crowd_are_placed_without_looking_for_long(
     assert {name: places[name] for name in former} == former
     # Each ring has more places than the one before, and so many are tried in all.
     assert len(tried) < 20_000
+
+
+def test_very_many_states_stand_in_a_grid_by_their_steps_from_initial() -> None:
+    names = [f"S{i}" for i in range(MOST_SPREAD + 1)]
+    ring = {one: {"go": two} for one, two in zip(names, [*names[1:], names[0]], strict=True)}
+    branch = StateBranch("SB", {**ring, "Alone": {}})
+    places = place_states(branch)
+    assert is_grid(branch)
+    assert list(places) == [*names, "Alone"]
+    assert len(set(places.values())) == len(places)
+    assert places["S0"] == (0.0, 0.0)
+    assert places["Alone"] == max(places.values()), "what no operation leads to comes last"
+    right = places["Alone"][0]
+    assert 1 < right / max(y for _, y in places.values()) < 2
+    assert places["S1"][0] <= places["S2000"][0] <= places["S4000"][0]
+    assert not is_grid(StateBranch("SB", dict(list(ring.items())[:60])))
+
+
+def test_a_grid_takes_little_work_for_each_state() -> None:
+    def work(count: int) -> int:
+        names = [f"S{i}" for i in range(count)]
+        ring = {one: {"go": two} for one, two in zip(names, [*names[1:], names[0]], strict=True)}
+        return steps(lambda: place_states(StateBranch("SB", dict(ring))))
+
+    assert work(MOST_SPREAD + 2_000) <= 40 * (MOST_SPREAD + 2_000)
+
+
+def test_states_that_no_operations_join_are_seen_at_once_to_be_no_triangle() -> None:
+    branch = StateBranch("SB", {f"S{i}": {} for i in range(3_000)})
+    graph_of(branch)
+    assert steps(lambda: in_triangle(branch)) <= 50

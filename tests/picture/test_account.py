@@ -101,18 +101,27 @@ def test_everything_is_told_in_order(run: LoggedRun) -> None:
     assert [(row[0], row[1]) for row in rows] == [
         ("0.000", "believed"),
         ("0.000", "sensed"),
+        ("0.000", "sensed"),
         ("0.000", "decided"),
         ("0.000", "done"),
         ("0.050", "sensed"),
-        ("0.050", "sensed"),
+        ("0.100", "sensed"),
+        ("0.100", "done"),
+        ("0.100", "sensed"),
         ("0.100", "believed"),
-        ("0.100", "believed"),
-        ("0.100", "decided"),
+        ("0.100", "done"),
+        ("0.200", "done"),
+        ("0.200", "decided"),
+        ("0.200", "sensed"),
+        ("0.200", "believed"),
+        ("0.250", "believed"),
+        ("0.250", "decided"),
     ]
-    assert rows[1][2:] == ["Fact 1 of SB/é is unknown (stale)", "sensors of table"]
-    assert rows[3][3] == "library function"
-    assert rows[5][2] == "Sensed facts and beliefs differ: a; b. The scene agrees with SB/é/State_1"
-    assert seen.under("li") == ["SB/é/State_0/Op"]
+    assert rows[5][2:] == ["Fact 1 of SB/é is unknown (stale)", "sensors of table"]
+    assert rows[4][3] == "library function"
+    agrees = "The scene agrees with SB/é/State_2"
+    assert rows[13][2] == f"Sensed facts and beliefs differ: a; b. {agrees}"
+    assert seen.under("li") == ["SB~1é/State_0/Op", "SB~1é/State_1/Op"]
     assert seen.under("strong") == ["The goal was reached.", "Verified"]
     assert run.head is not None
     assert run.head.hash in seen.under("code")
@@ -216,7 +225,7 @@ def test_what_people_said_and_did_is_told_as_theirs_and_in_words() -> None:
 
 
 def test_a_log_without_an_end_says_so(run: LoggedRun) -> None:
-    seen = Page(account(logged(*EVENTS[:5])))
+    seen = Page(account(logged(*EVENTS[:6])))
     assert "The log ends before the run did." in seen.under("strong")
     assert " Its last event is at 0.050 s." in seen.under("p")
     assert "The log ends before the run did." in Page(account(logged())).under("strong")
@@ -288,7 +297,7 @@ def test_what_is_too_much_is_counted(monkeypatch: pytest.MonkeyPatch, run: Logge
     monkeypatch.setattr(page, "MOST", 4)
     seen = Page(account(run))
     assert len(seen.rows) == 5
-    assert "And 5 more events, which the log has." in seen.under("p")
+    assert "And 13 more events, which the log has." in seen.under("p")
     long = RoutePlanned(t=0.0, goal="a", operations=("b",) * 2, cost=2.0)
     seen = Page(account(logged(long, long, long)))
     assert len(seen.under("li")) == 2

@@ -170,3 +170,14 @@ def test_a_row_without_room_before_the_next_one_has_no_lanes() -> None:
     assert in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0) == {}
     boxes[3] = box(200, -200)
     assert list(in_lanes([Passing(0, 0, 2)], boxes, (200.0, 200.0), 1.0)) == [0]
+
+
+def test_of_very_many_lines_between_two_states_none_is_sought_among_the_others() -> None:
+    class Edges(tuple[int, ...]):
+        def __contains__(self, edge: object) -> bool:
+            raise AssertionError("looks through all edges for one")
+
+    pair = Between(0, 1, Edges(range(30)), Edges(range(30, 40)))
+    shapes = joined(pair, box(0, 0), box(218, 0), FULL, OUT)
+    assert list(shapes) == list(range(40))
+    assert all((shapes[e].points[-1][0] > shapes[e].points[0][0]) == (e < 30) for e in shapes)
