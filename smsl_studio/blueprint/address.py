@@ -53,6 +53,12 @@ class Address:
         """The names in a written address."""
         return tuple(_unescape(part) for part in text.split("/"))
 
+    @staticmethod
+    def read(text: str) -> Address | None:
+        """The address that a foreign text writes, such as one in a log; None where it is none."""
+        names = Address.split(text)
+        return Address(*names) if len(names) <= 3 and all(names) else None
+
 
 def fact_text(branch: str, digit: int) -> str:
     """A fact as ``requires`` and ``_hazards`` write it: ``SB/digit``, counted from 0."""

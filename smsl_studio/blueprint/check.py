@@ -118,22 +118,44 @@ def state_check(
     senses is believed from ``believed`` (SB -> state); a fact that is sensed but not known makes
     the check unknown, and so does a digit in ``transit``. The SUB_SBS must have no cycle.
     """
-    own = blueprint.branches[branch]
-    expected = as_expected(own, state, scene, believed.get(branch))
+    expected = as_expected(blueprint.branches[branch], state, scene, believed.get(branch))
     if expected is not None:
         return expected
-    terms = []
-    for digit, value in enumerate(own.facts(state)):
-        sub = sub_below(blueprint, own, digit)
-        if (branch, digit) in transit:
-            terms.append(Term((branch, digit), value, None, None, IN_TRANSIT))
-        elif sub is not None:
-            goal = sub.activating
-            inner = state_check(blueprint, sub.name, goal, scene, believed, transit=transit)
-            terms.append(_sub_term(own, digit, value, inner))
-        else:
-            terms.append(_term(own, digit, value, scene, believed))
-    return CheckResult(branch, state, tuple(terms))
+    return _Checking(blueprint, scene, believed, transit).of(branch, state)
+
+
+class _Checking:
+    """One state check on its way down: a sub-SB that several bases share is checked once."""
+
+    def __init__(
+        self,
+        blueprint: Blueprint,
+        scene: Scene,
+        believed: Mapping[str, str],
+        transit: Collection[FactKey],
+    ) -> None:
+        self._blueprint, self._scene, self._believed = blueprint, scene, believed
+        self._transit = transit
+        self._activating: dict[str, CheckResult] = {}
+
+    def of(self, branch: str, state: str) -> CheckResult:
+        own = self._blueprint.branches[branch]
+        expected = as_expected(own, state, self._scene, self._believed.get(branch))
+        if expected is not None:
+            return expected
+        values = enumerate(own.facts(state))
+        return CheckResult(branch, state, tuple(self._term(own, d, value) for d, value in values))
+
+    def _term(self, own: StateBranch, digit: int, value: str) -> Term:
+        if (own.name, digit) in self._transit:
+            return Term((own.name, digit), value, None, None, IN_TRANSIT)
+        sub = sub_below(self._blueprint, own, digit)
+        if sub is None:
+            return _term(own, digit, value, self._scene, self._believed)
+        inner = self._activating.get(sub.name)
+        if inner is None:
+            inner = self._activating[sub.name] = self.of(sub.name, sub.activating)
+        return _sub_term(own, digit, value, inner)
 
 
 def as_expected(

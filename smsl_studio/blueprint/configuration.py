@@ -6,7 +6,9 @@ ACTIVATING state. Flags are computed from a configuration, never stored beside i
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
+from heapq import heappop, heappush
 
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
@@ -37,33 +39,65 @@ class Hierarchy:
                 self.bases[sub].append((branch.name, digit))
         self.roots = tuple(name for name in blueprint.branches if not self.bases[name])
         self.order = self._bases_first()
+        self._trees: dict[str, tuple[str, ...]] = {}
 
     def _bases_first(self) -> tuple[str, ...]:
+        """The first in file order of those whose bases all stand before it, again and again."""
+        names = tuple(self.blueprint.branches)
+        number = {name: index for index, name in enumerate(names)}
         waiting = {name: len(bases) for name, bases in self.bases.items()}
+        free = [number[name] for name in self.roots]
         order: list[str] = []
-        while len(order) < len(waiting):
-            free = next((n for n, count in waiting.items() if count == 0 and n not in order), None)
-            if free is None:
-                circle = ", ".join(n for n in waiting if n not in order)
-                raise RunRefused(
-                    f"the sub-SBs go round in a circle: {circle}", advice="Detach one of them."
-                )
-            order.append(free)
-            for _, sub in self.subs[free]:
+        while free:
+            name = names[heappop(free)]
+            order.append(name)
+            for _, sub in self.subs[name]:
                 waiting[sub] -= 1
+                if not waiting[sub]:
+                    heappush(free, number[sub])
+        if len(order) < len(names):
+            circle = [name for name, count in waiting.items() if count]
+            more = f" and {len(circle) - _SHOWN:,} more" if len(circle) > _SHOWN else ""
+            raise RunRefused(
+                f"the sub-SBs go round in a circle: {', '.join(circle[:_SHOWN])}{more}",
+                advice="Detach one of them.",
+            )
         return tuple(order)
 
     def tree(self, branch: str) -> tuple[str, ...]:
         """The SB and everything below it, bases before their subs."""
-        found = {branch}
-        for name in self.order:
-            if name in found:
-                found.update(sub for _, sub in self.subs[name])
-        return tuple(name for name in self.order if name in found)
+        if branch not in self._trees:
+            found = _spread(branch, lambda name: (sub for _, sub in self.subs[name]))
+            self._trees[branch] = tuple(sorted(found, key=self._place.__getitem__))
+        return self._trees[branch]
 
     def roots_of(self, branch: str) -> tuple[str, ...]:
         """The roots above an SB (itself, where it is one), in file order."""
-        return tuple(root for root in self.roots if branch in self.tree(root))
+        above = _spread(branch, lambda name: (base for base, _ in self.bases[name]))
+        return tuple(sorted(above & self._roots, key=self._place.__getitem__))
+
+    @cached_property
+    def _place(self) -> Mapping[str, int]:
+        return {name: index for index, name in enumerate(self.order)}
+
+    @cached_property
+    def _roots(self) -> frozenset[str]:
+        return frozenset(self.roots)
+
+
+_SHOWN = 12
+"""So many SBs of a circle are named."""
+
+
+def _spread(start: str, near: Callable[[str], Iterable[str]]) -> set[str]:
+    """Everything that ``near`` leads to from an SB, itself included."""
+    found, waiting = {start}, [start]
+    while waiting:
+        for name in near(waiting.pop()):
+            if name not in found:
+                found.add(name)
+                waiting.append(name)
+    return found
 
 
 def start_configuration(hierarchy: Hierarchy, given: Mapping[str, str]) -> dict[str, str]:

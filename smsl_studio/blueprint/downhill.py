@@ -6,6 +6,7 @@ import heapq
 from collections.abc import Callable, Mapping
 
 from smsl_studio.blueprint.edges import Edge, Edges
+from smsl_studio.stop import heed
 
 Far = tuple[float, int]
 """Cost and number of edges."""
@@ -51,12 +52,14 @@ class Downhill:
     def _spread(self) -> dict[str, Far]:
         into: dict[str, list[Edge]] = {}
         for state in self._edges.blueprint[self._branch].table:
+            heed()
             for edge in self._edges.out(self._branch, state):
                 if self._allowed(edge):
                     into.setdefault(edge.target, []).append(edge)
         far: dict[str, Far] = {self._goal: (0.0, 0)}
         heap: list[tuple[Far, str]] = [((0.0, 0), self._goal)]
         while heap:
+            heed()
             (cost, count), state = heapq.heappop(heap)
             if (cost, count) != far[state]:
                 continue

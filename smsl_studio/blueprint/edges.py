@@ -97,10 +97,12 @@ class Edges:
     ) -> None:
         self.hierarchy = hierarchy
         self.blueprint = hierarchy.blueprint
-        self.exact = frozenset(exact)
+        self.exact = exact
         self.costs = costs
         self._extra = extra
         self._out: dict[tuple[str, str], tuple[Edge, ...]] = {}
+        self._named: dict[tuple[str, str], dict[str, Edge]] = {}
+        self._required_by: dict[str, frozenset[str]] = {}
 
     def out(self, branch: str, state: str) -> tuple[Edge, ...]:
         """Every edge out of a state, in written order; targets that do not exist are left out."""
@@ -119,8 +121,24 @@ class Edges:
 
     def get(self, address: Address) -> Edge | None:
         """The edge at an address, or None where its target does not exist."""
-        found = self.out(address.branch, address.state)
-        return next((edge for edge in found if edge.name == address.operation), None)
+        at = address.branch, address.state
+        found = self._named.get(at)
+        if found is None:
+            found = self._named[at] = {edge.name: edge for edge in self.out(*at)}
+        return found.get(address.operation)
+
+    def required_by(self, branch: str) -> frozenset[str]:
+        """The SBs of which operations of an SB require facts."""
+        found = self._required_by.get(branch)
+        if found is None:
+            found = self._required_by[branch] = frozenset(
+                name
+                for note in self.blueprint[branch].notes.operations.values()
+                for key, value in note.requires.items()
+                for name, digit, _ in [self._required(key, value)]
+                if digit >= 0
+            )
+        return found
 
     def _edge(self, branch: StateBranch, source: str, name: str, target: str) -> Edge:
         enters = (target == branch.activating) - (source == branch.activating)

@@ -47,8 +47,7 @@ def estimate(
     own = blueprint.branches[branch]
     if not own.table:
         return Estimate(branch, "off the map")
-    first = next(iter(own.table))
-    terms = state_check(blueprint, branch, first, scene, believed).terms
+    terms = _terms(blueprint, own, scene, believed)
     unknown = tuple(term for term in terms if term.truth is None)
     fitting = _fitting(blueprint, own, terms)
     if unknown:
@@ -58,6 +57,25 @@ def estimate(
     if len(states) > 1:
         return Estimate(branch, "ambiguous", states)
     return Estimate(branch, "located" if states else "off the map", states)
+
+
+def fitting(
+    blueprint: Blueprint, branch: str, scene: Scene, believed: Mapping[str, str]
+) -> tuple[str, ...]:
+    """Every state of ``branch`` whose check is true, in the order of the file. They all have the
+    same facts; empty where a fact is unknown."""
+    own = blueprint.branches[branch]
+    terms = _terms(blueprint, own, scene, believed) if own.table else ()
+    if any(term.truth is None for term in terms):
+        return ()
+    return tuple(_fitting(blueprint, own, terms))
+
+
+def _terms(
+    blueprint: Blueprint, branch: StateBranch, scene: Scene, believed: Mapping[str, str]
+) -> tuple[Term, ...]:
+    first = next(iter(branch.table))
+    return state_check(blueprint, branch.name, first, scene, believed).terms
 
 
 def _fitting(blueprint: Blueprint, branch: StateBranch, terms: tuple[Term, ...]) -> Iterator[str]:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import compress, count
+from operator import ne
 
 
 def fact_string(name: str, num_facts: int | None) -> str:
@@ -18,6 +20,11 @@ def fact_string(name: str, num_facts: int | None) -> str:
     if "_" in name:
         return name.rpartition("_")[2]
     return name[-num_facts:] if num_facts else name
+
+
+def changed_digits(before: Sequence[str], after: Sequence[str]) -> tuple[int, ...]:
+    """The digits in which the facts of two states of one SB differ."""
+    return () if before == after else tuple(compress(count(), map(ne, before, after)))
 
 
 @dataclass(frozen=True, slots=True)

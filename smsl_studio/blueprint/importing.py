@@ -4,24 +4,27 @@ A file that is missing, cannot be read, leads back to itself or brings a name th
 not keep the importing file from opening: it is a fault, with the chain of files, for inspection
 (R08) to report. A file that is reached on two ways is read once.
 
-Two steps: ``follow`` finds the files, and reads those that are not in memory yet; ``gather`` makes
-one blueprint of what stands in them. An edit that leaves every ``_imports`` alone needs only the
-second.
+What may be imported is told in ``project``. Two steps: ``follow`` finds the files, and reads those
+that are not in memory yet; ``gather`` makes one blueprint of what stands in them. An edit that
+leaves every ``_imports`` alone needs only the second.
 """
 
 from __future__ import annotations
 
 import os
-import stat
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from pathlib import PurePath
 from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
+from smsl_studio.blueprint.project import project_of, real_path, refusal_of_name, refusal_of_place
 from smsl_studio.blueprint.reading import fields_of
-from smsl_studio.errors import ReadError
+from smsl_studio.errors import Place, ReadError
+from smsl_studio.smsl.budget import share_of_budget
 from smsl_studio.smsl.document import Document, Path
-from smsl_studio.smsl.files import read_document
+from smsl_studio.smsl.files import content_of, document_of
+from smsl_studio.smsl.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_BRANCHES
 
 KEY = "_imports"
 MOST = 500
@@ -29,6 +32,9 @@ MOST = 500
 
 MOST_WRITTEN = 20_000
 """So many entries of all lists are looked at; files on several ways count once for each."""
+
+SHOWN = 200
+"""Characters of a name that are shown where it leads to nothing."""
 
 Branches = dict[str, StateBranch]
 
@@ -46,12 +52,17 @@ class Import:
 
 @dataclass(frozen=True)
 class Failure:
-    """An import that led to no document; the chain ends with what it leads to."""
+    """An import that led to no document; the chain ends with what it leads to.
+
+    ``wanted`` is the real path of a file that would be imported if it could be read.
+    """
 
     sentence: str
     home: str
     path: Path
     chain: tuple[str, ...]
+    advice: str
+    wanted: str = ""
 
 
 @dataclass(frozen=True)
@@ -80,48 +91,47 @@ class Imports:
         return replace(self, files=tuple(files))
 
 
-def real_path(file: str) -> str:
-    """What tells whether two names are one file."""
-    try:
-        return os.path.realpath(file)
-    except (OSError, ValueError):
-        return file
-
-
 def follow(document: Document, known: Mapping[str, Document]) -> Imports:
-    """Find everything that ``document`` imports, directly or not.
+    """Find everything that ``document`` imports, directly or not, within its project.
 
     A file in ``known`` (by its real path) is taken as it is there; any other is read.
     """
-    root = real_path(document.file)
+    root, project = real_path(document.file), project_of(document.file)
     files: list[Import] = []
     failures: list[Failure] = []
-    seen = {root}
-    asked = 0
+    seen: set[object] = {root}
+    asked, share = 0, share_of_budget(document)
     waiting = list(_listed(document, (root,), failures))[::-1]
     while waiting:
-        path, written, chain = waiting.pop()
+        entry = waiting.pop()
         asked += 1
-        if len(files) == MOST or asked > MOST_WRITTEN:
-            words = f"more than {MOST if len(files) == MOST else MOST_WRITTEN} imports"
-            failures.append(Failure(f"{words} are not followed", chain[-1], path, chain))
+        if most := _too_many(files, failures, asked, share):
+            failures.append(entry.failure(most, "Import fewer files."))
             break
-        real = real_path(written)
-        if real in chain:
+        try:
+            real = _place_of(entry, project)
+        except _Refused as refused:
+            if (entry.home, entry.name) not in seen:
+                seen.add((entry.home, entry.name))
+                failures.append(entry.failure(*refused.args))
+            continue
+        if real in entry.chain:
             words = "the import leads back to a file it comes from"
-            failures.append(Failure(words, chain[-1], path, (*chain, real)))
+            failures.append(entry.failure(words, "Leave out one of these imports.", real))
             continue
         if real in seen:
             continue
         seen.add(real)
         try:
-            found = known[real] if real in known else _read(written, real)
-        except ReadError as error:
-            words = f"the import cannot be read ({error})"
-            failures.append(Failure(words, chain[-1], path, (*chain, real)))
+            found = known[real] if real in known else _read(entry, real, project)
+        except _Refused as refused:
+            sentence, advice = refused.args
+            failures.append(replace(entry.failure(sentence, advice, real), wanted=real))
             continue
-        files.append(Import(found, (*chain, real), path))
-        waiting.extend(list(_listed(found, (*chain, real), failures))[::-1])
+        chain = (*entry.chain, real)
+        files.append(Import(found, chain, entry.path))
+        share += share_of_budget(found)
+        waiting.extend(list(_listed(found, chain, failures))[::-1])
     return Imports(root, tuple(files), tuple(failures))
 
 
@@ -136,53 +146,111 @@ def gather(document: Document, imports: Imports, own: Callable[[Document], Branc
         try:
             brought = own(item.document)
         except ReadError as error:
-            faults.append(_fault(known, Failure(f"the import cannot be read ({error})", *at)))
+            words, advice = _no_blueprint(error, item.document.file)
+            faults.append(_fault(known, Failure(words, *at, advice)))
+            continue
+        if len(branches) + len(brought) > MAX_BRANCHES:
+            faults.append(_fault(known, Failure(TOO_MANY_BRANCHES[0], *at, TOO_MANY_BRANCHES[1])))
             continue
         for name, branch in brought.items():
             if name in branches:
                 words = f"the import brings {name}, which is there already"
-                faults.append(_fault(known, Failure(words, *at)))
+                faults.append(_fault(known, Failure(words, *at, "Rename one of the two.")))
             else:
                 branches[name] = branch
                 homes[name] = item.document
     return Blueprint(branches, document, fields_of(document), homes, tuple(faults), imports)
 
 
+class _Refused(Exception):  # noqa: N818
+    """An import that is not followed: the sentence and the advice."""
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """One name in a list of imports: where it is written, and by which files one came there."""
+
+    name: str
+    folder: str
+    path: Path
+    chain: tuple[str, ...]
+
+    @property
+    def home(self) -> str:
+        """The file that names it, by its real path."""
+        return self.chain[-1]
+
+    def failure(self, sentence: str, advice: str, end: str = "") -> Failure:
+        """What is told where it led to nothing; ``end`` is what it leads to, if that is known."""
+        return Failure(sentence, self.home, self.path, (*self.chain, end or self.name), advice)
+
+
 def _listed(
     document: Document, chain: tuple[str, ...], failures: list[Failure]
-) -> Iterator[tuple[Path, str, tuple[str, ...]]]:
-    """Where each import of a document is written, the file it means, and the way to it."""
+) -> Iterator[_Entry]:
+    """Each import that a document names."""
     listed: Any = document.values.get(KEY)
     if listed is None:
         return
     if not isinstance(listed, list):
-        failures.append(Failure("_imports is no list of files", chain[-1], (KEY,), chain))
+        words = "_imports is no list of files"
+        failures.append(Failure(words, chain[-1], (KEY,), chain, 'Write ["other.json"].'))
         return
     folder = os.path.dirname(document.file)  # noqa: PTH120
     for index, name in enumerate(listed[: MOST_WRITTEN + 1]):
         path = (KEY, str(index))
         if isinstance(name, str) and name:
-            yield path, os.path.join(folder, name), chain  # noqa: PTH118
+            yield _Entry(name, folder, path, chain)
         else:
-            failures.append(Failure("an import is the name of a file", chain[-1], path, chain))
+            words = "an import is the name of a file"
+            failures.append(Failure(words, chain[-1], path, chain, "Write it in quotes."))
 
 
-def _read(written: str, real: str) -> Document:
+def _too_many(files: list[Import], failures: list[Failure], asked: int, share: int) -> str:
+    """What is said where imports are followed no further; empty where they are."""
+    if share > MAX_VALUES:
+        return f"the files hold more than {MAX_VALUES:,} names and values together"
+    if len(files) == MOST or asked > MOST_WRITTEN:
+        return f"more than {MOST if len(files) == MOST else MOST_WRITTEN} imports are not followed"
+    return f"more than {MOST} imports fail" if len(failures) >= MOST else ""
+
+
+def _place_of(entry: _Entry, project: str) -> str:
+    """The real path of what an import names; _Refused where it may not be imported."""
+    refusal = refusal_of_name(entry.name)
+    if refusal is None:
+        real = real_path(os.path.join(entry.folder, entry.name))  # noqa: PTH118
+        refusal = refusal_of_place(real, project)
+        if refusal is None:
+            return real
+    raise _Refused(refusal.sentence, refusal.advice)
+
+
+def _read(entry: _Entry, real: str, project: str) -> Document:
     """The document in a file, under the plainest name that leads to it.
 
-    Only an ordinary file is read: a device or a pipe may never end.
+    What is told of a fault names its place and never what stands there: the file may be any.
     """
-    plain = os.path.normpath(written) if "\0" not in written else written
+    written = os.path.join(entry.folder, entry.name)  # noqa: PTH118
+    plain = os.path.normpath(written)
     file = plain if real_path(plain) == real else written
     try:
-        odd = not stat.S_ISREG(os.stat(file).st_mode)  # noqa: PTH116
-    except (OSError, ValueError):
-        odd = False
-    if odd:
-        raise ReadError(f"{file} is no ordinary file")
-    return read_document(file)
+        content = content_of(real, project)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "it has no possible name"
+        advice = "Import a file that is there, or leave it out."
+        raise _Refused(f"the import cannot be read: {reason}", advice) from None
+    try:
+        return document_of(content, file)
+    except ReadError as error:
+        raise _Refused(*_no_blueprint(error, file)) from None
+
+
+def _no_blueprint(error: ReadError, file: str) -> tuple[str, str]:
+    place = error.place or Place(file, 1, 1)
+    return f"the import is no blueprint: {place}", "Open that file by itself to see why."
 
 
 def _fault(known: Mapping[str, Document], failure: Failure) -> ImportFault:
-    chain = tuple(map(os.path.basename, failure.chain))
-    return ImportFault(failure.path, failure.sentence, chain, known[failure.home])
+    chain = tuple(PurePath(name).name[:SHOWN] for name in failure.chain)
+    return ImportFault(failure.path, failure.sentence, chain, known[failure.home], failure.advice)

@@ -6,7 +6,8 @@ last part is done, and *commits* with the edges that must become true together w
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.check import FactKey
@@ -82,6 +83,12 @@ class Script:
         self.functions: list[Edge] = []
         self.links: list[tuple[Carried, Carried]] = []
         self.cost = 0.0
+        self._finished = 0
+
+    @property
+    def asked(self) -> Edge | None:
+        """The edge that it began with."""
+        return self.carried[0].edge if self.carried else None
 
     def begin(self, edge: Edge, transit: tuple[FactKey, ...] = ()) -> Carried:
         """An edge starts with the next function that runs."""
@@ -97,6 +104,13 @@ class Script:
         self.cost += cost
         self.counts[branch] = self.counts.get(branch, 0) + count
 
+    def add(self, other: Script, names: Iterable[str]) -> None:
+        """All that another light script did to the SBs ``names`` is done here too."""
+        self.configuration.update((name, other.configuration[name]) for name in names)
+        self.cost += other.cost
+        for branch, count in other.counts.items():
+            self.counts[branch] = self.counts.get(branch, 0) + count
+
     def run(self, edge: Edge) -> int:
         """The edge's own function runs; its index."""
         self.functions.append(edge)
@@ -104,7 +118,8 @@ class Script:
 
     def finish(self, carried: Carried, done: int, places: Mapping[str, str]) -> None:
         """The edge is true after action ``done``, and the SBs stand in ``places``."""
-        carried.order = sum(c.done >= 0 for c in self.carried)
+        carried.order = self._finished
+        self._finished += 1
         carried.done, carried.places = done, places
         self.configuration.update(places)
 
@@ -112,10 +127,7 @@ class Script:
         """The script as a frozen value."""
         done = sorted(self.carried, key=lambda c: (c.done, c.order))
         commits = _commits(self.carried, done, self.links)
-        actions = tuple(
-            _action(function, index, self.carried, done, commits)
-            for index, function in enumerate(self.functions)
-        )
+        actions = tuple(_actions(self.functions, self.carried, done, commits))
         after = {branch: state for c in done for branch, state in c.places.items()}
         edges = tuple(carried.edge for carried in self.carried)
         return JointStep(edges[0], edges, actions, round(self.cost, 9), after)
@@ -130,15 +142,21 @@ def _commits(
 ) -> Commits:
     """When each edge commits: crossings with their bases' edges, and what follows them in an SB
     while they are pending with them too (clause 6)."""
-    group = {id(c): index for index, c in enumerate(carried)}
-    ends = {index: c.done for index, c in enumerate(carried)}
+    number = {id(c): index for index, c in enumerate(carried)}
+    into = list(range(len(carried)))
+    ends = [c.done for c in carried]
+
+    def group(one: Carried) -> int:
+        at = number[id(one)]
+        while into[at] != at:
+            into[at] = into[into[at]]
+            at = into[at]
+        return at
 
     def join(one: Carried, other: Carried) -> None:
-        into, gone = sorted((group[id(one)], group[id(other)]))
-        ends[into] = max(ends[into], ends[gone])
-        for key, number in group.items():
-            if number == gone:
-                group[key] = into
+        first, second = sorted((group(one), group(other)))
+        ends[first] = max(ends[first], ends[second])
+        into[second] = first
 
     for crossing, base in links:
         join(crossing, base)
@@ -146,25 +164,45 @@ def _commits(
     for one in done:
         for branch in one.places:
             former = latest.get(branch)
-            if former is not None and ends[group[id(former)]] > one.done:
+            if former is not None and ends[group(former)] > one.done:
                 join(former, one)
             latest[branch] = one
-    return {key: ends[number] for key, number in group.items()}
+    return {id(c): ends[group(c)] for c in carried}
 
 
-def _action(
-    function: Edge, index: int, carried: list[Carried], done: list[Carried], commits: Commits
-) -> Action:
-    now = [c for c in done if c.done == index]
-    committing = [c for c in done if commits[id(c)] == index]
-    open_ones = [c for c in carried if c.first <= index <= commits[id(c)]]
-    return Action(
-        edge=function,
-        begins=tuple(c.edge for c in carried if c.first == index),
-        moved={branch: state for c in now for branch, state in c.places.items()},
-        done=tuple(c.edge for c in now),
-        commits=tuple(c.edge for c in committing),
-        committed={branch: state for c in committing for branch, state in c.places.items()},
-        transit=frozenset(fact for c in open_ones for fact in c.transit),
-        after=frozenset(fact for c in open_ones if commits[id(c)] > index for fact in c.transit),
-    )
+def _actions(
+    functions: list[Edge], carried: list[Carried], done: list[Carried], commits: Commits
+) -> Iterator[Action]:
+    begun = _by(carried, lambda c: c.first)
+    ended = _by(done, lambda c: c.done)
+    committed = _by(done, lambda c: commits[id(c)])
+    open_ones: Counter[FactKey] = Counter()
+    for index, function in enumerate(functions):
+        now, committing = ended.get(index, []), committed.get(index, [])
+        for c in begun.get(index, []):
+            if commits[id(c)] >= index:
+                open_ones.update(c.transit)
+        transit = frozenset(open_ones)
+        for c in committing:
+            for fact in c.transit if c.first <= index else ():
+                open_ones[fact] -= 1
+                if not open_ones[fact]:
+                    del open_ones[fact]
+        yield Action(
+            edge=function,
+            begins=tuple(c.edge for c in begun.get(index, [])),
+            moved={branch: state for c in now for branch, state in c.places.items()},
+            done=tuple(c.edge for c in now),
+            commits=tuple(c.edge for c in committing),
+            committed={branch: state for c in committing for branch, state in c.places.items()},
+            transit=transit,
+            after=frozenset(open_ones),
+        )
+
+
+def _by(all_of: list[Carried], index: Callable[[Carried], int]) -> dict[int, list[Carried]]:
+    """Edges by the number of an action, in the order in which they are given."""
+    found: dict[int, list[Carried]] = {}
+    for one in all_of:
+        found.setdefault(index(one), []).append(one)
+    return found

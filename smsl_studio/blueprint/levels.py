@@ -6,11 +6,11 @@ from its aggregation, all of them may be declared in ``_levels`` of the file or 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
 from smsl_studio.errors import UsageError, did_you_mean
@@ -41,7 +41,7 @@ class Levels:
         for key, level in before.items():
             fault = fault_of(blueprint, key, level)
             if fault is not None:
-                raise UsageError(fault[0], advice=fault[1])
+                raise UsageError(fault.sentence, advice=fault.advice())
         self._blueprint = blueprint
         self._said = tuple(one for one in (dict(before), dict(blueprint.levels)) if one)
 
@@ -77,11 +77,16 @@ class Levels:
 
     def people_do(self, branch: str) -> bool:
         """Whether any operation of an SB may be carried out or confirmed by people."""
-        keys = (key for said in self._said for key in said if "/" in key)
-        if any(Address.split(key)[0] == branch for key in keys):
+        if branch in self._spoken_of:
             return True
         notes = self._blueprint[branch].notes.operations.values()
         return any(note.actor in OF_ACTOR or note.confirm for note in notes)
+
+    @cached_property
+    def _spoken_of(self) -> frozenset[str]:
+        """The SBs of whose operations or facts anything was said."""
+        keys = (key for said in self._said for key in said if "/" in key)
+        return frozenset(Address.split(key)[0] for key in keys)
 
     def _of(self, *keys: str) -> str:
         """What was said of the first key that anything was said of, the run's word first."""
@@ -151,38 +156,55 @@ def spectrum(blueprint: Blueprint, levels: Levels | None = None) -> Spectrum:
 def sensed_facts(blueprint: Blueprint) -> Iterator[tuple[str, int]]:
     """Every fact that has a level: all but those which a sub-SB expands."""
     for branch in blueprint:
-        for digit in range(branch.num_facts if branch.table else 0):
-            if digit not in branch.subs:
-                yield branch.name, digit
+        yield from ((branch.name, digit) for digit in _sensed(branch))
 
 
-def fault_of(blueprint: Blueprint, key: str, level: object) -> tuple[str, str] | None:
-    """Why a key cannot have this level, as a sentence and an advice; None where it can."""
+def _sensed(branch: StateBranch) -> Iterator[int]:
+    digits = range(branch.num_facts if branch.table else 0)
+    return (digit for digit in digits if digit not in branch.subs)
+
+
+class LevelFault(NamedTuple):
+    """Why something cannot have a level; the advice is worked out when somebody asks for it."""
+
+    sentence: str
+    advice: Callable[[], str]
+
+
+def fault_of(blueprint: Blueprint, key: str, level: object) -> LevelFault | None:
+    """Why a key cannot have this level; None where it can."""
     if level not in LEVELS:
-        near = did_you_mean(str(level), LEVELS)
-        return f"{level!r} is no level of {key}", near or f"Choose one of {', '.join(LEVELS)}."
+        choice = f"Choose one of {', '.join(LEVELS)}."
+        said = str(level) if isinstance(level, str) else ""
+        return LevelFault(
+            f"{level!r} is no level of {key}", lambda: did_you_mean(said, LEVELS) or choice
+        )
     if key in DEFAULTS:
         return None
     parts = Address.split(key)
     branch = blueprint.branches.get(parts[0])
     if len(parts) == 1 or branch is None:
-        near = did_you_mean(parts[0], (*DEFAULTS, *blueprint.branches))
-        return f"{key!r} has no level: it is no operation and no fact", near
+        return LevelFault(
+            f"{key!r} has no level: it is no operation and no fact",
+            lambda: did_you_mean(parts[0], (*DEFAULTS, *blueprint.branches)),
+        )
     digit = digit_of(branch, parts[1]) if len(parts) == 2 else None
     if digit is not None:
         sub = branch.subs.get(digit)
         if sub is None:
             return None
-        return (
+        return LevelFault(
             f"{key} has no level of its own: {sub} expands it",
-            f"Set the levels of what {sub} does and senses.",
+            lambda: f"Set the levels of what {sub} does and senses.",
         )
-    if len(parts) == 2 and _names_operation(branch, parts[1]):
+    if len(parts) == 2 and parts[1] in branch.operation_names:
         return None
     if len(parts) == 3 and parts[2] in branch.table.get(parts[1], {}):
         return None
-    near = did_you_mean(key, _keys(blueprint, branch))
-    return f"{key!r} has no level: it is no operation and no fact", near
+    return LevelFault(
+        f"{key!r} has no level: it is no operation and no fact",
+        lambda: did_you_mean(key, _keys(branch)),
+    )
 
 
 def digit_of(branch: StateBranch, name: str) -> int | None:
@@ -196,12 +218,7 @@ def digit_of(branch: StateBranch, name: str) -> int | None:
     return fact[1]
 
 
-def _names_operation(branch: StateBranch, name: str) -> bool:
-    return any(name in operations for operations in branch.table.values())
-
-
-def _keys(blueprint: Blueprint, branch: StateBranch) -> Iterator[str]:
-    yield from (fact_text(*fact) for fact in sensed_facts(blueprint) if fact[0] == branch.name)
-    names = dict.fromkeys(name for operations in branch.table.values() for name in operations)
-    yield from (f"{Address(branch.name)}/{note_key(name)}" for name in names)
+def _keys(branch: StateBranch) -> Iterator[str]:
+    yield from (fact_text(branch.name, digit) for digit in _sensed(branch))
+    yield from (f"{Address(branch.name)}/{note_key(name)}" for name in branch.operation_names)
     yield from (str(edge.address) for edge in branch.edges())

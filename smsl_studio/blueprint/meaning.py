@@ -76,7 +76,7 @@ def notes_meaning(branch: StateBranch) -> dict[str, Json]:
         "_operations": {key: _operation(notes, key) for key in notes.operations},
     }
     said = {table: {key: one for key, one in said[table].items() if one} for table in said}
-    for path, _ in notes.faults:
+    for path in dict.fromkeys(path for path, _ in notes.faults):
         if path[0] in MEANING_FIELDS:
             misfit = branch.fields[path[0]] if len(path) == 1 else branch.fields[path[0]][path[1]]
             said.setdefault(AS_WRITTEN, {})["/".join(path)] = word_for_word(misfit)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import chain
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -101,6 +102,11 @@ class StateBranch:
         return MappingProxyType(found)
 
     @cached_property
+    def operation_names(self) -> Mapping[str, None]:
+        """The names of all operations, each once, in written order."""
+        return dict.fromkeys(chain.from_iterable(self.table.values()))
+
+    @cached_property
     def alphabet(self) -> tuple[tuple[str, ...], ...]:
         """The values each digit takes in the states, sorted; empty where there are no states."""
         columns = zip(*(self.facts(name) for name in self.table), strict=True)
@@ -110,13 +116,23 @@ class StateBranch:
         """The value of ``digit`` that counts as on.
 
         What ``_facts`` says; else ``1`` where the values lie in {0, 1}; else the digit's value in
-        the ACTIVATING state (spec: sub digits, clause 1).
+        the ACTIVATING state (clause 1).
         """
         note = self.notes.facts.get(digit)
         return self.default_on_value(digit) if note is None or note.on is None else note.on
 
     def default_on_value(self, digit: int) -> str:
         """The value of ``digit`` that counts as on where ``_facts`` says nothing of it."""
+        found = self._on_values.get(digit)
+        if found is None:
+            found = self._on_values[digit] = self._work_out_on_value(digit)
+        return found
+
+    @cached_property
+    def _on_values(self) -> dict[int, str]:
+        return {}
+
+    def _work_out_on_value(self, digit: int) -> str:
         values = self.alphabet[digit] if 0 <= digit < len(self.alphabet) else ()
         if set(values) <= {"0", "1"}:
             return "1"
@@ -193,12 +209,13 @@ class StateBranch:
 
 @dataclass(frozen=True, slots=True)
 class ImportFault:
-    """An import that failed: where it is written, why, and the files that led to it."""
+    """An import that failed: where it is written, why, the files that led to it, what to do."""
 
     path: tuple[str, ...]
     sentence: str
     chain: tuple[str, ...]
     document: Document
+    advice: str
 
     @property
     def place(self) -> Place:

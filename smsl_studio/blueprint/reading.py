@@ -6,7 +6,7 @@ the wrong kind. Everything else opens and is reported by inspection.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain
 from typing import Any, cast
@@ -14,11 +14,10 @@ from typing import Any, cast
 from smsl_studio.blueprint.elements import EMPTY, Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.smsl.document import Document, Path
+from smsl_studio.smsl.limits import MAX_BRANCHES, MAX_NAME
 
 Json = Any
 HEADER = "HEADER"
-LONGEST_NAME = 10_000
-"""So many characters a name may have: it is drawn, listed and sought in many places."""
 Wrong = tuple[Path, str, Json]
 """Where something of the wrong kind stands, what should stand there, and what does."""
 
@@ -37,7 +36,8 @@ def read_blueprint(
     fields = fields_of(document)
     if "_imports" not in fields:
         return Blueprint(own(document), document, fields)
-    from smsl_studio.blueprint.importing import follow, gather, real_path
+    from smsl_studio.blueprint.importing import follow, gather
+    from smsl_studio.blueprint.project import real_path
 
     imports = former.imports if former else None
     if imports and former and former.fields.get("_imports") is fields["_imports"]:
@@ -45,6 +45,19 @@ def read_blueprint(
     known = imports.known if imports else {}
     known.update((real_path(one.file), one) for one in opened)
     return gather(document, follow(document, known), own)
+
+
+def read_gathered(documents: Sequence[Document]) -> Blueprint:
+    """The blueprint of documents that were gathered before, the importing one first.
+
+    They are ``Blueprint.documents``: no name in them is followed and no file is read, so that a
+    process to which they were sent has what the sender has looked at.
+    """
+    from smsl_studio.blueprint.importing import KEY, Import, Imports, gather
+
+    root, *others = documents
+    files = tuple(Import(one, (root.file, one.file), (KEY,)) for one in others)
+    return gather(root, Imports(root.file, files), branches_of)
 
 
 def fields_of(document: Document) -> dict[str, Json]:
@@ -84,6 +97,9 @@ def _read(
     for name, value in document.values.items():
         if name.startswith("_"):
             continue
+        if len(branches) == MAX_BRANCHES:
+            wrong.append(((name,), "one of fewer State Branches", value))
+            break
         if former and name in former.branches and former.home(name).values.get(name) is value:
             branches[name] = former.branches[name]
         elif not _is_name(name):
@@ -119,11 +135,11 @@ def _branch(name: str, value: dict[str, Json], wrong: list[Wrong]) -> StateBranc
 
 
 def _is_name(key: str) -> bool:
-    return 0 < len(key) <= LONGEST_NAME
+    return 0 < len(key) <= MAX_NAME
 
 
 def _are_names(lengths: Collection[int]) -> bool:
-    return not lengths or (min(lengths) > 0 and max(lengths) <= LONGEST_NAME)
+    return not lengths or (min(lengths) > 0 and max(lengths) <= MAX_NAME)
 
 
 def _is_plain(table: Mapping[str, Json]) -> bool:

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from smsl_studio.blueprint.importing import KEY, Imports, follow, gather, real_path
+from smsl_studio.blueprint.importing import KEY, Imports, follow, gather
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.project import real_path
 from smsl_studio.blueprint.reading import branches_of, fields_of
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.document import Document
@@ -28,6 +29,15 @@ def with_document(blueprint: Blueprint, document: Document) -> Blueprint:
                 return blueprint
             return revised(blueprint, {before: _with_former_values(before, document)})
     return _with_import(blueprint, document)
+
+
+def imported_anew(blueprint: Blueprint) -> Blueprint:
+    """The blueprint with those imports that led to nothing so far, where they now lead to a file.
+
+    What is in memory is not read again.
+    """
+    imports = follow(blueprint.document, blueprint.imports.known if blueprint.imports else {})
+    return gather(blueprint.document, imports, partial(branches_of, former=blueprint))
 
 
 def revised(former: Blueprint, changed: Mapping[Document, Document]) -> Blueprint:

@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.blueprint.annotations import Binding, FactNote, Hazard, OperationNote, StateNote
 from smsl_studio.blueprint.levels import LEVELS
-from smsl_studio.blueprint.reading import LONGEST_NAME
+from smsl_studio.smsl.limits import MAX_NAME
 
 Json = Any
 
@@ -113,7 +113,7 @@ HEADER = {
         },
     },
 }
-NAME = {"minLength": 1, "maxLength": LONGEST_NAME}
+NAME = {"minLength": 1, "maxLength": MAX_NAME}
 SUB_SBS = {
     "type": "object",
     "patternProperties": {"^_": True},

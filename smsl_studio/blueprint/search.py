@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Callable, Hashable, Iterable
+from heapq import heappop, heappush
 from itertools import count
 from math import inf
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, Generic, NamedTuple, TypeVar
 
 from smsl_studio.errors import PlanningError
+from smsl_studio.stop import heed
 
 Node = TypeVar("Node", bound=Hashable)
 
@@ -53,53 +54,83 @@ def cheapest(
     most: int = MOST,
     ahead: Callable[[Node], float] = nothing,
 ) -> list[Move] | None:
-    """The cheapest sequence of moves to a goal, or None where there is none.
+    """The cheapest sequence of moves to a goal, or None where there is none (see ``Search``)."""
+    return Search(start, is_goal, moves, most, ahead).found()
+
+
+class Search(Generic[Node]):
+    """The search for the cheapest sequence of moves to a goal.
 
     Ties: cost, number of names, number of moves, then the names themselves, move by move. Costs
     must not be negative. ``ahead`` says what is still to be paid at least, ``inf`` where no way
-    leads on; along a move it falls by no more than the move costs. PlanningError after ``most``
-    nodes (see ``patience``).
+    leads on; along a move it falls by no more than the move costs.
     """
-    best: dict[Node, Rank] = {start: (0.0, 0, 0)}
-    origins: dict[Node, list[tuple[Node, Move]]] = {start: []}
-    order = count()
-    heap: list[tuple[Rank, int, Rank, Node]] = []
-    if ahead(start) < inf:
-        heap.append(((ahead(start), 0, 0), next(order), (0.0, 0, 0), start))
-    goals: list[Node] = []
-    reached: Rank | None = None
-    looked_at = 0
-    while heap:
-        hoped, _, rank, node = heapq.heappop(heap)
-        if rank != best[node]:
-            continue
-        if reached is not None and hoped > reached:
-            break
-        if is_goal(node):
-            goals.append(node)
-            reached = hoped
-            continue
-        looked_at += 1
-        if looked_at > most:
-            raise PlanningError(
-                f"no plan was found among the first {most:,} joint configurations",
-                advice="Name a nearer goal, or split the blueprint into fewer sub-SBs.",
-            )
-        for move in moves(node):
-            # Rounded so that sums which differ only in their last bits still tie.
-            further = (round(rank[0] + move.cost, 9), rank[1] + move.number, rank[2] + 1)
-            known = best.get(move.to)
-            if known is None or further < known:
-                left = ahead(move.to)
-                if left == inf:
-                    continue
-                best[move.to] = further
-                origins[move.to] = [(node, move)]
-                hope = (round(further[0] + left, 9), further[1], further[2])
-                heapq.heappush(heap, (hope, next(order), further, move.to))
-            elif further == known:
-                origins[move.to].append((node, move))
-    return _first_by_name(start, goals, origins) if goals else None
+
+    def __init__(
+        self,
+        start: Node,
+        is_goal: Callable[[Node], bool],
+        moves: Callable[[Node], Iterable[Move]],
+        most: int = MOST,
+        ahead: Callable[[Node], float] = nothing,
+    ) -> None:
+        self._start, self._is_goal, self._moves = start, is_goal, moves
+        self._most, self._ahead = most, ahead
+        self._best: dict[Node, Rank] = {start: (0.0, 0, 0)}
+        self._origins: dict[Node, list[tuple[Node, Move]]] = {start: []}
+        self._order = count()
+        self._heap: list[tuple[Rank, int, Rank, Node]] = []
+        left = ahead(start)
+        if left < inf:
+            self._heap.append(((left, 0, 0), next(self._order), (0.0, 0, 0), start))
+        self._goals: list[Node] = []
+        self._reached: Rank | None = None
+        self._looked_at = 0
+
+    def found(self) -> list[Move] | None:
+        """The moves, None where no way leads to a goal; PlanningError after ``most`` nodes.
+
+        It heeds (see ``stop``) at every node. Called off and asked again it goes on from there.
+        """
+        heap, best, origins, order = self._heap, self._best, self._origins, self._order
+        moves, ahead = self._moves, self._ahead
+        while heap:
+            heed()
+            hoped, _, rank, node = heap[0]
+            if rank != best[node]:
+                heappop(heap)
+                continue
+            if self._reached is not None and hoped > self._reached:
+                break
+            if self._is_goal(node):
+                heappop(heap)
+                self._goals.append(node)
+                self._reached = hoped
+                continue
+            if self._looked_at >= self._most:
+                raise PlanningError(
+                    f"no plan was found among the first {self._most:,} joint configurations",
+                    advice="Name a nearer goal, or split the blueprint into fewer sub-SBs.",
+                )
+            # The node stays on the heap until all its moves are known: these may be called off.
+            onward = list(moves(node))
+            heappop(heap)
+            self._looked_at += 1
+            for move in onward:
+                # Rounded so that sums which differ only in their last bits still tie.
+                further = (round(rank[0] + move.cost, 9), rank[1] + move.number, rank[2] + 1)
+                known = best.get(move.to)
+                if known is None or further < known:
+                    left = ahead(move.to)
+                    if left == inf:
+                        continue
+                    best[move.to] = further
+                    origins[move.to] = [(node, move)]
+                    hope = (round(further[0] + left, 9), further[1], further[2])
+                    heappush(heap, (hope, next(order), further, move.to))
+                elif further == known:
+                    origins[move.to].append((node, move))
+        return _first_by_name(self._start, self._goals, origins) if self._goals else None
 
 
 def _first_by_name(

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.allowance import Allowance, Part, refuse_too_many_carried
 from smsl_studio.blueprint.along import Along, Held, Unavailable
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import (
@@ -23,9 +24,13 @@ from smsl_studio.blueprint.edges import NO_COSTS, Edge, Edges, Extra, Kind
 from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import Carried, JointStep, Script
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.blueprint.search import Move, cheapest, patience
+from smsl_studio.blueprint.search import Move, Search, patience
+from smsl_studio.blueprint.sub_route import Region, SubRoute
+from smsl_studio.errors import PlanningError
+from smsl_studio.stop import heed
 
 MOST_REASONS = 8
+Key = tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -55,12 +60,31 @@ class Stepper:
         self.edges = Edges(hierarchy, self.terms.exact, self.terms.costs, self.terms.extra)
         self._along = Along(self.edges, self._allow)
         self._steps: dict[tuple[tuple[str, ...], Edge], JointStep | Unavailable] = {}
-        self._routes: dict[object, tuple[Edge, ...] | Unavailable] = {}
+        self.allowance = Allowance(hierarchy)
+        self._routes: dict[object, SubRoute] = {}
+        self._regions: dict[tuple[str, frozenset[str]], Region] = {}
+        self._within: Part | None = None
         self._blocks: dict[str, list[str]] = {}
         self._hills: dict[tuple[str, str], Downhill] = {}
 
     def step(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
-        """The joint step of an edge out of its SB's active state (clauses 5, 6, 10)."""
+        """The joint step of an edge out of its SB's active state (clauses 5, 6, 10).
+
+        It has an allowance of its own, and is unavailable where that does not suffice. It heeds
+        (see ``stop``); called off and asked again it goes on from there.
+        """
+        before, self.allowance = self.allowance, Allowance(self.hierarchy)
+        try:
+            return self.written(configuration, edge)
+        except PlanningError as error:
+            found = Unavailable(error.sentence)
+            self._steps[self.key(configuration), edge] = found
+            return found
+        finally:
+            self.allowance = before
+
+    def written(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
+        """The same with the allowance of now; PlanningError where that does not suffice."""
         key = (self.key(configuration), edge)
         found = self._steps.get(key)
         if found is None:
@@ -69,7 +93,7 @@ class Stepper:
                 self._carry(script, edge, {})
                 found = script.joint_step()
             except Unavailable as no:
-                found = no
+                found = no.with_traceback(None)  # which would keep all that was at hand
             self._steps[key] = found
         return found
 
@@ -89,6 +113,8 @@ class Stepper:
     def _carry(self, script: Script, edge: Edge, held: Held) -> Carried:
         """Write the edge, its subs' movements and the bases' edges that must go with it."""
         self._allow(script.configuration, edge)
+        if not script.light:
+            refuse_too_many_carried(script.asked or edge, len(script.carried) + 1)
         places = self._loaded(script.configuration, edge) if edge.load else {}
         along = self._along.edges_for(script.configuration, edge, places, held)
         crossed = (
@@ -194,56 +220,107 @@ class Stepper:
             if script.light and branch.name in self.plain:
                 self._stride(script, branch, goal)
                 continue
-            for part in self._sub_route(script.configuration, branch, goal, held):
+            if script.configuration[branch.name] == goal:
+                continue
+            if branch.name in self.plain:
+                route = self._plain_route(script.configuration, branch, goal)
+            else:
+                way = self._sub_route(script.configuration, branch, goal, held)
+                if script.light:
+                    self._take(script, way, held)
+                    continue
+                route = way.edges
+            for part in route:
                 self._carry(script, part, held)
+
+    def _take(self, script: Script, way: SubRoute, held: Held) -> None:
+        """Go a sub-route in one stride; what it changes and costs is worked out once."""
+        if way.whole is None:
+            whole = Script(script.configuration, light=True)
+            before, self._within = self._within, way
+            try:
+                for part in way.edges:
+                    self._carry(whole, part, held)
+            finally:
+                self._within = before
+            way.whole = whole
+        script.add(way.whole, way.region.names)
+
+    def _plain_route(
+        self, configuration: Configuration, branch: StateBranch, goal: str
+    ) -> tuple[Edge, ...]:
+        way = self.downhill(branch.name, goal).route(configuration[branch.name])
+        if way is None:
+            raise self._no_way(configuration, branch, goal, self._shut_in(branch))
+        return way
 
     def _sub_route(
         self, configuration: Configuration, branch: StateBranch, goal: str, held: Held
-    ) -> tuple[Edge, ...]:
-        """The sub's own edges to its goal, over the joint configurations below it (clause 12)."""
-        if configuration[branch.name] == goal:
-            return ()
-        if branch.name in self.plain:
-            downhill = self.downhill(branch.name, goal)
-            way = downhill.route(configuration[branch.name])
-            if way is None:
-                raise self._no_way(configuration, branch, goal, self._shut_in(branch))
-            return way
-        taken = frozenset((name, carried.edge.name) for name, carried in held.items())
-        key = (branch.name, goal, self.key(configuration), taken)
-        if key not in self._routes:
-            self._routes[key] = self._search(configuration, branch, goal, held)
-        found = self._routes[key]
-        if isinstance(found, Unavailable):
-            raise found
-        return found
+    ) -> SubRoute:
+        """The sub's own edges to its goal, over the joint configurations below it (clause 12).
+
+        One is kept for all configurations that are alike in its region.
+        """
+        region = self._region(branch.name, held)
+        taken = frozenset(held[name].edge for name in region.border)
+        key = (branch.name, goal, region.key(configuration), taken)
+        way = self._routes.get(key)
+        if way is None:
+            # A search that was called off goes on; one that gave up does so again at once.
+            way = self._routes[key] = self._search(configuration, branch, goal, held)
+        self.allowance.use(way, self._within)
+        if way.search is not None:
+            before, self._within = self._within, way
+            try:
+                moves = way.search.found()
+            finally:
+                self._within = before
+            if moves is None:
+                way.closed = self._no_way(configuration, branch, goal, way.reasons).reasons
+            else:
+                way.edges = tuple(move.what for move in moves)
+            way.search = None
+        if way.closed:
+            raise Unavailable(*way.closed)
+        return way
+
+    def _region(self, branch: str, held: Held) -> Region:
+        key = (branch, frozenset(held))
+        if key not in self._regions:
+            self._regions[key] = Region(self.edges, branch, key[1])
+        return self._regions[key]
 
     def _search(
         self, configuration: Configuration, branch: StateBranch, goal: str, held: Held
-    ) -> tuple[Edge, ...] | Unavailable:
+    ) -> SubRoute:
+        """The search for a sub-route; it notes why edges cannot be used."""
         crossing = 1 if goal == branch.activating else -1
-        at = self.hierarchy.order.index(branch.name)
-        reasons: dict[str, None] = {}
+        region = self._region(branch.name, held)
+        at = region.names.index(branch.name)
+        way = SubRoute(region)
 
-        def moves(node: tuple[str, ...]) -> Iterator[Move]:
-            here = dict(zip(self.hierarchy.order, node, strict=True))
-            for edge in self.edges.out(branch.name, node[at]):
+        def moves(node: Key) -> Iterator[Move]:
+            here = {**configuration, **dict(zip(region.names, node, strict=True))}
+            edges = self.edges.out(branch.name, node[at])
+            for edge in edges:
                 if edge.crossing not in (0, crossing):
                     continue
+                heed()
                 script = Script(here, light=True)
                 try:
                     self._carry(script, edge, held)
                 except Unavailable as no:
-                    reasons.update(dict.fromkeys(no.reasons))
+                    way.reasons.update(dict.fromkeys(no.reasons))
                     continue
-                to = self.key(script.configuration)
+                to = region.key(script.configuration)
                 yield Move(to, script.cost, 1, lambda: (), (edge.name,), edge)
+            # Last, so that a node that is called off and looked at again is counted once.
+            self.allowance.spend(len(edges), way)
 
         most = patience(self.hierarchy.blueprint.state_count)
-        found = cheapest(self.key(configuration), lambda node: node[at] == goal, moves, most)
-        if found is not None:
-            return tuple(move.what for move in found)
-        return self._no_way(configuration, branch, goal, reasons)
+        start = region.key(configuration)
+        way.search = Search(start, lambda node: node[at] == goal, moves, most)
+        return way
 
     def _no_way(
         self,
@@ -261,6 +338,7 @@ class Stepper:
         if branch.name not in self._blocks:
             reasons: list[str] = []
             for state in branch.table:
+                heed()
                 for edge in self.edges.out(branch.name, state):
                     try:
                         self._allow({}, edge)

@@ -11,9 +11,10 @@ from typing import Any
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.smsl.document import Document, Member, Path
-from smsl_studio.smsl.limits import MAX_FAULTS
+from smsl_studio.smsl.limits import MAX_FAULTS, MAX_NAME, TOO_MANY_BRANCHES
 
 Json = Any
+ONE_TOO_MANY = "one of fewer State Branches"
 A_BRANCH, A_STATE, A_TARGET, A_NAME = "a State Branch", "a state", "a target", "a name"
 _BY_DEPTH = ("a State Branch", "a state", "an operation")
 
@@ -50,12 +51,14 @@ def _is_header(name: str) -> bool:
 def _words(path: Path, what: str, value: Json) -> tuple[str, str]:
     """What is wrong, and what to do."""
     name = path[-1]
+    if what == ONE_TOO_MANY:
+        return TOO_MANY_BRANCHES
     if what == A_NAME:
         element = _BY_DEPTH[len(path) - 1]
         if not name:
             return f"{element} has no name", "Give it a name."
         sentence = f"the name of {element} has {len(name):,} characters"
-        return sentence, "Give it a shorter name: 10,000 characters are the most."
+        return sentence, f"Give it a shorter name: {MAX_NAME:,} characters are the most."
     if what == A_TARGET:
         sentence = f"the target of {name!r} is {kind_of(value)}, not the name of a state"
         if _is_header(path[-2]):

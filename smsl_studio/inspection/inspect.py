@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.inspection.finding import LISTED, Finding
-from smsl_studio.inspection.rules import effects, header, levels, reach, writing
+from smsl_studio.inspection.finding import Finding, Remark
+from smsl_studio.inspection.rules import effects, header, levels, look_alikes, reach, writing
+from smsl_studio.inspection.selection import listed
+from smsl_studio.smsl.garbage import uncollected
+from smsl_studio.stop import heed
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +22,7 @@ class Rule:
 
     id: str
     words: str
-    check: Callable[[Blueprint], Iterator[Finding]]
+    check: Callable[[Blueprint], Iterator[Remark]]
 
 
 ALL = (
@@ -31,7 +34,7 @@ ALL = (
     Rule("R06", "states with equal facts", header.r06_equal_facts),
     Rule("R07", "sub-SBs that do not fit", levels.r07_sub_sbs),
     Rule("R08", "a cycle among SBs or imports", levels.r08_cycles),
-    Rule("R09", "names that look alike", writing.r09_look_alikes),
+    Rule("R09", "names that look alike", look_alikes.r09_look_alikes),
     Rule("R10", "a state that cannot be reached", reach.r10_unreachable),
     Rule("R11", "a trap", reach.r11_traps),
     Rule("R12", "a dead end", reach.r12_dead_ends),
@@ -59,9 +62,11 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
                 advice=did_you_mean(name, RULES) or f"Choose of {', '.join(RULES)}.",
             )
     found: list[Finding] = []
-    for rule in ALL:
-        if rules is None or rule.id in rules:
-            found.extend(_at_most(rule.check(blueprint)))
+    with uncollected():
+        for rule in ALL:
+            if rules is None or rule.id in rules:
+                heed()
+                found.extend(listed(blueprint, rule.check(blueprint)))
     return tuple(sorted(found, key=partial(_order, blueprint)))
 
 
@@ -70,20 +75,3 @@ def _order(blueprint: Blueprint, finding: Finding) -> tuple[object, ...]:
     place = finding.place
     at = (place.file != blueprint.file, place)
     return (*at, finding.rule, finding.address, finding.message)
-
-
-def _at_most(findings: Iterator[Finding]) -> list[Finding]:
-    """The first findings of each SB; the last one kept says how many are not listed."""
-    kept: dict[str, list[Finding]] = {}
-    left_out: dict[str, int] = {}
-    for finding in findings:
-        own = kept.setdefault(finding.address.branch, [])
-        if len(own) < LISTED:
-            own.append(finding)
-        else:
-            left_out[finding.address.branch] = left_out.get(finding.address.branch, 0) + 1
-    for branch, more in left_out.items():
-        last = kept[branch][-1]
-        words = f"{last.message} ({more} more places in {branch} are not listed)"
-        kept[branch][-1] = replace(last, message=words)
-    return [finding for own in kept.values() for finding in own]

@@ -408,3 +408,19 @@ def test_an_edit_keeps_what_was_worked_out_about_other_sbs() -> None:
     before = sample("hfsm")
     after = edit.add_state(before, "SB1", "State001")
     assert after["SB2"] is before["SB2"]
+
+
+def test_a_state_that_comes_in_takes_over_as_activating_only_where_an_sb_is_being_drawn() -> None:
+    blueprint = edit.add_branch(new_blueprint(), "SB1")
+    for name in ("State_00", "State_10", "State_11"):
+        blueprint = edit.add_state(blueprint, "SB1", name)
+    after = edit.add_state(blueprint, "SB1", "State_01")
+    assert edit.keep_activating(blueprint, after, []) is after
+    kept = edit.keep_activating(blueprint, after, ["SB1", "gone"])
+    assert kept["SB1"].header.activating == kept["SB1"].activating == "State_11"
+    assert edit.keep_activating(blueprint, blueprint, ["SB1"]) is blueprint
+    named = edit.set_header(after, "SB1", "ACTIVATING", "State_01")
+    assert edit.keep_activating(blueprint, named, ["SB1"]) is named
+    one = edit.delete(blueprint, [Address("SB1", "State_10"), Address("SB1", "State_11")])
+    two = edit.add_state(one, "SB1", "State_11")
+    assert edit.keep_activating(one, two, ["SB1"]) is two

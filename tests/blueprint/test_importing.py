@@ -68,9 +68,9 @@ def test_imports_are_followed_and_a_file_on_two_ways_is_read_once(tmp_path: Path
         (["base.json"], {}, "leads back", "base base", "base"),
         (["parts/gone.json"], {}, "cannot be read", "base gone", "base"),
         (["parts/sub.json"], {"_imports": ["gone.json"]}, "cannot be read", "base sub gone", "sub"),
-        (["parts/sub.json"], {"B": 5}, "'B' is a number", "base sub", "base"),
+        (["parts/sub.json"], {"B": 5}, "sub.json:2:2", "base sub", "base"),
         (["parts/sub.json"], {"A": {}}, "brings A, which is there", "base sub", "base"),
-        (["nul\0"], {}, "cannot be read", "base nul\0", "base"),
+        (["nul\0"], {}, "no name of a file", "base nul\0", "base"),
         ([5], {}, "the name of a file", "base", "base"),
         ("parts/sub.json", {}, "no list of files", "base", "base"),
     ],
@@ -98,10 +98,14 @@ def test_a_failing_import_is_shown_where_it_is_written(tmp_path: Path) -> None:
 
 
 def test_only_ordinary_files_are_imported_and_not_without_end(tmp_path: Path) -> None:
-    os.mkfifo(tmp_path / "pipe")
-    put(tmp_path, base={**BASE, "_imports": ["pipe", "/dev/zero", "parts"]})
-    faults = base(tmp_path).import_faults
-    assert ["no ordinary file" in fault.sentence for fault in faults] == [True, True, True]
+    os.mkfifo(tmp_path / "pipe.json")
+    (tmp_path / "folder.json").mkdir()
+    put(tmp_path, base={**BASE, "_imports": ["pipe.json", "/dev/zero", "folder.json"]})
+    assert [fault.sentence for fault in base(tmp_path).import_faults] == [
+        "the import cannot be read: it is no ordinary file",
+        "the import is not named from the folder of this file",
+        "the import cannot be read: Is a directory",
+    ]
     many = {f"f{n}": {"_imports": [f"f{n + 1}.json"], f"B{n}": {}} for n in range(600)}
     put(tmp_path, base={**BASE, "_imports": ["parts/f0.json"]}, **many)
     (fault,) = base(tmp_path).import_faults

@@ -17,7 +17,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, UsageError, nearest
 from smsl_studio.inspection.finding import LISTED, Finding, Fix, Severity
 from smsl_studio.inspection.inspect import ALL, RULES, inspect
-from smsl_studio.inspection.rules import writing
+from smsl_studio.inspection.rules.wording import Names
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
 
@@ -157,7 +157,7 @@ PLANTED = [
     ("R16", "I", "SB/State_00/go", "what go does to fact 2 (to 1 or to 0) depends", """{"SB": {
   "State_00": {^"go": "State_11", "x": "State_01"}, "State_01": {"up": "State_00"},
   "State_10": {"y": "State_00"}, "State_11": {"z": "State_10", "go": "State_10"}}}"""),
-    ("R17", "I", "SB/State_0/b", "not marked as repeatable; 1 more like it", """{"SB": {
+    ("R17", "I", "SB/State_0/b", "is not marked as repeatable", """{"SB": {
   "State_0": {"a": "State_1", ^"b": "State_0"}, "State_1": {"b": "State_1", "c": "State_0"}}}"""),
     ("R18", "I", "SB/State_0/a", "a and b lead to State_1 in parallel", """{"SB": {
   "State_0": {^"a": "State_1", "b": "State_1"}, "State_1": {"c": "State_0"}}}"""),
@@ -339,15 +339,16 @@ def test_costs_and_repeatable_marks_answer_their_notes() -> None:
     assert not inspect(read(json.dumps({"SB": {"_operations": notes, **table}})), ["R17", "R18"])
 
 
-def test_deleting_an_unreachable_state_takes_along_what_only_leads_to_it() -> None:
+def test_unreachable_states_that_hang_together_are_one_finding() -> None:
     blueprint = read(
         '{"SB": {"State_0": {"a": "State_1"}, "State_2": {"b": "State_3"},'
         ' "State_3": {"c": "State_0"}, "State_1": {"d": "State_0"}}}'
     )
-    fixes = [f.fix for f in inspect(blueprint, ["R10"])]
-    assert [fix.words for fix in fixes if fix] == ["Delete State_2", "Delete 2 states"]
-    assert fixes[1] is not None
-    assert list(fixes[1].apply(blueprint)["SB"].table) == ["State_0", "State_1"]
+    (found,) = inspect(blueprint, ["R10"])
+    assert [str(address) for address in found.addresses] == ["SB/State_2", "SB/State_3"]
+    assert found.fix is not None
+    assert found.fix.words == "Delete 2 states"
+    assert list(found.fix.apply(blueprint)["SB"].table) == ["State_0", "State_1"]
 
 
 def test_a_rule_reports_a_hundred_places_and_how_many_more() -> None:
@@ -363,7 +364,12 @@ def test_near_names_are_sought_for_what_is_listed_and_for_names_that_somebody_ty
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     asked: list[str] = []
-    monkeypatch.setattr(writing, "near", lambda name, _: asked.append(name))
+
+    def near(_: Names, name: str) -> str:
+        asked.append(name)
+        return ""
+
+    monkeypatch.setattr(Names, "near", near)
     table = {"State_000": {f"go{i:03}": f"State_{i:03}" for i in range(1, 251)}}
     assert len(inspect(read(json.dumps({"SB": table})), ["R02"])) == LISTED
     assert len(asked) == LISTED

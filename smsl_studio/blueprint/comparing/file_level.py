@@ -10,10 +10,10 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing.difference import Change, Kind, Path
 from smsl_studio.blueprint.comparing.sides import Sides
 from smsl_studio.blueprint.comparing.values import alike, fields_that_differ, merged, said
-from smsl_studio.blueprint.importing import real_path
 from smsl_studio.blueprint.levels import DEFAULTS
 from smsl_studio.blueprint.meaning import levels_written, word_for_word
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.project import real_path
 
 Json = Any
 _OWN = ("_hazards", "_imports", "_levels")

@@ -21,8 +21,9 @@ def compare_header(pair: BranchSides) -> None:
     _compare_facts(pair)
     _compare_subs(pair)
     one, other = pair.before.header, pair.after.header
-    for key, here, there in fields_that_differ(_others(pair.before), _others(pair.after)):
-        old, new = _others(pair.before).get(key), _others(pair.after).get(key)
+    was, now = _others(pair.before), _others(pair.after)
+    for key, here, there in fields_that_differ(was, now):
+        old, new = was.get(key), now.get(key)
         _add(pair, key, old, new, value_words(here, there, old, new), here=here, there=there)
     pair.sides.changes.extend(
         changed_fields(

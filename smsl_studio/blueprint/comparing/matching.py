@@ -116,7 +116,19 @@ class _Matching:
         )
 
     def _score(self, old: str, new: str) -> float:
-        """The share of the operations at both that agree; states without any agree wholly."""
+        """The share of the operations at both that agree; states without any agree wholly.
+
+        None where one has so many more than the other that they cannot: what stands at a state
+        with very many operations is not counted anew for each that it is compared with.
+        """
+        fewer, more = sorted(
+            (
+                len(self.before.table[old]) + len(self.into_before.get(old, ())),
+                len(self.after.table[new]) + len(self.into_after.get(new, ())),
+            )
+        )
+        if fewer < ENOUGH * more:
+            return 0.0
         one = Counter(("out", op, self._old(t)) for op, t in self.before.table[old].items())
         one.update(("in", op, self._old(s)) for s, op in self.into_before.get(old, ()))
         other = Counter(("out", op, self._new(t)) for op, t in self.after.table[new].items())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
@@ -90,14 +91,14 @@ def _compare_operations(pair: BranchSides, old: str, new: str) -> None:
 
 def _renamed_operations(one: Mapping[str, str], other: Mapping[str, str]) -> dict[str, str]:
     """Operations that lead where one of another name led; of several, in the order written."""
-    come: dict[str, list[str]] = {}
+    come: dict[str, deque[str]] = {}
     for name, target in other.items():
         if name not in one:
-            come.setdefault(target, []).append(name)
+            come.setdefault(target, deque()).append(name)
     found: dict[str, str] = {}
     for op, target in one.items():
         if op not in other and come.get(target):
-            found[op] = come[target].pop(0)
+            found[op] = come[target].popleft()
     return found
 
 

@@ -10,7 +10,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
-from smsl_studio.blueprint.editing.headers import attach_sub, detach_sub, set_header
+from smsl_studio.blueprint.editing.headers import (
+    attach_sub,
+    detach_sub,
+    keep_activating,
+    set_header,
+)
 from smsl_studio.blueprint.editing.moving import reorder, retarget
 from smsl_studio.blueprint.editing.notes import (
     change_notes,
@@ -39,6 +44,7 @@ __all__ = [
     "detach_sub",
     "duplicate",
     "excerpt",
+    "keep_activating",
     "keep_last",
     "paste",
     "rename",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from smsl_studio.blueprint.editing.draft import Draft, branch_of
@@ -160,3 +161,21 @@ def _path(blueprint: Blueprint, start: str, goal: str) -> tuple[str, ...]:
                 seen.add(sub)
                 ways.append((*way, sub))
     return ()
+
+
+def keep_activating(before: Blueprint, after: Blueprint, branches: Collection[str]) -> Blueprint:
+    """``after`` with ACTIVATING written where states that came in would take over as activating.
+
+    Where ACTIVATING is not written the state listed last is activating, so a state that is added
+    would become it and nobody said so. This is done for the ``branches`` named: in an SB that is
+    just being drawn the last state drawn is what people expect, and in one of a single state, too.
+    """
+    for name in branches:
+        former, branch = before.branches.get(name), after.branches.get(name)
+        if former is None or branch is None or former is branch or len(former.table) < 2:
+            continue
+        written = branch.header.activating is not None or "ACTIVATING" in branch.header.odd
+        took_over = branch.activating not in former.table and former.activating in branch.table
+        if took_over and not written:
+            after = set_header(after, name, "ACTIVATING", former.activating)
+    return after

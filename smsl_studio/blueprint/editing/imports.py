@@ -42,12 +42,13 @@ def set_imports(blueprint: Blueprint, files: Sequence[Json], file: str | None = 
     else:
         draft.file(document).pop(KEY, None)
     edited = draft.done()
-    known = {fault.sentence for fault in blueprint.import_faults}
-    fault = next((one for one in edited.import_faults if one.sentence not in known), None)
+    known = set(map(_with_chain, blueprint.import_faults))
+    new = (one for one in edited.import_faults if _with_chain(one) not in known)
+    fault = next(new, None)
     if fault is not None and len(files) > len(written):
-        raise EditRefused(_with_chain(fault), advice="Choose another file.")
+        raise EditRefused(_with_chain(fault), advice=fault.advice)
     return edited
 
 
 def _with_chain(fault: ImportFault) -> str:
-    return f"{fault.sentence}: {' > '.join(fault.chain)}"
+    return f"{fault.sentence} ({' > '.join(fault.chain)})"

@@ -26,7 +26,7 @@ def set_levels(
     for key, level in levels.items():
         fault = None if level is None else fault_of(blueprint, key, level)
         if fault is not None:
-            raise EditRefused(fault[0], advice=fault[1])
+            raise EditRefused(fault.sentence, advice=fault.advice())
     document = document_named(blueprint, file)
     written = document.values.get("_levels", {})
     if not isinstance(written, dict):

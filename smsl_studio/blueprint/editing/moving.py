@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing.draft import Draft, existing
@@ -11,19 +11,22 @@ from smsl_studio.blueprint.reading import HEADER
 from smsl_studio.errors import EditRefused, did_you_mean
 
 
-def retarget(blueprint: Blueprint, address: Address, target: str) -> Blueprint:
-    """Let an operation lead to another state of its SB."""
-    existing(blueprint, address)
-    if not address.operation:
-        raise EditRefused(f"{address} is no operation", advice="Choose an operation.")
-    table = blueprint[address.branch].table
-    if target not in table:
-        raise EditRefused(
-            f"there is no state {target!r} in {address.branch}",
-            advice=did_you_mean(target, table),
-        )
+def retarget(blueprint: Blueprint, address: Address | Sequence[Address], target: str) -> Blueprint:
+    """Let an operation, or several of one SB, lead to another state of their SB."""
+    addresses = [address] if isinstance(address, Address) else list(address)
+    for one in addresses:
+        existing(blueprint, one)
+        if not one.operation:
+            raise EditRefused(f"{one} is no operation", advice="Choose an operation.")
+        table = blueprint[one.branch].table
+        if target not in table:
+            raise EditRefused(
+                f"there is no state {target!r} in {one.branch}",
+                advice=did_you_mean(target, table),
+            )
     draft = Draft(blueprint)
-    draft.at(address.branch, address.state)[address.operation] = target
+    for one in addresses:
+        draft.at(one.branch, one.state)[one.operation] = target
     return draft.done()
 
 

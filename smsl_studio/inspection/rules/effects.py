@@ -3,30 +3,39 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import islice
 
-from smsl_studio.blueprint.address import Address, note_key
-from smsl_studio.blueprint.editing import rename, set_note
+from smsl_studio.blueprint.address import note_key
+from smsl_studio.blueprint.editing import change_notes, rename
 from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.inspection.finding import Finding, Fix, Severity
-from smsl_studio.inspection.rules.wording import counted, fact_words, listed, some
+from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.wording import fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE
-Facts = tuple[str, ...]
 Effect = tuple[tuple[int, str], ...]
 """(digit, new value) for each digit an edge changes."""
 
 
 @dataclass(frozen=True, slots=True)
 class Mislabelled:
-    """An edge whose effect is the majority effect of other operations, absent from its state."""
+    """An edge whose effect is the majority effect of other operations, absent from its state.
+
+    ``others`` are the first of them, as many as are told; ``count`` is how many there are.
+    """
 
     edge: Operation
     effect: Effect
     others: tuple[str, ...]
+    count: int
+
+
+_TOLD = 5
+"""So many operations that may have been meant are told."""
 
 
 def mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
@@ -37,35 +46,40 @@ def mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
     mislabelled if its effect is not empty, its operation has another majority effect, and some
     operation absent from its source state has exactly this effect as its majority.
     """
-    facts = {state: branch.facts(state) for state in branch.table}
     effects: dict[str, list[tuple[Operation, Effect]]] = {}
-    for edge in branch.edges():
-        if edge.target in facts:
-            effect = _effect(facts[edge.source], facts[edge.target])
-            effects.setdefault(edge.name, []).append((edge, effect))
+    for edge, effect in _effects(branch):
+        effects.setdefault(edge.name, []).append((edge, effect))
     majority = {name: _majority([effect for _, effect in own]) for name, own in effects.items()}
     holders: dict[Effect, list[str]] = {}
     for name, most in majority.items():
         if most:
             holders.setdefault(most, []).append(name)
+    absent = _Absent(branch, holders, majority)
     found = [
-        Mislabelled(edge, effect, others)
+        Mislabelled(edge, effect, *others)
         for name, own in effects.items()
         for edge, effect in own
         if effect
         and majority[name] is not None
         and effect != majority[name]
-        and (others := _absent(holders.get(effect, []), branch, edge.source))
+        and (others := absent.of(edge.source, effect))[1]
     ]
     order = {state: number for number, state in enumerate(branch.table)}
     return tuple(sorted(found, key=lambda slip: order[slip.edge.source]))
 
 
-def _effect(before: tuple[str, ...], after: tuple[str, ...]) -> Effect:
-    if before == after:
-        return ()
-    pairs = enumerate(zip(before, after, strict=True))
-    return tuple((digit, new) for digit, (old, new) in pairs if old != new)
+def _effects(branch: StateBranch) -> Iterator[tuple[Operation, Effect]]:
+    """Every edge to a state of the SB with its effect, worked out once for two states."""
+    known: dict[tuple[str, str], Effect] = {}
+    for edge in branch.edges():
+        if edge.target in branch.table:
+            ends = edge.source, edge.target
+            effect = known.get(ends)
+            if effect is None:
+                before, after = branch.facts(edge.source), branch.facts(edge.target)
+                effect = tuple((digit, after[digit]) for digit in changed_digits(before, after))
+                known[ends] = effect
+            yield edge, effect
 
 
 def _majority(effects: list[Effect]) -> Effect | None:
@@ -73,34 +87,63 @@ def _majority(effects: list[Effect]) -> Effect | None:
     return effect if 2 * count > len(effects) else None
 
 
-def _absent(names: list[str], branch: StateBranch, state: str) -> tuple[str, ...]:
-    return tuple(name for name in names if name not in branch.table[state])
+class _Absent:
+    """Which operations with a majority effect are absent from a state."""
+
+    def __init__(
+        self,
+        branch: StateBranch,
+        holders: dict[Effect, list[str]],
+        majority: dict[str, Effect | None],
+    ) -> None:
+        self._branch, self._holders, self._majority = branch, holders, majority
+        self._present: dict[str, Counter[Effect]] = {}
+        self._found: dict[tuple[str, Effect], tuple[tuple[str, ...], int]] = {}
+
+    def of(self, state: str, effect: Effect) -> tuple[tuple[str, ...], int]:
+        """The first of them, and how many there are."""
+        key = state, effect
+        if key not in self._found:
+            operations, holders = self._branch.table[state], self._holders.get(effect, [])
+            if state not in self._present:
+                own = (self._majority.get(name) for name in operations)
+                self._present[state] = Counter(most for most in own if most)
+            count = len(holders) - self._present[state][effect]
+            names = (name for name in holders if name not in operations)
+            self._found[key] = tuple(islice(names, min(count, _TOLD))), count
+        return self._found[key]
 
 
-def r15_mislabelled(blueprint: Blueprint) -> Iterator[Finding]:
+def r15_mislabelled(blueprint: Blueprint) -> Iterator[Remark]:
     """A mislabelled operation, and which one was meant."""
     for branch in blueprint:
         for slip in mislabelled(branch):
-            meant = slip.others[0]
-            yield Finding.at(
-                blueprint,
+            yield Remark(
                 "R15",
                 ERROR,
                 slip.edge.address,
                 f"moves {_moves(branch, slip.effect)}",
-                advice=f"did you mean {listed(slip.others, 'or')}?",
-                fix=Fix(
-                    f"Rename to {meant}",
-                    partial(rename, address=slip.edge.address, new_name=meant),
-                ),
+                remedy=partial(_renaming, slip),
             )
 
 
+def _renaming(slip: Mislabelled) -> tuple[str, Fix]:
+    meant, left = slip.others[0], slip.count - len(slip.others)
+    names = (*slip.others, f"{left:,} more") if left else slip.others
+    edit = partial(rename, address=slip.edge.address, new_name=meant)
+    fix = Fix(f"Rename to {meant}", edit, certain=slip.count == 1)
+    return f"did you mean {listed(names, 'or')}?", fix
+
+
 def _moves(branch: StateBranch, effect: Effect) -> str:
-    return listed(f"{fact_words(branch, digit)} to {value}" for digit, value in effect)
+    return some((f"{fact_words(branch, digit)} to {value}" for digit, value in effect), _MANY)
 
 
-def r16_conditional(blueprint: Blueprint) -> Iterator[Finding]:
+_MANY = 12
+"""So many facts are told of one operation."""
+
+
+def r16_conditional(blueprint: Blueprint) -> Iterator[Remark]:
     """A conditional effect: an operation whose effect on a fact differs between its edges.
 
     Setting a fact to a value it has already is no difference. Opaque states have no facts that
@@ -109,45 +152,57 @@ def r16_conditional(blueprint: Blueprint) -> Iterator[Finding]:
     for branch in blueprint:
         if branch.shape.opaque:
             continue
-        facts = {state: branch.facts(state) for state in branch.table}
-        slips = {slip.edge for slip in mislabelled(branch)}
-        edges: dict[str, list[Operation]] = {}
-        for edge in branch.edges():
-            if edge.target in branch.table and edge not in slips:
-                edges.setdefault(edge.name, []).append(edge)
+        slips = {(slip.edge.source, slip.edge.name) for slip in mislabelled(branch)}
+        edges: dict[str, list[tuple[Operation, Effect]]] = {}
+        for edge, effect in _effects(branch):
+            if (edge.source, edge.name) not in slips:
+                edges.setdefault(edge.name, []).append((edge, effect))
         for own in edges.values():
-            ends = [(facts[edge.source], facts[edge.target]) for edge in own]
-            unsure = [
-                f"{fact_words(branch, digit)} ({outcome})"
-                for digit in range(branch.num_facts)
-                if (outcome := _outcomes(ends, digit))
-            ]
+            unsure = _unsure(branch, own)
             if unsure:
-                yield Finding.at(
-                    blueprint,
+                first = own[0][0]
+                yield Remark(
                     "R16",
                     NOTE,
-                    own[0].address,
-                    f"what {own[0].name} does to {listed(unsure)} depends on the state",
-                    advice="if that is not meant, give the operations different names",
+                    first.address,
+                    f"what {first.name} does to {unsure} depends on the state",
+                    "if that is not meant, give the operations different names",
                 )
 
 
-def _outcomes(ends: list[tuple[Facts, Facts]], digit: int) -> str:
-    """The different ends one operation brings a fact to, or the empty text where it is one end."""
-    changed: dict[str, None] = {}
-    kept: dict[str, None] = {}
-    for before, after in ends:
-        (kept if before[digit] == after[digit] else changed)[after[digit]] = None
-    if not changed:
-        return ""
-    ways = [f"to {value}" for value in changed]
-    if any(value not in changed for value in kept):
-        ways.append("left")
-    return listed(ways, "or") if len(ways) > 1 else ""
+def _unsure(branch: StateBranch, own: list[tuple[Operation, Effect]]) -> str:
+    """The facts on which the edges of one operation have different effects, in words.
+
+    Only the facts that some edge changes are looked at. An edge that leaves one at a value which
+    another one sets it to is no different.
+    """
+    changes: dict[int, dict[str, int]] = {}
+    for _, effect in own:
+        for digit, value in effect:
+            values = changes.setdefault(digit, {})
+            values[value] = values.get(value, 0) + 1
+    unsure = []
+    for digit, values in sorted(changes.items()):
+        ways = [f"to {value}" for value in values]
+        if sum(values.values()) < len(own) and _leaves(branch, own, digit, values):
+            ways.append("left")
+        if len(ways) > 1:
+            unsure.append(f"{fact_words(branch, digit)} ({some(ways, last='or')})")
+    return some(unsure, _MANY) if unsure else ""
 
 
-def r17_self_loops(blueprint: Blueprint) -> Iterator[Finding]:
+def _leaves(
+    branch: StateBranch,
+    own: list[tuple[Operation, Effect]],
+    digit: int,
+    values: Collection[str],
+) -> bool:
+    """Whether some edge leaves a fact at a value that no other one sets it to."""
+    facts = branch.facts
+    return any(facts(edge.target)[digit] not in values for edge, _ in own)
+
+
+def r17_self_loops(blueprint: Blueprint) -> Iterator[Remark]:
     """Self loops that are not marked as repeatable: one finding an SB."""
     for branch in blueprint:
         loops = [
@@ -158,48 +213,42 @@ def r17_self_loops(blueprint: Blueprint) -> Iterator[Finding]:
         ]
         if not loops:
             continue
-        more = f"; {len(loops) - 1} more like it" if len(loops) > 1 else ""
         words = "Mark as repeatable" if len(loops) == 1 else "Mark all as repeatable"
-        yield Finding.at(
-            blueprint,
+        yield Remark(
             "R17",
             NOTE,
             loops[0].address,
-            f"leads back to its own state and is not marked as repeatable{more}",
-            advice="mark it, so that a run may carry it out again and again",
-            fix=Fix(words, partial(_mark_repeatable, edges=tuple(edge.address for edge in loops))),
+            "leads back to its own state and is not marked as repeatable",
+            "mark it, so that a run may carry it out again and again",
+            Fix(words, partial(_mark_repeatable, edges=loops)),
+            others=[edge.address for edge in loops[1:]],
         )
 
 
-def _mark_repeatable(blueprint: Blueprint, edges: tuple[Address, ...]) -> Blueprint:
-    for address in edges:
-        table = blueprint[address.branch].fields.get("_operations", {})
-        key = note_key(address.operation, address.state)
-        note = table.get(key, {}) if isinstance(table, dict) else {}
-        own = dict(note) if isinstance(note, dict) else {}
-        blueprint = set_note(
-            blueprint, address.branch, "_operations", key, {**own, "repeatable": True}
-        )
-    return blueprint
+_REPEATABLE = {"repeatable": True}
 
 
-def r18_parallel(blueprint: Blueprint) -> Iterator[Finding]:
+def _mark_repeatable(blueprint: Blueprint, edges: Sequence[Operation]) -> Blueprint:
+    keys = ((edge.branch, note_key(edge.name, edge.source)) for edge in edges)
+    return change_notes(blueprint, "_operations", dict.fromkeys(keys, _REPEATABLE))
+
+
+def r18_parallel(blueprint: Blueprint) -> Iterator[Remark]:
     """Parallel operations between two states with no cost to choose by: one finding an SB."""
     for branch in blueprint:
         pairs = [pair for pair in _parallels(branch) if _without_cost(branch, pair)]
         if not pairs:
             continue
         first = pairs[0]
-        more = f"; {counted(len(pairs) - 1, 'more pair')} of states" if len(pairs) > 1 else ""
-        yield Finding.at(
-            blueprint,
+        yield Remark(
             "R18",
             NOTE,
             first[0].address,
             f"{some(edge.name for edge in first)} lead to {first[0].target} in parallel, "
-            f"with no cost to choose by{more}",
-            advice="give them costs in _operations; until then the fewest operations and the first "
+            "with no cost to choose by",
+            "give them costs in _operations; until then the fewest operations and the first "
             "name win",
+            others=[pair[0].address for pair in pairs[1:]],
         )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 
 from smsl_studio.blueprint.address import Address
@@ -11,18 +12,17 @@ from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, KNOWN
 from smsl_studio.blueprint.wrong_kinds import kind_of
-from smsl_studio.inspection.finding import Finding, Fix, Severity
-from smsl_studio.inspection.rules.wording import counted, listed, near, some
+from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.wording import Names, counted, listed, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 
-def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Finding]:
+def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Remark]:
     """INITIAL or ACTIVATING unknown; SB without states; NUM_STATES written and wrong."""
     for branch in blueprint:
         if not branch.table:
-            yield Finding.at(
-                blueprint,
+            yield Remark(
                 "R03",
                 ERROR,
                 branch.address,
@@ -31,32 +31,30 @@ def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Finding]:
             )
         header = branch.header
         for key in ("INITIAL", "ACTIVATING", "NUM_STATES"):
-            yield from _odd(blueprint, branch, key, "R03")
+            yield from _odd(branch, key, "R03")
         for key, state in (("INITIAL", header.initial), ("ACTIVATING", header.activating)):
             if state is not None and state not in branch.table:
-                yield _unknown_state(blueprint, branch, key, state)
+                yield _unknown_state(branch, key, state)
         if header.num_states is not None and header.num_states != len(branch.table):
             right = len(branch.table)
-            yield Finding.at(
-                blueprint,
+            yield Remark(
                 "R03",
                 ERROR,
                 branch.address,
                 f"NUM_STATES is {header.num_states}, but there are {right}",
                 advice="write the right number, or leave NUM_STATES out",
-                fix=_set(branch, "NUM_STATES", right, f"Write {right}"),
+                fix=replace(_set(branch, "NUM_STATES", right, f"Write {right}"), certain=True),
                 below=(HEADER, "NUM_STATES"),
             )
 
 
-def _odd(blueprint: Blueprint, branch: StateBranch, key: str, rule: str) -> Iterator[Finding]:
+def _odd(branch: StateBranch, key: str, rule: str) -> Iterator[Remark]:
     """A header key whose value is of the wrong kind; it counts as left out."""
     if key not in branch.header.odd:
         return
     found = branch.header.odd[key]
     words = "the name of a state" if key in ("INITIAL", "ACTIVATING") else "a whole number"
-    yield Finding.at(
-        blueprint,
+    yield Remark(
         rule,
         ERROR,
         branch.address,
@@ -67,15 +65,14 @@ def _odd(blueprint: Blueprint, branch: StateBranch, key: str, rule: str) -> Iter
     )
 
 
-def _unknown_state(blueprint: Blueprint, branch: StateBranch, key: str, state: str) -> Finding:
-    like = near(state, branch.table)
+def _unknown_state(branch: StateBranch, key: str, state: str) -> Remark:
+    like = Names(branch.table).near(state)
     fix = None
     if like:
         fix = _set(branch, key, like, f"Set {key} to {like}")
     elif branch.table:
         fix = _set(branch, key, None, f"Leave {key} to the default")
-    return Finding.at(
-        blueprint,
+    return Remark(
         "R03",
         ERROR,
         branch.address,
@@ -90,27 +87,31 @@ def _set(branch: StateBranch, key: str, value: str | int | None, words: str) -> 
     return Fix(words, partial(set_header, branch=branch.name, key=key, value=value))
 
 
-def r04_left_to_default(blueprint: Blueprint) -> Iterator[Finding]:
+def r04_left_to_default(blueprint: Blueprint) -> Iterator[Remark]:
     """INITIAL, ACTIVATING or NUM_FACTS left to the default; an unknown header key."""
     for branch in blueprint:
         if branch.table:
-            yield from _defaults(blueprint, branch)
+            yield from _defaults(branch)
         for key in branch.header.unknown:
-            like = near(key, KNOWN)
-            yield Finding.at(
-                blueprint,
+            yield Remark(
                 "R04",
                 NOTE,
                 branch.address,
                 f"{key} is no header key that is known",
-                advice=f"did you mean {like}?"
-                if like
-                else "it is kept as it is, and means nothing",
                 below=(HEADER, key),
+                remedy=partial(_near_key, key),
             )
 
 
-def _defaults(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
+_KEYS = Names(KNOWN)
+
+
+def _near_key(key: str) -> tuple[str, None]:
+    like = _KEYS.near(key)
+    return f"did you mean {like}?" if like else "it is kept as it is, and means nothing", None
+
+
+def _defaults(branch: StateBranch) -> Iterator[Remark]:
     header = branch.header
     values: dict[str, str | int] = {}
     if header.initial is None and "INITIAL" not in header.odd:
@@ -123,15 +124,14 @@ def _defaults(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
         return
     words = ["Write " + next(iter(values)), "Write both", "Write all three"][len(values) - 1]
     are = "is" if len(values) == 1 else "are"
-    yield Finding.at(
-        blueprint,
+    yield Remark(
         "R04",
         NOTE,
         branch.address,
         f"{listed(values)} {are} left to the default",
         advice=f"write {listed(f'{key} {value}' for key, value in values.items())}, "
         "so that reordering changes nothing",
-        fix=Fix(words, partial(_write_all, branch=branch.name, values=values)),
+        fix=Fix(words, partial(_write_all, branch=branch.name, values=values), certain=True),
         below=(HEADER,),
     )
 
@@ -142,24 +142,23 @@ def _write_all(blueprint: Blueprint, branch: str, values: dict[str, str | int]) 
     return blueprint
 
 
-def r05_fact_strings(blueprint: Blueprint) -> Iterator[Finding]:
+def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
     """Fact strings of different length, or not divisible by NUM_FACTS."""
     for branch in blueprint:
-        yield from _odd(blueprint, branch, "NUM_FACTS", "R05")
+        yield from _odd(branch, "NUM_FACTS", "R05")
         shape = branch.shape
         if not shape.misfits:
             continue
         if shape.written is None:
-            yield _opaque(blueprint, branch)
+            yield _opaque(branch)
         elif len(shape.misfits) == len(branch.table):
-            yield _no_division(blueprint, branch, shape.written)
+            yield _no_division(branch, shape.written)
         else:
-            yield from _odd_lengths(blueprint, branch, shape.written)
+            yield from _odd_lengths(branch, shape.written)
 
 
-def _opaque(blueprint: Blueprint, branch: StateBranch) -> Finding:
-    return Finding.at(
-        blueprint,
+def _opaque(branch: StateBranch) -> Remark:
+    return Remark(
         "R05",
         WARNING,
         branch.address,
@@ -169,10 +168,9 @@ def _opaque(blueprint: Blueprint, branch: StateBranch) -> Finding:
     )
 
 
-def _no_division(blueprint: Blueprint, branch: StateBranch, written: int) -> Finding:
+def _no_division(branch: StateBranch, written: int) -> Remark:
     lengths = sorted({len(fact_string(name, written)) for name in branch.table})
-    return Finding.at(
-        blueprint,
+    return Remark(
         "R05",
         ERROR,
         branch.address,
@@ -184,35 +182,42 @@ def _no_division(blueprint: Blueprint, branch: StateBranch, written: int) -> Fin
     )
 
 
-def _odd_lengths(blueprint: Blueprint, branch: StateBranch, written: int) -> Iterator[Finding]:
-    fitting = next(name for name in branch.table if name not in set(branch.shape.misfits))
+def _odd_lengths(branch: StateBranch, written: int) -> Iterator[Remark]:
+    """The states that are unlike the others: one finding for all of one length."""
+    misfits = set(branch.shape.misfits)
+    fitting = next(name for name in branch.table if name not in misfits)
     common = len(fact_string(fitting, written))
+    by_length: dict[int, list[Address]] = {}
     for state in branch.shape.misfits:
         length = len(fact_string(state, written))
-        yield Finding.at(
-            blueprint,
+        by_length.setdefault(length, []).append(Address(branch.name, state))
+    for length, addresses in by_length.items():
+        yield Remark(
             "R05",
             ERROR,
-            Address(branch.name, state),
+            addresses[0],
             f"carries {counted(length, 'character')} of facts, where the others carry {common}",
-            advice=f"name it by its {counted(written, 'fact')}",
+            f"name it by its {counted(written, 'fact')}",
+            others=addresses[1:],
         )
 
 
-def r06_equal_facts(blueprint: Blueprint) -> Iterator[Finding]:
-    """Two states of one SB with equal facts: no state check can tell them apart."""
+def r06_equal_facts(blueprint: Blueprint) -> Iterator[Remark]:
+    """States of one SB with equal facts: no state check can tell them apart. One finding for all
+    that have the same."""
     for branch in blueprint:
-        seen: dict[tuple[str, ...], str] = {}
+        seen: dict[tuple[str, ...], list[str]] = {}
         for state in branch.table:
-            facts = branch.facts(state)
-            other = seen.setdefault(facts, state)
-            if other != state:
-                yield Finding.at(
-                    blueprint,
-                    "R06",
-                    ERROR,
-                    Address(branch.name, state),
-                    f"has the same facts as {other} ({' '.join(facts)}), "
-                    "so no state check can tell them apart",
-                    advice="give one of them other facts, or make them one state",
-                )
+            seen.setdefault(branch.facts(state), []).append(state)
+        for facts, (other, *states) in seen.items():
+            if not states:
+                continue
+            yield Remark(
+                "R06",
+                ERROR,
+                Address(branch.name, states[0]),
+                f"has the same facts as {other} ({' '.join(facts)}), "
+                "so no state check can tell them apart",
+                "give one of them other facts, or make them one state",
+                others=[Address(branch.name, state) for state in states[1:]],
+            )

@@ -8,30 +8,33 @@ from functools import partial
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import attach_sub, detach_sub
 from smsl_studio.blueprint.elements import Operation
+from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, sub_entries
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
-from smsl_studio.inspection.finding import Finding, Fix, Severity
-from smsl_studio.inspection.rules.wording import fact_words, near, some
+from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.wording import Names, fact_words, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 
-def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
+def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Remark]:
     """SUB_SBS: unknown SB, digit out of range or of three values, two subs on one digit, one sub
     twice in a list, one sub in two bases (a note)."""
     owner: dict[str, str] = {}
+    names = Names(blueprint.branches)
     for branch in blueprint:
+        if not branch.header.subs_as_written:
+            continue
         taken: dict[int, str] = {}
         digits: dict[str, int] = {}
-        yield from _no_digits(blueprint, branch)
+        spots = _Entries(branch)
+        yield from _no_digits(branch)
         for sub, digit in branch.header.sub_sbs:
             if sub in digits:
-                yield _entry(
-                    blueprint,
-                    branch,
+                yield spots.remark(
                     sub,
                     f"{sub} is written twice in SUB_SBS, for digit {digits[sub]} and digit {digit}",
                     "let each sub-SB expand one digit",
@@ -39,13 +42,13 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
                 )
             digits[sub] = digit
             if sub not in blueprint.branches:
-                yield _unknown_sub(blueprint, branch, sub, digit)
-            yield from _digit(blueprint, branch, sub, digit)
+                remedy = partial(_instead, names, branch, sub, digit)
+                words = f"the sub-SB {sub} is no SB of this file"
+                yield spots.remark(sub, words)._replace(remedy=remedy)
+            yield from _digit(spots, sub, digit)
             first = taken.setdefault(digit, sub)
             if first != sub:
-                yield _entry(
-                    blueprint,
-                    branch,
+                yield spots.remark(
                     sub,
                     f"{sub} expands digit {digit}, which {first} expands already",
                     "let it expand another digit, or detach it",
@@ -53,9 +56,7 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
                 )
             base = owner.setdefault(sub, branch.name)
             if base != branch.name:
-                yield _entry(
-                    blueprint,
-                    branch,
+                yield spots.remark(
                     sub,
                     f"{sub} also expands a fact of {base}: both share one instance",
                     "make a copy of it if they are two things",
@@ -63,13 +64,13 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Finding]:
                 )
 
 
-def _no_digits(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
+def _no_digits(branch: StateBranch) -> Iterator[Remark]:
     """SUB_SBS, or entries of it, that are of the wrong kind; they count as left out."""
     advice = 'write SUB_SBS as {"SB2": 1}: the sub-SB and the digit it expands, counted from 0'
     at = (HEADER, "SUB_SBS")
     if "SUB_SBS" in branch.header.odd:
         words = f"SUB_SBS is {kind_of(branch.header.odd['SUB_SBS'])}, not a map"
-        yield Finding.at(blueprint, "R07", ERROR, branch.address, words, advice=advice, below=at)
+        yield Remark("R07", ERROR, branch.address, words, advice, below=at)
     for path, sub, digit in sub_entries(branch.header.subs_as_written):
         if sub and type(digit) is int:
             continue
@@ -77,42 +78,30 @@ def _no_digits(blueprint: Blueprint, branch: StateBranch) -> Iterator[Finding]:
         if not sub:
             words = f"{kind_of(digit)} in SUB_SBS names no sub-SB and its digit"
         fix = _detach(branch, sub) if sub else None
-        yield Finding.at(
-            blueprint, "R07", ERROR, branch.address, words, advice=advice, fix=fix, below=where
-        )
+        yield Remark("R07", ERROR, branch.address, words, advice, fix, below=where)
 
 
-def _unknown_sub(blueprint: Blueprint, branch: StateBranch, sub: str, digit: int) -> Finding:
-    known = [
-        name
-        for name in blueprint.branches
-        if name not in {branch.name, *(other for other, _ in branch.header.sub_sbs)}
-    ]
-    like = near(sub, known)
+def _instead(names: Names, branch: StateBranch, sub: str, digit: int) -> tuple[str, Fix | None]:
+    """What to do about a sub-SB that does not exist."""
+    like = names.near(sub, {branch.name, *(one for one, _ in branch.header.sub_sbs)})
+    if not like:
+        return "add that SB, or detach it", _detach(branch, sub)
     fix = _detach(branch, sub)
-    if like and 0 <= digit < branch.num_facts:
+    if 0 <= digit < branch.num_facts:
         swap = partial(_swap, base=branch.name, sub=sub, digit=digit, other=like)
         fix = Fix(f"Use {like}", swap)
-    return _entry(
-        blueprint,
-        branch,
-        sub,
-        f"the sub-SB {sub} is no SB of this file",
-        f"did you mean {like}?" if like else "add that SB, or detach it",
-        fix=fix,
-    )
+    return f"did you mean {like}?", fix
 
 
 def _swap(blueprint: Blueprint, base: str, sub: str, digit: int, other: str) -> Blueprint:
     return attach_sub(detach_sub(blueprint, base, sub), base, digit, other)
 
 
-def _digit(blueprint: Blueprint, branch: StateBranch, sub: str, digit: int) -> Iterator[Finding]:
+def _digit(spots: _Entries, sub: str, digit: int) -> Iterator[Remark]:
+    branch = spots.branch
     count = branch.num_facts
     if not 0 <= digit < count:
-        yield _entry(
-            blueprint,
-            branch,
+        yield spots.remark(
             sub,
             f"{sub} expands digit {digit}, but {branch.name} has "
             + ("only digit 0" if count == 1 else f"the digits 0 to {count - 1}"),
@@ -121,9 +110,7 @@ def _digit(blueprint: Blueprint, branch: StateBranch, sub: str, digit: int) -> I
         )
     elif digit < len(branch.alphabet) and len(branch.alphabet[digit]) > 2:
         values = branch.alphabet[digit]
-        yield _entry(
-            blueprint,
-            branch,
+        yield spots.remark(
             sub,
             f"digit {digit} takes {len(values)} values ({some(values)}), "
             f"and a fact that {sub} expands is only on or off",
@@ -136,74 +123,82 @@ def _detach(branch: StateBranch, sub: str) -> Fix:
     return Fix(f"Detach {sub}", partial(detach_sub, base=branch.name, sub=sub))
 
 
-def _entry(
-    blueprint: Blueprint,
-    branch: StateBranch,
-    sub: str,
-    message: str,
-    advice: str,
-    *,
-    fix: Fix | None = None,
-    rule: str = "R07",
-    severity: Severity = ERROR,
-) -> Finding:
-    """A finding at one entry of SUB_SBS."""
-    return Finding.at(
-        blueprint,
-        rule,
-        severity,
-        branch.address,
-        message,
-        advice=advice,
-        fix=fix,
-        below=_below(branch, sub),
-    )
+class _Entries:
+    """Remarks at the entries of one SUB_SBS, at the last one where a sub-SB is written twice."""
+
+    def __init__(self, branch: StateBranch) -> None:
+        self.branch = branch
+        written = branch.header.subs_as_written
+        self._last = {
+            sub: str(index)
+            for index, item in enumerate(written if isinstance(written, list) else ())
+            if isinstance(item, dict)
+            for sub in item
+        }
+
+    def below(self, sub: str) -> tuple[str, ...]:
+        """The keys that lead to the entry."""
+        return (HEADER, "SUB_SBS", *([self._last[sub]] if sub in self._last else []), sub)
+
+    def remark(
+        self,
+        sub: str,
+        message: str,
+        advice: str = "",
+        *,
+        fix: Fix | None = None,
+        rule: str = "R07",
+        severity: Severity = ERROR,
+    ) -> Remark:
+        """A remark at the entry of a sub-SB."""
+        address = self.branch.address
+        return Remark(rule, severity, address, message, advice, fix, self.below(sub))
 
 
-def _below(branch: StateBranch, sub: str) -> tuple[str, ...]:
-    """The keys that lead to an entry of SUB_SBS, the last one where it is written twice."""
-    written = branch.header.subs_as_written
-    at = [
-        str(index)
-        for index, item in enumerate(written if isinstance(written, list) else ())
-        if isinstance(item, dict) and sub in item
-    ]
-    return (HEADER, "SUB_SBS", *at[-1:], sub)
-
-
-def r08_cycles(blueprint: Blueprint) -> Iterator[Finding]:
+def r08_cycles(blueprint: Blueprint) -> Iterator[Remark]:
     """A cycle among SBs, or an import that fails."""
     for fault in blueprint.import_faults:
-        yield Finding(
+        yield Remark(
             "R08",
             ERROR,
             Address(fault.path[0]),
-            fault.place,
             f"{fault.sentence} ({' > '.join(fault.chain)})",
-            "import a file that can be read and does not lead back",
+            fault.advice[:1].lower() + fault.advice[1:].rstrip("."),
+            spot=fault.place,
         )
     for cycle in cycles(blueprint):
         last = blueprint[cycle[-1]]
-        yield _entry(
-            blueprint,
-            last,
+        yield _Entries(last).remark(
             cycle[0],
-            f"{' > '.join((*cycle, cycle[0]))} is a cycle: an SB cannot stand below itself",
+            f"{_chain(cycle)} is a cycle: an SB cannot stand below itself",
             "detach one of them",
             fix=_detach(last, cycle[0]),
             rule="R08",
         )
 
 
-def r13_sub_cannot_serve(blueprint: Blueprint) -> Iterator[Finding]:
+_SHOWN = 12
+"""So many SBs of a cycle are named."""
+
+
+def _chain(cycle: tuple[str, ...]) -> str:
+    """A cycle from its first SB to the same; of a long one the middle is only counted."""
+    shown = list(cycle)
+    if len(shown) > _SHOWN:
+        half = _SHOWN // 2
+        shown[half:-half] = [f"({len(shown) - 2 * half:,} more)"]
+    return " > ".join((*shown, cycle[0]))
+
+
+def r13_sub_cannot_serve(blueprint: Blueprint) -> Iterator[Remark]:
     """A sub-SB that cannot bring its fact about, or cannot let it fall again."""
+    falls = _Falls(blueprint)
     for name in blueprint.bases:
         sub = blueprint.branches.get(name)
-        if sub is None or not {sub.initial, sub.activating} <= set(sub.table):
+        if sub is None or not {sub.initial, sub.activating} <= sub.table.keys():
             continue
         if sub.initial == sub.activating:
             yield _useless(
-                blueprint,
                 sub,
                 f"INITIAL and ACTIVATING are both {sub.initial}, so its fact is never off",
                 "choose another ACTIVATING state",
@@ -211,17 +206,15 @@ def r13_sub_cannot_serve(blueprint: Blueprint) -> Iterator[Finding]:
             )
         elif sub.activating not in reachable(sub, sub.initial):
             yield _useless(
-                blueprint,
                 sub,
                 f"no operations lead from {sub.initial} to {sub.activating}, so its fact is "
                 "never on",
                 "add an operation on the way",
                 "ACTIVATING",
             )
-        falling = _first_fall(blueprint, name)
+        falling = falls.of(name)
         if falling and sub.initial not in reachable(sub, sub.activating):
             yield _useless(
-                blueprint,
                 sub,
                 f"no operations lead back from {sub.activating} to {sub.initial}, although "
                 f"{falling.address} lets the fact fall",
@@ -230,45 +223,71 @@ def r13_sub_cannot_serve(blueprint: Blueprint) -> Iterator[Finding]:
             )
 
 
-def _useless(
-    blueprint: Blueprint, sub: StateBranch, message: str, advice: str, key: str
-) -> Finding:
-    return Finding.at(
-        blueprint, "R13", ERROR, sub.address, message, advice=advice, below=(HEADER, key)
-    )
+def _useless(sub: StateBranch, message: str, advice: str, key: str) -> Remark:
+    return Remark("R13", ERROR, sub.address, message, advice, below=(HEADER, key))
 
 
-def _first_fall(blueprint: Blueprint, sub: str) -> Operation | None:
-    """The first base edge that lets the sub-SB's fact fall and does not load it."""
-    for base, digit in blueprint.bases[sub]:
-        branch = blueprint[base]
-        if not 0 <= digit < branch.num_facts:
+class _Falls:
+    """The first base edge that lets the fact of a sub-SB fall and does not load it."""
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self._blueprint = blueprint
+        self._known: dict[str, dict[int, Operation]] = {}
+
+    def of(self, sub: str) -> Operation | None:
+        """That edge in the first base that has one."""
+        for base, digit in self._blueprint.bases[sub]:
+            if base not in self._known:
+                self._known[base] = dict(_first_falls(self._blueprint[base]))
+            if digit in self._known[base]:
+                return self._known[base][digit]
+        return None
+
+
+def _first_falls(branch: StateBranch) -> Iterator[tuple[int, Operation]]:
+    """For each digit with a sub-SB the first edge that lets it fall."""
+    left = {digit for digit in branch.subs if 0 <= digit < branch.num_facts}
+    for edge, digits in _sub_changes(branch):
+        for digit in left.intersection(digits):
+            if branch.is_on(edge.source, digit):
+                left.discard(digit)
+                yield digit, edge
+
+
+def _sub_changes(branch: StateBranch) -> Iterator[tuple[Operation, tuple[int, ...]]]:
+    """The edges that change digits with sub-SBs and do not load them, each with all it changes."""
+    known: dict[tuple[str, str], tuple[int, ...]] = {}
+    for edge in branch.edges():
+        if edge.target not in branch.table:
             continue
-        for edge in branch.edges():
-            if (
-                edge.target in branch.table
-                and branch.is_on(edge.source, digit)
-                and not branch.is_on(edge.target, digit)
-                and branch.operation_note(edge.source, edge.name).subs != "load"
-            ):
-                return edge
-    return None
+        ends = edge.source, edge.target
+        if ends not in known:
+            digits = changed_digits(branch.facts(edge.source), branch.facts(edge.target))
+            known[ends] = () if branch.subs.keys().isdisjoint(digits) else digits
+        if known[ends] and branch.operation_note(edge.source, edge.name).subs != "load":
+            yield edge, known[ends]
 
 
-def r14_mixed(blueprint: Blueprint) -> Iterator[Finding]:
+def r14_mixed(blueprint: Blueprint) -> Iterator[Remark]:
     """Base edges that change a sub-SB's fact together with others; bases of one sub-SB whose
     INITIAL states cannot hold together."""
     yield from _disagreeing(blueprint)
     for branch in blueprint:
+        if not branch.subs:
+            continue
+        spots = _Entries(branch)
+        mixed: dict[int, list[Operation]] = {}
+        for edge, digits in _sub_changes(branch):
+            if len(digits) > 1:
+                for digit in branch.subs.keys() & set(digits):
+                    mixed.setdefault(digit, []).append(edge)
         for digit, sub in branch.subs.items():
-            if not 0 <= digit < branch.num_facts or sub not in blueprint.branches:
-                continue
-            mixed = [edge for edge in branch.edges() if _is_mixed(branch, edge, digit)]
-            if mixed:
-                yield _mixed(blueprint, branch, digit, mixed)
+            if digit in mixed and sub in blueprint.branches:
+                yield _mixed(spots, digit, mixed[digit])
 
 
-def _disagreeing(blueprint: Blueprint) -> Iterator[Finding]:
+def _disagreeing(blueprint: Blueprint) -> Iterator[Remark]:
+    spots: dict[str, _Entries] = {}
     for sub, bases in blueprint.bases.items():
         starts = [
             (branch, digit, branch.is_on(branch.initial, digit))
@@ -278,9 +297,9 @@ def _disagreeing(blueprint: Blueprint) -> Iterator[Finding]:
         for branch, digit, on in starts[1:]:
             first, _, wanted = starts[0]
             if on != wanted:
-                yield _entry(
-                    blueprint,
-                    branch,
+                if branch.name not in spots:
+                    spots[branch.name] = _Entries(branch)
+                yield spots[branch.name].remark(
                     sub,
                     f"{branch.name} starts with {fact_words(branch, digit)} "
                     f"{'on' if on else 'off'}, while {first.name} starts with {sub} "
@@ -291,33 +310,19 @@ def _disagreeing(blueprint: Blueprint) -> Iterator[Finding]:
                 )
 
 
-def _is_mixed(branch: StateBranch, edge: Operation, digit: int) -> bool:
-    if edge.target not in branch.table:
-        return False
-    before, after = branch.facts(edge.source), branch.facts(edge.target)
-    changed = [d for d, (a, b) in enumerate(zip(before, after, strict=True)) if a != b]
-    return (
-        digit in changed
-        and len(changed) > 1
-        and branch.operation_note(edge.source, edge.name).subs != "load"
-    )
-
-
-def _mixed(
-    blueprint: Blueprint, branch: StateBranch, digit: int, mixed: list[Operation]
-) -> Finding:
+def _mixed(spots: _Entries, digit: int, mixed: list[Operation]) -> Remark:
+    branch = spots.branch
     one = len(mixed) == 1
     fact, sub = fact_words(branch, digit), branch.subs[digit]
-    places = some(f"{edge.name} in {edge.source}" for edge in mixed)
     message = f"changes {fact} together with other facts"
     if not one:
-        message = f"{len(mixed)} operations change {fact} together with other facts: {places}"
-    return Finding.at(
-        blueprint,
+        places = some(f"{edge.name} in {edge.source}" for edge in mixed)
+        message = f"{len(mixed):,} operations change {fact} together with other facts: {places}"
+    return Remark(
         "R14",
         WARNING,
         mixed[0].address if one else branch.address,
         message,
-        advice=f"{sub} moves first, then the operation; mark as load what needs no move of {sub}",
-        below=() if one else _below(branch, sub),
+        f"{sub} moves first, then the operation; mark as load what needs no move of {sub}",
+        below=() if one else spots.below(sub),
     )

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from bisect import bisect_left
+from collections.abc import Container, Iterable
+from functools import cached_property
+from itertools import islice, takewhile
 
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.errors import nearest
@@ -11,13 +14,28 @@ _MANY = 400
 """Above so many known names only some that begin alike are compared, to stay quick."""
 
 
-def near(name: str, known: Collection[str]) -> str:
-    """The known name most like ``name``, or the empty text."""
-    names = [other for other in known if other != name]
-    if len(names) > _MANY:
-        half = name[: max(1, len(name) // 2)]
-        names = [other for other in names if other.startswith(half)][: _MANY // 4]
-    return nearest(name, names)
+class Names:
+    """Names that are known, to find the one that was meant by another."""
+
+    def __init__(self, known: Iterable[str]) -> None:
+        self._known = list(known)
+
+    @cached_property
+    def _sorted(self) -> list[str]:
+        return sorted(self._known)
+
+    def near(self, name: str, without: Container[str] = ()) -> str:
+        """The known name most like ``name`` and not ``without``, or the empty text."""
+        names: Iterable[str] = self._known
+        if len(self._known) > _MANY:
+            half = name[: max(1, len(name) // 2)]
+            first = bisect_left(self._sorted, half)
+            names = takewhile(
+                lambda other: other.startswith(half), self._sorted[first : first + _MANY]
+            )
+        others = (other for other in names if other != name and other not in without)
+        many = _MANY if len(self._known) <= _MANY else _MANY // 4
+        return nearest(name, islice(others, many))
 
 
 def listed(words: Iterable[str], last: str = "and") -> str:
@@ -28,12 +46,12 @@ def listed(words: Iterable[str], last: str = "and") -> str:
     return f"{', '.join(items[:-1])} {last} {items[-1]}"
 
 
-def some(words: Iterable[str], most: int = 3) -> str:
+def some(words: Iterable[str], most: int = 3, last: str = "and") -> str:
     """The first few of many: ``a, b, c and 4 more``."""
     items = list(words)
     if len(items) <= most + 1:
-        return listed(items)
-    return listed([*items[:most], f"{len(items) - most} more"])
+        return listed(items, last)
+    return listed([*items[:most], f"{len(items) - most} more"], last)
 
 
 def counted(number: int, word: str) -> str:

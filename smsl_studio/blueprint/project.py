@@ -1,0 +1,91 @@
+"""Which files a file may import: those of its own project, in a written form.
+
+A blueprint may come from anybody, so what it names is opened only where that can do no harm: below
+one folder, with the suffix of a written form, an ordinary file. Links are resolved first.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from smsl_studio.smsl.forms import SUFFIXES
+
+MARKS = (".git", "smsl.toml")
+"""What the top folder of a project holds."""
+
+LONGEST = 4096
+"""Characters of the longest name that is looked for."""
+
+_DRIVE = re.compile(r"[A-Za-z]:")
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """Why a name is not followed, and what to do about it."""
+
+    sentence: str
+    advice: str
+
+
+def real_path(file: str) -> str:
+    """What tells whether two names are one file; the name itself where nothing can be told."""
+    try:
+        return os.path.realpath(file)
+    except (OSError, ValueError):
+        return file
+
+
+def project_of(file: str) -> str:
+    """The real path of the folder below which the imports of a file must stand.
+
+    It is the nearest folder, from the file's own upwards, that holds ``.git`` or ``smsl.toml``,
+    else the file's own. What came through standard input stands in the current folder.
+    """
+    own = folder = real_path(os.path.dirname(file))  # noqa: PTH120
+    while True:
+        if any(os.path.lexists(os.path.join(folder, mark)) for mark in MARKS):  # noqa: PTH118
+            return folder
+        above = os.path.dirname(folder)  # noqa: PTH120
+        if above == folder:
+            return own
+        folder = above
+
+
+def refusal_of_name(name: str) -> Refusal | None:
+    """Why a name cannot be that of an import, whatever stands there; None where it can."""
+    if len(name) > LONGEST or "\0" in name:
+        return Refusal("the import is no name of a file", "Name a file beside this one.")
+    if name.startswith("/") or "\\" in name or _DRIVE.match(name):
+        return Refusal(
+            "the import is not named from the folder of this file",
+            "Write the way from here, with / between folders.",
+        )
+    if PurePath(name).suffix.lower() not in SUFFIXES:
+        endings = ", ".join(SUFFIXES)
+        return Refusal("the import has no suffix of a blueprint", f"It ends with {endings}.")
+    return None
+
+
+def refusal_of_place(
+    real: str, project: str, what: str = "the import", suffixes: Iterable[str] = SUFFIXES
+) -> Refusal | None:
+    """Why a file (by its real path) cannot be read for a project; None where it can."""
+    if not _is_below(real, project):
+        return Refusal(
+            f"{what} leads out of the project",
+            f"Keep it below {project}, or put a file smsl.toml into the folder that holds both.",
+        )
+    if PurePath(real).suffix.lower() not in suffixes:
+        return Refusal(
+            f"{what} leads to a file of another kind", f"It ends with {', '.join(suffixes)}."
+        )
+    return None
+
+
+def _is_below(real: str, folder: str) -> bool:
+    real, folder = os.path.normcase(real), os.path.normcase(folder)
+    return real.startswith(os.path.join(folder, ""))  # noqa: PTH118

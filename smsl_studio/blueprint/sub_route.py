@@ -1,0 +1,59 @@
+"""The way of one sub-SB to ACTIVATING or back to INITIAL, kept for all who ask for it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from smsl_studio.blueprint.allowance import Part
+from smsl_studio.blueprint.configuration import Configuration
+from smsl_studio.blueprint.edges import Edge, Edges
+from smsl_studio.blueprint.joint import Script
+from smsl_studio.blueprint.search import Search
+
+Key = tuple[str, ...]
+
+
+class Region:
+    """The SBs that the way of a sub depends on, while the edges of the SBs in ``held`` are begun.
+
+    These are the sub and all below it, the bases that go along with them, and every SB of which an
+    operation of these ``requires`` a fact. ``names`` are in the order of the hierarchy; ``border``
+    are the bases among ``held``, of which only the edge counts.
+    """
+
+    def __init__(self, edges: Edges, branch: str, held: Collection[str]) -> None:
+        hierarchy = edges.hierarchy
+        moving = set(hierarchy.tree(branch))
+        border: set[str] = set()
+        waiting = list(moving)
+        while waiting:
+            for base, _ in hierarchy.bases[waiting.pop()]:
+                if base in held:
+                    border.add(base)
+                elif base not in moving:
+                    moving.add(base)
+                    waiting.append(base)
+        seen = {name for mover in moving for name in edges.required_by(mover)}
+        self.names = tuple(name for name in hierarchy.order if name in moving or name in seen)
+        self.border = tuple(border)
+
+    def key(self, configuration: Configuration) -> Key:
+        """A configuration as far as it counts."""
+        return tuple(configuration[name] for name in self.names)
+
+
+class SubRoute(Part):
+    """The edges of a sub on its way; while they are looked for, the ``search`` for them.
+
+    ``reasons`` are why edges could not be used, ``closed`` why there is no way. ``whole`` is what
+    going the way changes and costs, once somebody has asked for that.
+    """
+
+    def __init__(self, region: Region) -> None:
+        super().__init__()
+        self.region = region
+        self.search: Search[Key] | None = None
+        self.reasons: dict[str, None] = {}
+        self.edges: tuple[Edge, ...] = ()
+        self.closed: tuple[str, ...] = ()
+        self.whole: Script | None = None

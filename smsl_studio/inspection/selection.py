@@ -1,0 +1,104 @@
+"""Which remarks of a rule are listed, and how many more there are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place
+from smsl_studio.inspection.finding import (
+    LISTED,
+    LISTED_IN_ALL,
+    Finding,
+    Remark,
+    Severity,
+    Spot,
+)
+
+
+def listed(blueprint: Blueprint, remarks: Iterable[Remark]) -> Iterator[Finding]:
+    """The findings of one rule: the gravest first where not all can be listed.
+
+    At most ``LISTED`` places of an SB, and ``LISTED_IN_ALL`` of all of them; the last finding
+    says how many places are not listed. Severity decides who is left out, so that many notes
+    never hide an error.
+    """
+    shelves = {severity: _Shelf() for severity in Severity}
+    for remark in remarks:
+        shelves[remark.severity].put(remark)
+    room = LISTED_IN_ALL
+    rooms: dict[str, int] = {}
+    chosen: list[tuple[Remark, int]] = []
+    for shelf in shelves.values():
+        for remark in shelf.kept:
+            branch = remark.address.branch
+            own = rooms.get(branch, LISTED)
+            places = min(1 + len(remark.others), room, own)
+            if places:
+                room, rooms[branch] = room - places, own - places
+                chosen.append((remark, places - 1))
+    yield from _findings(blueprint, chosen, shelves.values())
+
+
+@dataclass
+class _Shelf:
+    """Remarks of one severity, and how many places each SB has; a few more are not kept."""
+
+    kept: list[Remark] = field(default_factory=list)
+    count: dict[str, int] = field(default_factory=dict)
+
+    def put(self, remark: Remark) -> None:
+        branch = remark.address.branch
+        before = self.count.get(branch, 0)
+        self.count[branch] = before + 1 + len(remark.others)
+        if before < LISTED and len(self.kept) < LISTED_IN_ALL:
+            self.kept.append(remark)
+
+
+def _findings(
+    blueprint: Blueprint, chosen: list[tuple[Remark, int]], shelves: Iterable[_Shelf]
+) -> Iterator[Finding]:
+    """The chosen remarks as findings, each with so many further places."""
+    left: dict[str, int] = {}
+    for shelf in shelves:
+        for branch, count in shelf.count.items():
+            left[branch] = left.get(branch, 0) + count
+    for remark, _ in chosen:
+        left[remark.address.branch] -= 1 + len(remark.others)
+    last = {remark.address.branch: number for number, (remark, _) in enumerate(chosen)}
+    elsewhere = [count for branch, count in left.items() if count and branch not in last]
+    for number, (remark, others) in enumerate(chosen):
+        branch = remark.address.branch
+        words = []
+        if last[branch] == number and left[branch]:
+            words.append(_unlisted(left[branch], branch))
+        if elsewhere and number == len(chosen) - 1:
+            words.append(_unlisted(sum(elsewhere), f"{len(elsewhere):,} other SBs"))
+        finding = _finding(blueprint, remark, others)
+        if words:
+            finding = replace(finding, message=f"{finding.message} ({'; '.join(words)})")
+        yield finding
+
+
+def _unlisted(count: int, where: str) -> str:
+    if count == 1:
+        return f"1 more place in {where} is not listed"
+    return f"{count:,} more places in {where} are not listed"
+
+
+def _finding(blueprint: Blueprint, remark: Remark, others: int) -> Finding:
+    """A remark with its place, its remedy, and so many of its further places."""
+    address, spot = remark.address, remark.spot
+    if spot is None:
+        place = blueprint.place(address, *remark.below)
+    else:
+        place = spot if isinstance(spot, Place) else spot[0].place(spot[1])
+    spots = tuple(
+        Spot(address, one) if isinstance(one, Place) else Spot(one, blueprint.place(one))
+        for one in remark.others[:others]
+    )
+    advice, fix = remark.remedy() if remark.remedy else (remark.advice, remark.fix)
+    more = len(remark.others) - others
+    said = (remark.rule, remark.severity, address, place, remark.message, advice)
+    return Finding(*said, fix, spots, more)
