@@ -9,6 +9,8 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.reading import read_bytes
+from smsl_studio.library.permission import allow
+from smsl_studio.library.survey import FoundPlugin, survey
 
 
 def write_plugin(folder: Path, name: str, code: str, **others: str) -> Path:
@@ -19,6 +21,19 @@ def write_plugin(folder: Path, name: str, code: str, **others: str) -> Path:
     (place / "plugin.py").write_text(dedent(code), "utf-8")
     for module, text in others.items():
         (place / f"{module}.py").write_text(dedent(text), "utf-8")
+    return place
+
+
+def found_plugin(name: str) -> FoundPlugin:
+    """What is found of a plugin without running it."""
+    (found,) = (found for found in survey() if found.name == name)
+    return found
+
+
+def write_allowed(home: Path, name: str, code: str, **others: str) -> Path:
+    """A plugin in the user's folder, allowed as it stands now."""
+    place = write_plugin(home / "plugins", name, code, **others)
+    allow(found_plugin(name))
     return place
 
 

@@ -2,58 +2,87 @@
 
 from __future__ import annotations
 
+import codecs
 import contextlib
 import os
-from typing import TextIO
+import resource
+import signal
+import sys
+
+from smsl_studio.legible import whole_text
 
 MOST_SAID = 1_000_000
-"""Characters that a child passes on to standard error, all in all."""
+"""Characters of a child that are shown on standard error, all in all."""
+
+MOST_FILES = 1024
+"""Files that a process of library code may have open."""
+
+_PIECE = 2**16
 
 
-class Chatter:
-    """A text stream that passes on so much and then says once that there was more."""
+class Outlet:
+    """What a child prints, on its way to standard error: so much, and then once that there is more.
 
-    def __init__(self, stream: TextIO | None, most: int = MOST_SAID) -> None:
-        self._stream = stream
+    Control characters are shown as escapes, so that no terminal obeys them. The pipe does not
+    block.
+    """
+
+    def __init__(self, pipe: int, most: int = MOST_SAID) -> None:
+        self._pipe = pipe
         self._left = most
-
-    def write(self, text: str) -> int:
-        """Pass the text on as long as there is room; it always counts as written."""
-        if self._stream is not None and self._left > 0:
-            passed = text[: self._left]
-            self._left -= len(passed)
-            with contextlib.suppress(OSError, ValueError):
-                self._stream.write(passed)
-                if self._left == 0:
-                    self._stream.write("\n... more is printed, and not shown\n")
-                self._stream.flush()
-        return len(text)
-
-    def flush(self) -> None:
-        """Everything is flushed already."""
-
-    def isatty(self) -> bool:
-        """Never: it is no terminal."""
-        return False
+        self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
 
     def fileno(self) -> int:
-        """The stream's own; OSError where there is none."""
-        if self._stream is None:
-            raise OSError("there is no standard error")
-        return self._stream.fileno()
+        """What is waited for."""
+        return self._pipe
+
+    def pass_on(self) -> bool:
+        """Show one piece of what was printed; False where nothing more can come."""
+        with contextlib.suppress(BlockingIOError):
+            return self._show(os.read(self._pipe, _PIECE))
+        return True
+
+    def close(self) -> None:
+        """Show what is left, as far as it goes, and let go of the pipe."""
+        with contextlib.suppress(BlockingIOError):
+            while self._left > 0 and self._show(os.read(self._pipe, _PIECE)):
+                pass
+        os.close(self._pipe)
+
+    def _show(self, piece: bytes) -> bool:
+        if piece and self._left > 0:
+            text = self._decoder.decode(piece).replace("\r", "")[: self._left]
+            self._left -= len(text)
+            text = whole_text(text)
+            _print(text if self._left else f"{text}\n... more is printed, and not shown\n")
+        return bool(piece)
 
 
-def limit_memory(size: int | None) -> None:
-    """Let this process have so many bytes at most (None: half of what the machine has).
+def _print(text: str) -> None:
+    if sys.stderr is not None:
+        with contextlib.suppress(OSError, ValueError):
+            sys.stderr.write(text)
+            sys.stderr.flush()
 
-    More is a MemoryError for who asks for it. Where no such limit exists there is none.
+
+def settle_in() -> None:
+    """Ctrl-C is the parent's to answer; all that is printed goes one way."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    sys.stdout = sys.stderr
+
+
+def limit_process(memory: int | None = None) -> None:
+    """Let this process, and each that it starts, have so many bytes of address space at most
+    (None: half of what the machine has), so many open files, and leave no memory image behind.
+
+    More memory is a MemoryError for who asks for it, more files are an OSError.
     """
-    try:
-        import resource
-
-        whole = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    except (ImportError, AttributeError, ValueError, OSError):
-        return
-    with contextlib.suppress(ValueError, OSError):
-        _, hard = resource.getrlimit(resource.RLIMIT_AS)
-        resource.setrlimit(resource.RLIMIT_AS, (size or max(whole // 2, 2**31), hard))
+    whole = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    limits = (
+        (resource.RLIMIT_AS, memory or max(whole // 2, 2**31)),
+        (resource.RLIMIT_NOFILE, MOST_FILES),
+        (resource.RLIMIT_CORE, 0),
+    )
+    for what, limit in limits:
+        with contextlib.suppress(ValueError, OSError):  # a lower one stands already
+            resource.setrlimit(what, (limit, limit))

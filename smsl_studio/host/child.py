@@ -1,38 +1,46 @@
 """The child of the process host: a local host behind a pipe, and nothing of its parent's.
 
-Messages are ``(verb, arguments)``; answers ``("ok", value)``, ``("refused", StudioError)`` or
-``("crashed", text)``. The child ends when it is told to, and as soon as its parent is gone.
+Commands are a verb and its arguments; each is answered with what ``RunAnswers`` says of the verb,
+with a StudioError, or with the words of what broke. The child ends when it is told to, and as soon
+as its parent is gone.
 """
 
 from __future__ import annotations
 
 import contextlib
-import multiprocessing
 import os
+import select
 import signal
-import sys
+import socket
 import threading
 import time
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
-from multiprocessing.connection import Connection, wait
 from pathlib import Path
 from typing import Any
 
-from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.errors import Place, StudioError
-from smsl_studio.host.bounds import Chatter, limit_memory
+from smsl_studio.blueprint.reading import read_gathered
+from smsl_studio.errors import HostError, Place, StudioError
+from smsl_studio.host.answers import CRASHED, LOADS, REFUSED, RunAnswers
+from smsl_studio.host.bounds import limit_process, settle_in
 from smsl_studio.host.brief import brief
+from smsl_studio.host.codec import Codec, Unfit, nothing
+from smsl_studio.host.confinement import confine
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import Outcome, Tick
-from smsl_studio.host.shared_poses import SharedPoses
+from smsl_studio.host.protocol import Opened, Outcome, Tick
+from smsl_studio.host.wire import ChildWire
+from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.operation_library import TABLE
 from smsl_studio.smsl.forms import form_named
 
 HEARTBEAT = 0.1
 PICTURE = 1.0 / 60.0
 """Wall seconds between two pictures: more often nobody looks."""
+
+Poses = tuple[float, ...]
+Status = Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,69 +55,58 @@ class Recipe:
     world: str
     seed: int
     plugin_paths: tuple[str, ...]
+    only: tuple[str, ...] | None = None
+    """Where the plugins stand that are loaded; None: all there are."""
     memory: int | None = None
     """Bytes that the child may have; None: half of the machine's memory."""
 
 
-def serve(connection: Connection) -> None:
+def main(pipe: int, beat: int) -> None:
     """The child's whole life: answer one command after the other."""
-    _settle_in()
-    shared = _Shared()
-    threading.Thread(target=_live_with_parent, args=(shared,), daemon=True).start()
-    child = _Child(shared)
-    try:
+    settle_in()
+    confine(os.getppid())
+    wire = ChildWire(socket.socket(fileno=pipe))
+    threading.Thread(target=_live_with_parent, args=(pipe, beat), daemon=True).start()
+    child, me = _Child(lambda name: wire.send("loads", LOADS.encode(name))), os.getpid()
+    with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while child.serving:
-            verb, arguments = connection.recv()
-            connection.send(_answer(child, verb, arguments))
-    except (EOFError, OSError):  # the parent is gone
-        pass
-    finally:
-        connection.close()
+            kind, body = child.answer(*wire.receive())
+            if os.getpid() != me:  # library code has forked, and this is the copy
+                break
+            wire.send(kind, body)
     # Threads that library code left behind, and what it registered for the exit, hold up nothing.
     os._exit(0)
-
-
-def _answer(child: _Child, verb: str, arguments: tuple[Any, ...]) -> tuple[str, Any]:
-    try:
-        return "ok", child.verbs[verb](*arguments)
-    except StudioError as error:
-        return "refused", _plain(error)
-    except KeyboardInterrupt:  # no signal is heard here, so library code raised it
-        return "crashed", "library code raised KeyboardInterrupt"
-    except Exception:
-        return "crashed", brief(traceback.format_exc(limit=-3), 5000)
-
-
-def _plain(error: StudioError) -> StudioError:
-    """The error as the parent knows it: a plugin may raise one of a class of its own."""
-    known = next(kind for kind in type(error).__mro__ if kind.__module__ == StudioError.__module__)
-    place = error.place if type(error.place) is Place else None
-    plain = known(brief(str(error.sentence)), place, brief(str(error.advice)))
-    assert isinstance(plain, StudioError)
-    return plain
-
-
-class _Shared:
-    """The block both sides know, once there is one; the thread of the pulse writes to it too, so
-    that it stays open until the child ends."""
-
-    def __init__(self) -> None:
-        self.block: SharedPoses | None = None
 
 
 class _Child:
     """The verbs of a child: ``prepare`` comes first, or ``warm`` and later ``prepare``."""
 
-    def __init__(self, shared: _Shared) -> None:
+    def __init__(self, loads: Callable[[str], None]) -> None:
         self.serving = True
-        self._shared = shared
+        self._loads = loads
         self._drawn = 0.0
-        self._status: Mapping[str, str] = {}
-        self.verbs: dict[str, Callable[..., Any]] = {
+        self._status: Status = {}
+        self._verbs: dict[str, Callable[..., Any]] = {
             "warm": self.warm,
             "prepare": self.prepare,
             "close": self.close,
         }
+        self._answers: Mapping[str, Codec[Any]] = dict.fromkeys(self._verbs, nothing())
+
+    def answer(self, verb: str, arguments: tuple[Any, ...]) -> tuple[str, bytes]:
+        """Do what a command says: the kind of the answer, and its bytes."""
+        try:
+            done = self._verbs[verb](*arguments)
+            return "ok", self._answers[verb].encode(done)
+        except StudioError as error:
+            return "refused", REFUSED.encode(_plain(error))
+        except Unfit as error:
+            words = f"what the world told cannot be passed on ({verb}): {error}"
+            return "refused", REFUSED.encode(HostError(words))
+        except KeyboardInterrupt:  # no signal is heard here, so library code raised it
+            return "crashed", CRASHED.encode("library code raised KeyboardInterrupt")
+        except Exception:
+            return "crashed", CRASHED.encode(traceback.format_exc(limit=-3))
 
     def warm(self) -> None:
         """Load what takes long to load."""
@@ -118,14 +115,19 @@ class _Child:
 
     def prepare(self, recipe: Recipe) -> None:
         """Read the blueprint, and build the world as far as it goes: ``open`` tells of faults."""
-        limit_memory(recipe.memory)
+        limit_process(recipe.memory)
         documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
-        blueprint = read_blueprint(documents[0], opened=documents[1:])
+        blueprint = read_gathered(documents)
         paths = [Path(path) for path in recipe.plugin_paths]
-        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths)
-        self.verbs |= {
-            "open": self.host.open,
-            "share": self.share,
+        loaded = Loaded()
+        if recipe.world != TABLE:
+            loaded = discover(paths, only=recipe.only, begins=lambda name, _: self._loads(name))
+            self._loads("")
+        self.host = LocalHost(blueprint, recipe.world, recipe.seed, paths, loaded)
+        self._run = RunAnswers(blueprint)
+        self._answers = self._run.of
+        self._verbs |= {
+            "open": self.open,
             "sense": self.host.sense,
             "begin": self.host.begin,
             "tick": self.tick,
@@ -137,20 +139,21 @@ class _Child:
         with contextlib.suppress(StudioError):
             self.host.prepare()
 
-    def share(self, name: str, count: int) -> Mapping[str, str]:
-        """Draw into this block from now on; the world's first words."""
-        self._shared.block = SharedPoses(count, name)
-        self._draw()
-        return self._status
+    def open(self, start: Mapping[str, str]) -> tuple[Opened, Status, Poses]:
+        """Put the world into its start; its first words and its first picture."""
+        opened = self.host.open(start)
+        self._run.opened(opened)
+        self._status = dict(self.host.status())
+        return opened, self._status, self.host.poses()
 
-    def tick(self) -> tuple[Tick, Mapping[str, str] | None]:
-        """One tick, and the world's words where they are new."""
-        tick, before = self.host.tick(), self._status
-        now = time.monotonic()
-        if now - self._drawn >= PICTURE or tick.outcome not in (Outcome.IDLE, Outcome.RUNNING):
-            self._drawn = now
-            self._draw()
-        return tick, (self._status if self._status != before else None)
+    def tick(self) -> tuple[Tick, Status | None, Poses | None]:
+        """One tick, and the world's words and picture where it is time for new ones."""
+        tick, now = self.host.tick(), time.monotonic()
+        if now - self._drawn < PICTURE and tick.outcome in (Outcome.IDLE, Outcome.RUNNING):
+            return tick, None, None
+        self._drawn, before = now, self._status
+        self._status = dict(self.host.status())
+        return tick, (self._status if self._status != before else None), self.host.poses()
 
     def disturb(self, target: str, kind: str, parameters: dict[str, Any]) -> tuple[str, ...]:
         return self.host.disturb(target, kind, **parameters)
@@ -160,34 +163,27 @@ class _Child:
 
     def close(self) -> None:
         self.serving = False
-        if "open" in self.verbs:
+        if "open" in self._verbs:
             self.host.close()
 
-    def _draw(self) -> None:
-        if self._shared.block is not None:
-            self._shared.block.write(self.host.poses())
-        self._status = dict(self.host.status())
+
+def _plain(error: StudioError) -> StudioError:
+    """The error as the parent knows it: a plugin may raise one of a class of its own."""
+    known = next(kind for kind in type(error).__mro__ if kind.__module__ == StudioError.__module__)
+    place = error.place if type(error.place) is Place else None
+    plain = known(brief(str(error.sentence)), place, brief(str(error.advice)))
+    assert isinstance(plain, StudioError)
+    return plain
 
 
-def _settle_in() -> None:
-    """Ctrl-C is the parent's to answer; nothing here may write to the parent's standard output."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    with contextlib.suppress(OSError, AttributeError):
-        os.setpgid(0, 0)  # so that all it may start can be ended with it
-    sys.stdout = sys.stderr = Chatter(sys.stderr)
-    with contextlib.suppress(OSError):
-        os.dup2(2, 1)
-
-
-def _live_with_parent(shared: _Shared) -> None:
+def _live_with_parent(pipe: int, beat: int) -> None:
     """Show a pulse while the parent lives; end at once, in whatever library code, when it dies."""
-    parent = multiprocessing.parent_process()
-    beats = 0
-    while parent is None or not wait([parent.sentinel], timeout=HEARTBEAT):
-        beats += 1
-        if shared.block is not None:
-            shared.block.beat(beats)
-    with contextlib.suppress(OSError, AttributeError):
-        if os.getpgid(0) == os.getpid():
-            os.killpg(0, signal.SIGKILL)
+    os.set_blocking(beat, False)
+    parent = select.poll()
+    parent.register(pipe, 0)
+    while not parent.poll(HEARTBEAT * 1000):
+        with contextlib.suppress(OSError):  # nobody has looked for long, or it was closed
+            os.write(beat, b".")
+    with contextlib.suppress(OSError):
+        os.killpg(0, signal.SIGKILL)
     os._exit(1)

@@ -27,7 +27,7 @@ from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.bound import Bindings, BoundSensor
 from smsl_studio.library.loading import Loaded, discover
-from smsl_studio.library.operation_library import TABLE, WorldEntry
+from smsl_studio.library.operation_library import TABLE, FaultEntry, WorldEntry
 from smsl_studio.library.table import facts_of
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.monitor.sample import Sample
@@ -63,6 +63,7 @@ class LocalHost:
         self._call: Call | None = None
         self._sensing = Sensing((), 1.0, 0)
         self._injecting = Injecting(world, {})
+        self._offered: Mapping[str, FaultEntry] | None = None
         self._costing = Costing({})
         self._stepping = self._mending("broke")
         self._aside = _prints_aside()
@@ -222,9 +223,11 @@ class LocalHost:
         return self._loaded
 
     def _faults(self) -> Injecting:
-        if self._name == TABLE:
-            return Injecting(TABLE, table_faults(self._blueprint))
-        return Injecting(self._name, self._plugins().faults_of(self._name), self._location)
+        if self._offered is None:
+            table = self._name == TABLE
+            found = table_faults(self._blueprint) if table else None
+            self._offered = found or self._plugins().faults_of(self._name)
+        return Injecting(self._name, self._offered, "" if self._name == TABLE else self._location)
 
     def _bind(self) -> Bindings:
         if self._bindings is None:

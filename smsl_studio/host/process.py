@@ -1,9 +1,10 @@
 """The process host: world and library code run in a child, so that the dispatcher outlives them.
 
-The child is spawned, never forked. Commands go through a pipe, in lock with the dispatcher; poses
-come through shared memory. A child that dies is seen at once, one that hangs after ``hang_limit``
-seconds in one command, one that is frozen after ``silence_limit`` seconds without a pulse: each is
-a HostError, and every later call says the same. Times here are wall time.
+The child is a fresh interpreter. Commands and answers go through a pipe, in lock with the
+dispatcher. An answer is read as what was declared for it (``answers``); anything else is a
+HostError. A child that dies is seen at once, one that hangs after ``hang_limit`` seconds in one
+command, one that is frozen after ``silence_limit`` seconds without a pulse: each is a HostError,
+and every later call says the same. Times here are wall time.
 
 One thread drives the host. ``poses``, ``status``, ``pid`` and ``close`` may be called from any
 other: a close ends what the driving thread waits for.
@@ -14,31 +15,32 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Mapping, Sequence
-from multiprocessing.connection import wait
 from pathlib import Path
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError
+from smsl_studio.host.answers import CRASHED, LOADS, REFUSED, RunAnswers
 from smsl_studio.host.child import Recipe
+from smsl_studio.host.codec import Unfit
 from smsl_studio.host.ending import ending_words
-from smsl_studio.host.protocol import Happened, Opened, Priced, Tick
-from smsl_studio.host.shared_poses import SharedPoses
+from smsl_studio.host.protocol import Happened, Opened, Outcome, Priced, Tick
 from smsl_studio.host.spare import Spare
 from smsl_studio.host.starting import Child, start_child
-from smsl_studio.host.wire import NoAnswer
+from smsl_studio.host.wire import Frame, NoAnswer
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.stop import Stopped, heed, starving
 
-LOOK = 0.1
-"""How often (s) a waiting parent looks at the child's pulse."""
+LOOK = 0.05
+"""How often (s) a waiting parent looks at the child's pulse, and whether it shall stop."""
 
 
 class ProcessHost:
     """A child process with the world and the code bound to a blueprint in it.
 
-    A script that uses it must guard its own start with ``if __name__ == "__main__":``, because a
-    spawned child imports it.
+    ``only`` are the locations of the plugins that it loads (None: of all), ``memory`` the bytes
+    that it may have (None: half of the machine's).
     """
 
     def __init__(
@@ -48,6 +50,7 @@ class ProcessHost:
         seed: int = 0,
         plugin_paths: Sequence[Path] = (),
         *,
+        only: Sequence[str] | None = None,
         hang_limit: float = 10.0,
         silence_limit: float = 3.0,
         open_limit: float = 60.0,
@@ -56,17 +59,22 @@ class ProcessHost:
     ) -> None:
         texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
         paths = tuple(str(path) for path in plugin_paths)
-        self._recipe = Recipe(texts, world, seed, paths, memory)
+        chosen = None if only is None else tuple(only)
+        self._recipe = Recipe(texts, world, seed, paths, chosen, memory)
+        self._blueprint = blueprint
+        self._answers: RunAnswers | None = None
         self._hang_limit = hang_limit
         self._silence_limit = silence_limit
         self._open_limit = open_limit
         self._spare = spare
         self._child: Child | None = None
-        self._shared: SharedPoses | None = None
+        self._ticks, self._step = 0, 0.0
+        self._poses: tuple[float, ...] = ()
         self._status: Mapping[str, str] = {}
         self._gone: HostError | None = None
         self._doing = ""
-        self._pulse = (-1, 0.0)
+        self._opened = False
+        self._beat = 0.0
         self._using = threading.RLock()
         self._closing = False
 
@@ -85,9 +93,15 @@ class ProcessHost:
         with self._using:
             if self._child is None and self._gone is None:
                 self._start()
-            opened: Opened = self._ask("open", dict(start), limit=self._open_limit)
-            if self._shared is None:
-                self._share(7 * len(opened.shapes))
+            opened: Opened
+            asked = self._ask("open", dict(start), limit=self._open_limit)
+            opened, self._status, self._poses = asked
+            if opened.world != self._recipe.world:
+                raise self._lost(f"the simulation process opened the world {opened.world!r}")
+            assert self._answers is not None
+            self._answers.opened(opened)
+            self._ticks, self._step = 0, opened.tick
+            self._opened, self._beat = True, time.monotonic()
             return opened
 
     def sense(self) -> tuple[Sample, ...]:
@@ -102,12 +116,17 @@ class ProcessHost:
 
     def tick(self) -> Tick:
         """Let the world and the running call go on for one tick."""
-        tick, status = self._ask("tick")
+        found: Tick
+        found, status, poses = self._ask("tick")
+        self._ticks += 1
+        if found.time != self._ticks * self._step:
+            raise self._lost(f"the simulation process told a wrong time{self._doing}")
         if status is not None:
             self._status = status
-        if tick.outcome.value != "running":
+        if poses is not None:
+            self._poses = poses
+        if found.outcome is not Outcome.RUNNING:
             self._doing = ""
-        found: Tick = tick
         return found
 
     def cancel(self, mode: str) -> None:
@@ -131,7 +150,7 @@ class ProcessHost:
 
     def poses(self) -> tuple[float, ...]:
         """The newest poses for drawing; the last ones, where the child is gone."""
-        return self._shared.read() if self._shared is not None else ()
+        return self._poses
 
     def status(self) -> Mapping[str, str]:
         """The world's newest short words for people."""
@@ -142,15 +161,16 @@ class ProcessHost:
         with self._using:
             if self._gone is not None:
                 raise HostError(self._gone.sentence, advice=self._gone.advice)
-            if self._child is None or self._shared is None:
+            if self._child is None or not self._opened:
                 return
             if self._child.dead:
                 raise self._died()
-            now, newest = time.monotonic(), self._shared.pulse
-            if newest != self._pulse[0]:
-                self._pulse = (newest, now)
-            elif now - self._pulse[1] > self._silence_limit:
-                silent = f"{now - self._pulse[1]:.1f} s{self._doing}"
+            self._child.show()
+            now = time.monotonic()
+            if self._child.beats():
+                self._beat = now
+            elif now - self._beat > self._silence_limit:
+                silent = f"{now - self._beat:.1f} s{self._doing}"
                 raise self._lost(f"the simulation process has shown no pulse for {silent}")
 
     def close(self) -> None:
@@ -166,8 +186,9 @@ class ProcessHost:
         """Take the spare child if there is a fitting one, else start one."""
         self._child = self._spare.take(self._recipe) if self._spare is not None else None
         if self._child is not None:
+            verb = "prepare" if self._child.prepared else "warm"
             try:
-                self._answer("open", self._open_limit)  # to what the spare was asked when it began
+                self._answer(verb, self._open_limit)  # to what the spare was asked when it began
             except HostError:
                 if self._closing:
                     raise
@@ -184,15 +205,6 @@ class ProcessHost:
             words = error.strerror or error
             raise self._lost(f"the simulation process cannot be started: {words}") from None
 
-    def _share(self, count: int) -> None:
-        """Have the child draw into a block of shared memory from now on."""
-        try:
-            self._shared = SharedPoses(count)
-        except OSError as error:
-            words = error.strerror or error
-            raise self._lost(f"there is no shared memory for the poses: {words}") from None
-        self._status = self._ask("share", self._shared.name, count)
-
     def _ask(self, verb: str, *arguments: Any, limit: float | None = None) -> Any:
         with self._using:
             if self._gone is not None:
@@ -200,7 +212,7 @@ class ProcessHost:
             if self._child is None:
                 raise HostError("the host is not open")
             try:
-                self._child.wire.send((verb, arguments))
+                self._child.wire.send(verb, arguments)
             except OSError:
                 raise self._died() from None
             return self._answer(verb, limit or self._hang_limit)
@@ -208,43 +220,54 @@ class ProcessHost:
     def _answer(self, verb: str, limit: float) -> Any:
         """The answer to what was asked; HostError where none can be expected any more."""
         assert self._child is not None
+        if self._answers is None:
+            self._answers = RunAnswers(self._blueprint)
         try:
-            kind, value = self._wait(self._child, verb, limit)
+            frame = self._wait(self._child, verb, limit)
+        except Stopped:
+            # What it answers later would be no answer to what it is asked then.
+            self._lost(f"the simulation process was ended{self._doing}: it did not answer")
+            raise
         except (EOFError, OSError):
             raise self._died() from None
-        except NoAnswer:
-            raise self._lost(
-                f"the simulation process said what is no answer{self._doing}"
-            ) from None
-        if kind == "crashed":
-            words = f"the simulation process broke{self._doing}: {str(value).strip()}"
-            raise self._lost(words)
-        if kind == "refused":
-            raise value
-        return value
+        except NoAnswer as error:
+            raise self._unfit(verb, error) from None
+        try:
+            if frame.kind == "ok":
+                return self._answers.of[verb].decode(frame.body)
+            if frame.kind == "refused":
+                raise REFUSED.decode(frame.body)
+            words = f"broke{self._doing}: {CRASHED.decode(frame.body).strip()}"
+        except Unfit as error:
+            raise self._unfit(verb, error) from None
+        raise self._lost(f"the simulation process {words}")
 
-    def _wait(self, child: Child, verb: str, limit: float) -> tuple[str, Any]:
+    def _unfit(self, verb: str, error: Exception) -> HostError:
+        words = f"said what is no answer{self._doing}: {verb} {error}"
+        return self._lost(f"the simulation process {words}")
+
+    def _wait(self, child: Child, verb: str, limit: float) -> Frame:
+        """The frame that ends the answer; the one place that waits for the child."""
         began = heard = time.monotonic()
-        pulse = -1
         while True:
-            ready = wait([child.wire.fileno(), child.sentinel], LOOK)
-            if child.wire.fileno() in ready:
-                answer = child.wire.read()
-                if answer is not None:
-                    return answer
-            elif ready or child.dead:
-                raise self._died()
+            frame = child.heard(LOOK)
+            if frame is not None and frame.kind != "loads":
+                return frame
+            if frame is not None:
+                name = LOADS.decode(frame.body)
+                self._doing = f" while the plugin {name!r} was loaded" if name else ""
             if self._closing:
                 raise self._lost("the host is closed")
+            with starving(child.starved()):
+                heed()
             now = time.monotonic()
-            newest = self._shared.pulse if self._shared is not None else None
-            if newest is None or newest != pulse or verb == "open":
-                pulse, heard = newest if newest is not None else -1, now
             if now - began > limit:
                 raise self._lost(
                     f"the simulation process did not answer for {now - began:.1f} s{self._doing}"
                 )
-            if now - heard > self._silence_limit:
+            if child.beats() or not self._opened or verb == "open":
+                heard = now
+            elif now - heard > self._silence_limit:
                 silent = f"{now - heard:.1f} s{self._doing}"
                 raise self._lost(f"the simulation process has shown no pulse for {silent}")
 
@@ -262,7 +285,4 @@ class ProcessHost:
     def _end(self) -> None:
         if self._child is not None:
             self._child.kill()
-        if self._shared is not None:
-            self._shared.read()
-            self._shared.close()
         self._child = None

@@ -20,6 +20,7 @@ from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.disturbance import Disturbed, checked
 from smsl_studio.monitor.reception import Reception, RemoteView
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.stop import heed
 
 HELLO = 3.0
 """Wall seconds in which every source must have spoken for the first time."""
@@ -69,6 +70,7 @@ class Remote:
         while self._reception.silent and monotonic() < until:
             if self._closed.wait(LOOK):
                 raise HostError("the host is closed")
+            heed()
 
     def heard(self) -> tuple[Sample, ...]:
         """The newest sample of each source since the last time, disturbed where that is on."""

@@ -43,7 +43,7 @@ class Spare:
                 child = start_child()
             except OSError:
                 return
-            child.tell(("warm", ()) if recipe is None else ("prepare", (recipe,)))
+            child.tell(*(("warm", ()) if recipe is None else ("prepare", (recipe,))))
             child.prepared = recipe is not None
             self._child, self._for = child, wanted
 

@@ -1,101 +1,212 @@
-"""A child process of the parent's side: started, watched, ended with all that it started itself."""
+"""A child process of the parent's side: started, watched, ended with all that it started itself.
+
+A child is a fresh interpreter, in a process group of its own, that inherits four things: nothing to
+read, a pipe for all it prints, the wire, and a pipe for its pulse.
+"""
 
 from __future__ import annotations
 
 import contextlib
-import multiprocessing
 import os
+import select
 import signal
+import socket
+import subprocess
+import sys
 import threading
-from collections.abc import Iterator
+import time
+from collections.abc import Sequence
 from typing import Any
 
-from smsl_studio.host.child import serve
-from smsl_studio.host.wire import Wire
+from smsl_studio.host.bounds import Outlet
+from smsl_studio.host.ending import exit_code, waited_for_processor
+from smsl_studio.host.wire import Frame, Wire
 
 PATIENCE = 2.0
 """Seconds that a child may take to end by itself."""
+
+RELEASE = 0.1
+"""Seconds that a child may take to see that nobody listens to it any more, or to obey the request
+to end: who closes a run waits for that."""
+
+LOOK = 0.05
+"""Seconds after which a thread that tells a child something looks whether it still shall."""
+
+WORLD = "smsl_studio.host.child"
+
+_CODE = "import sys; sys.path[:] = {path}; from {module} import main; main(*map(int, sys.argv[1:]))"
+"""What a child does first: to import from where its parent does. Before that it imports nothing
+but ``sys``, which is built in: Python itself would look in the current folder first."""
 
 
 class Child:
     """A started child; ``prepared`` says that it was told its recipe already."""
 
-    def __init__(self, process: Any, wire: Wire) -> None:
+    def __init__(self, process: subprocess.Popen[bytes], wire: Wire, said: int, beats: int) -> None:
         self.wire = wire
         self.prepared = False
-        self.pid: int = process.pid
-        self.sentinel: int = process.sentinel
+        self.pid = process.pid
         self._process = process
+        self._outlet = Outlet(said)
+        self._beats = beats
+        self._death = os.pidfd_open(process.pid)
+        self._look = select.poll()
+        for one in (wire.fileno(), said, self._death):
+            self._look.register(one, select.POLLIN)
+        self._starved = (time.monotonic(), 0.0)
         self._telling: threading.Thread | None = None
+        self._told = threading.Event()
 
-    def tell(self, message: object) -> None:
+    def tell(self, verb: str, arguments: Sequence[Any] = ()) -> None:
         """Send a command without waiting until a child that is still starting takes it in."""
-        self._telling = threading.Thread(target=self._tell, args=(message,), daemon=True)
+        with contextlib.suppress(OSError):  # its end is seen by whoever waits for the answer
+            self.wire.send(verb, arguments)
+        self._telling = threading.Thread(target=self._tell, daemon=True)
         self._telling.start()
 
-    def _tell(self, message: object) -> None:
-        with contextlib.suppress(OSError):  # its end is seen by whoever waits for the answer
-            self.wire.send(message)
+    def _tell(self) -> None:
+        ready = select.poll()
+        ready.register(self.wire.fileno(), select.POLLOUT)
+        with contextlib.suppress(OSError):
+            while self.wire.sending and not self._told.is_set():
+                if ready.poll(LOOK * 1000):
+                    self.wire.flush()
 
     def told(self) -> None:
-        """Wait until it has taken in what it was told."""
+        """From now on ``heard`` sends what is left of a command, and no other thread does."""
+        self._told.set()
         if self._telling is not None:
             self._telling.join()
+
+    def heard(self, seconds: float) -> Frame | None:
+        """The next frame, where it is there within so many seconds; sends and shows meanwhile.
+
+        ChildProcessError where the child has ended and told all it had to tell, EOFError where it
+        let go of the wire, NoAnswer where what it says is none.
+        """
+        frame = self.wire.come()
+        if frame is not None:
+            return frame
+        wire, outlet = self.wire.fileno(), self._outlet.fileno()
+        if self.wire.sending:
+            self._look.modify(wire, select.POLLIN | select.POLLOUT)
+        ready = {one for one, _ in self._look.poll(seconds * 1000)}
+        if self.wire.sending:
+            self.wire.flush()
+            self._look.modify(wire, select.POLLIN)
+        if outlet in ready and not self._outlet.pass_on():
+            self._look.unregister(outlet)
+        if wire in ready:
+            return self.wire.read()
+        if self._death in ready:
+            raise ChildProcessError
+        return None
+
+    def show(self) -> None:
+        """Show what it has printed, where nothing is asked of it."""
+        self._outlet.pass_on()
+
+    def beats(self) -> bool:
+        """Whether it has shown a pulse since this was asked last."""
+        try:
+            return bool(os.read(self._beats, 2**16))
+        except OSError:
+            return False
+
+    def starved(self) -> bool:
+        """Whether, since this was asked last, it has waited for a processor most of the time."""
+        before, now = self._starved, (time.monotonic(), waited_for_processor(self.pid))
+        self._starved = now
+        return now[1] - before[1] > (now[0] - before[0]) / 2
 
     @property
     def dead(self) -> bool:
         """Whether it has ended; also where something it started keeps its pipes open."""
-        return not self._process.is_alive()
+        return exit_code(self.pid) is not None
 
     def ending(self) -> int | None:
         """How it ended: its exit status, or the number of the signal as a negative one."""
-        self._process.join(PATIENCE)
-        code: int | None = self._process.exitcode
-        return code
+        self._await(PATIENCE)
+        return exit_code(self.pid)
 
     def dismiss(self) -> None:
         """Ask it to end, and give it a moment for that."""
-        if self._process.is_alive():
+        if not self.dead:
             with contextlib.suppress(OSError):
-                self.wire.send(("close", ()))
-                self._process.join(PATIENCE)
+                self.wire.send("close")
+                self._await(RELEASE)
+
+    def release(self) -> None:
+        """Let go of it: a child that only waits ends what it does by itself, and soon."""
+        self.wire.hang_up()
+        self._await(RELEASE)
+        self.kill()
 
     def kill(self) -> None:
         """End it and what it started, whatever they do, and free everything."""
-        # It leads a group of its own from its first line on; before that it has started nothing.
-        with contextlib.suppress(OSError, AttributeError):
+        with contextlib.suppress(OSError):
             os.killpg(self.pid, signal.SIGKILL)
-        self._process.kill()
-        self._process.join()
-        self._process.close()
+        self._process.wait()
         self.told()
+        self._outlet.close()
         self.wire.close()
+        os.close(self._beats)
+        os.close(self._death)
+
+    def _await(self, seconds: float) -> None:
+        """Wait until it has ended, at most so long; what it prints meanwhile is shown."""
+        until = time.monotonic() + seconds
+        ends = select.poll()
+        for one in (self._death, self._outlet.fileno()):
+            ends.register(one, select.POLLIN)
+        while (left := until - time.monotonic()) > 0:
+            ready = {one for one, _ in ends.poll(left * 1000)}
+            if self._death in ready:
+                return
+            if ready and not self._outlet.pass_on():
+                ends.unregister(self._outlet.fileno())
 
 
-def start_child() -> Child:
-    """Spawn a child that waits for commands; OSError where none can be started."""
-    context = multiprocessing.get_context("spawn")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=serve, args=(theirs,), name="smsl-studio-world", daemon=True)
-    try:
-        with _ctrl_c_is_ours():
-            process.start()
-    except OSError:
-        ours.close()
-        raise
-    finally:
-        theirs.close()
-    return Child(process, Wire(ours))
+def start_child(module: str = WORLD) -> Child:
+    """Start a child that runs ``main`` of a module; OSError where none can be started."""
+    with contextlib.ExitStack() as theirs, contextlib.ExitStack() as ours:
+        near, far = socket.socketpair()
+        ours.callback(near.close)
+        theirs.callback(far.close)
+        beats, beat = _pipe(ours, theirs)
+        said, out = _pipe(ours, theirs)
+        pipes = (far.fileno(), beat)
+        process = subprocess.Popen(
+            [*_python(), "-c", _code(module), *map(str, pipes)],
+            stdin=subprocess.DEVNULL,
+            stdout=out,
+            stderr=out,
+            pass_fds=pipes,
+            process_group=0,
+        )
+        try:
+            child = Child(process, Wire(near), said, beats)
+        except OSError:
+            process.kill()
+            process.wait()
+            raise
+        ours.pop_all()
+        return child
 
 
-@contextlib.contextmanager
-def _ctrl_c_is_ours() -> Iterator[None]:
-    """A child started here is born deaf to Ctrl-C; signals can only be set in the main thread."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    kept = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, kept)
+def _pipe(ours: contextlib.ExitStack, theirs: contextlib.ExitStack) -> tuple[int, int]:
+    read, write = os.pipe()
+    ours.callback(os.close, read)
+    theirs.callback(os.close, write)
+    os.set_blocking(read, False)
+    return read, write
+
+
+def _python() -> list[str]:
+    """The interpreter with the flags of this one; what it prints is not held back."""
+    flags = ["-u", *["-B"] * sys.dont_write_bytecode, *["-O"] * sys.flags.optimize]
+    return [sys.executable, *flags]
+
+
+def _code(module: str) -> str:
+    return _CODE.format(module=module, path=[str(entry) for entry in sys.path])

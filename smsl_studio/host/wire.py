@@ -1,86 +1,154 @@
-"""The parent's end of a child's pipe: answers are read piece by piece and believed little.
+"""The two ends of a child's pipe. The parent trusts nothing that comes; nothing here blocks it.
 
-A child that stops in the middle of an answer, sends what is none, or one that is endless, must not
-hold or break the parent. So nothing here blocks, and only our own values are made of what comes.
+A command is a length (uint32) and a pickled ``(number, verb, arguments)``: the child trusts its
+parent. A frame of the child is a length, the number of the command it belongs to (uint32 each), its
+kind (one byte) and its bytes; what they mean is a ``Codec``'s. All are big-endian.
 """
 
 from __future__ import annotations
 
-import io
-import os
+import contextlib
 import pickle
+import socket
 import struct
-from multiprocessing.connection import Connection
-from typing import Any
+from collections.abc import Sequence
+from typing import Any, Final, NamedTuple
 
-LARGEST = 256 * 2**20
-"""Bytes of the longest answer."""
+LARGEST: Final = 64 * 2**20
+"""Bytes of the longest frame."""
 
 PIECE = 2**16
-_HEAD = struct.Struct("!i")
+KINDS = ("ok", "refused", "crashed", "loads")
+"""The last one says what the child is at, and may come often; the others end the answer."""
 
-_BUILTINS = {"set", "frozenset", "complex", "bytearray", "range", "slice", "object"}
+_LENGTH, _HEAD = struct.Struct("!I"), struct.Struct("!IIB")
 
 
 class NoAnswer(Exception):  # noqa: N818
-    """What came is no answer."""
+    """What came is no answer; the text says why."""
+
+
+class Frame(NamedTuple):
+    """One piece of an answer, not looked into."""
+
+    kind: str
+    body: bytes
 
 
 class Wire:
-    """Commands out, answers in."""
+    """The parent's end: commands out, frames in, one command at a time."""
 
-    def __init__(self, connection: Connection) -> None:
-        self._connection = connection
+    def __init__(self, end: socket.socket, largest: int = LARGEST) -> None:
+        end.setblocking(False)
+        self._end = end
+        self._largest = largest
+        self._number = 0
+        self._awaiting = False
+        self._out = memoryview(b"")
         self._come = bytearray()
 
     def fileno(self) -> int:
-        """What ``multiprocessing.connection.wait`` waits for."""
-        return self._connection.fileno()
+        """What is waited for."""
+        return self._end.fileno()
 
-    def send(self, message: object) -> None:
-        """Send a command; OSError where nobody listens."""
-        self._connection.send(message)
+    @property
+    def sending(self) -> bool:
+        """Whether there is still something to be sent."""
+        return len(self._out) > 0
 
-    def read(self) -> tuple[str, Any] | None:
-        """One piece of an answer, to be asked when there is one; the answer once it is whole.
+    def send(self, verb: str, arguments: Sequence[Any] = ()) -> None:
+        """Begin to send a command, and send as much as is taken in at once.
+
+        OSError where nobody listens.
+        """
+        self._number += 1
+        self._awaiting = True
+        written = pickle.dumps((self._number, verb, tuple(arguments)))
+        self._out = memoryview(_LENGTH.pack(len(written)) + written)
+        self.flush()
+
+    def flush(self) -> None:
+        """Send on what is taken in now; OSError where nobody listens."""
+        with contextlib.suppress(BlockingIOError):
+            while self._out:
+                self._out = self._out[self._end.send(self._out) :]
+
+    def read(self) -> Frame | None:
+        """Read one piece, without waiting; the next frame, where it is whole now.
 
         EOFError at the end, NoAnswer where it can be none.
         """
-        piece = os.read(self.fileno(), PIECE)
+        try:
+            piece = self._end.recv(PIECE)
+        except BlockingIOError:
+            return None
         if not piece:
             raise EOFError
         self._come += piece
+        return self.come()
+
+    def come(self) -> Frame | None:
+        """The next frame, where it was read already; NoAnswer where it can be none."""
         if len(self._come) < _HEAD.size:
             return None
-        (size,) = _HEAD.unpack_from(self._come)
-        if not 0 <= size <= LARGEST:
-            raise NoAnswer
-        if len(self._come) < _HEAD.size + size:
+        size, number, kind = _HEAD.unpack_from(self._come)
+        if size > self._largest:
+            raise NoAnswer(f"it has {size} bytes, more than {self._largest}")
+        if kind >= len(KINDS):
+            raise NoAnswer(f"it is of kind {kind}, which there is not")
+        if number != self._number or not self._awaiting:
+            raise NoAnswer("nothing was asked that it answers")
+        end = _HEAD.size + size
+        if len(self._come) < end:
             return None
-        whole = bytes(self._come[_HEAD.size : _HEAD.size + size])
-        del self._come[: _HEAD.size + size]
-        return _answer(whole)
+        body = bytes(self._come[_HEAD.size : end])
+        del self._come[:end]
+        self._awaiting = KINDS[kind] == "loads"
+        if self._come and not self._awaiting:
+            raise NoAnswer("something stands behind it")
+        return Frame(KINDS[kind], body)
+
+    def hang_up(self) -> None:
+        """Say and hear nothing more: the child sees that."""
+        with contextlib.suppress(OSError):
+            self._end.shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
         """Let go of the pipe."""
-        self._connection.close()
+        self._end.close()
 
 
-def _answer(written: bytes) -> tuple[str, Any]:
-    try:
-        kind, value = _Reader(io.BytesIO(written)).load()
-    except Exception as error:  # pickle raises whatever it stumbles over
-        raise NoAnswer from error
-    if kind not in ("ok", "refused", "crashed"):
-        raise NoAnswer
-    return kind, value
+class ChildWire:
+    """The child's end: it waits for commands, and answers each of them."""
 
+    def __init__(self, end: socket.socket) -> None:
+        self._end = end
+        self._number = 0
 
-class _Reader(pickle.Unpickler):
-    """Makes values of our own classes and of Python's plain ones."""
+    def fileno(self) -> int:
+        """The pipe, to see when the parent is gone."""
+        return self._end.fileno()
 
-    def find_class(self, module: str, name: str) -> Any:
-        own = module.partition(".")[0] == "smsl_studio"
-        if own or (module == "builtins" and name in _BUILTINS):
-            return super().find_class(module, name)
-        raise pickle.UnpicklingError(f"{module}.{name} is none of our values")
+    def receive(self) -> tuple[str, tuple[Any, ...]]:
+        """The next command and its arguments; EOFError or OSError where the parent is gone."""
+        (size,) = _LENGTH.unpack(self._exactly(_LENGTH.size))
+        # The parent is trusted, and so are its values.
+        self._number, verb, arguments = pickle.loads(self._exactly(size))
+        return verb, arguments
+
+    def send(self, kind: str, body: bytes) -> None:
+        """A frame about the command that was received last."""
+        self._end.sendall(_HEAD.pack(len(body), self._number, KINDS.index(kind)) + body)
+
+    def close(self) -> None:
+        """Let go of the pipe."""
+        self._end.close()
+
+    def _exactly(self, size: int) -> bytes:
+        found = bytearray()
+        while len(found) < size:
+            piece = self._end.recv(min(size - len(found), 2**20))
+            if not piece:
+                raise EOFError
+            found += piece
+        return bytes(found)

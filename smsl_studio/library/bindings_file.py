@@ -24,6 +24,7 @@ is not ``function`` is an argument. ``mqtt`` names facts that are sensed elsewhe
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -31,6 +32,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from smsl_studio.blueprint.project import project_of, real_path, refusal_of_place
 from smsl_studio.errors import Place, PluginError
 from smsl_studio.library.toml_text import TomlText, read_toml
 
@@ -97,21 +99,30 @@ class BindingsFile:
 
 
 def bindings_beside(blueprint_file: str) -> BindingsFile:
-    """The bindings file beside a blueprint, or an empty one; PluginError where it is broken."""
+    """The bindings file beside a blueprint, or an empty one; PluginError where it is broken.
+
+    It belongs to the project of the blueprint: where it is a link, that leads to no other place.
+    """
     path = Path(blueprint_file)
     if not path.suffix or path.suffix == ".toml":
         return BindingsFile()
     beside = path.with_suffix(".toml")
-    return read_bindings(beside) if beside.is_file() else BindingsFile()
+    if not os.path.lexists(beside):
+        return BindingsFile()
+    project = project_of(blueprint_file)
+    refusal = refusal_of_place(real_path(str(beside)), project, "the bindings file", (".toml",))
+    if refusal is not None:
+        raise PluginError(refusal.sentence, Place(str(beside), 1, 1), refusal.advice)
+    return read_bindings(beside, project)
 
 
 _WORLD = 'Write [world.NAME.operations] with "Op" = {function = "plugin.function", ...}.'
 _MQTT = 'Write [mqtt] with broker, site and run, and [mqtt.facts] with "SB/digit" = "source".'
 
 
-def read_bindings(path: Path) -> BindingsFile:
-    """A bindings file; PluginError with its place where it is broken."""
-    text, values = read_toml(path)
+def read_bindings(path: Path, project: str = "") -> BindingsFile:
+    """A bindings file (below ``project``, if that is given); PluginError where it is broken."""
+    text, values = read_toml(path, inside=project)
     try:
         file = _File.model_validate(values)
         return BindingsFile(file.world, text, file.mqtt)

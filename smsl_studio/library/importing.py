@@ -10,21 +10,29 @@ from pathlib import Path
 from types import ModuleType
 
 from smsl_studio.errors import Place, PluginError
+from smsl_studio.library.digested_import import DigestedFinder
+from smsl_studio.library.sources import Sources
 
 
-def import_plugin(name: str, folder: Path) -> ModuleType:
+def import_plugin(name: str, folder: Path, sources: Sources | None = None) -> ModuleType:
     """Run ``plugin.py`` of a folder as a private package, so that ``from . import x`` works.
 
+    With ``sources`` its modules are those that were digested, whatever stands on the disk by now.
     ``sys.path`` is left alone. Modules of an earlier load are forgotten first, so that an edited
     plugin is read anew. Whatever the plugin raises goes through.
     """
     file = folder / "plugin.py"
-    if not file.is_file():
+    if not (file.is_file() if sources is None else "plugin.py" in sources.modules):
         raise PluginError("it has no plugin.py", Place(str(folder / "plugin.toml"), 1, 1))
     digest = hashlib.sha256(str(folder).encode()).hexdigest()[:8]
     private = f"_smsl_plugin_{name}_{digest}"
     _forget(private)
-    spec = spec_from_file_location(private, file, submodule_search_locations=[str(folder)])
+    if sources is None:
+        spec = spec_from_file_location(private, file, submodule_search_locations=[str(folder)])
+    else:
+        finder = DigestedFinder(private, sources)
+        sys.meta_path.insert(0, finder)
+        spec = finder.plugin()
     assert spec is not None
     assert spec.loader is not None
     module = module_from_spec(spec)
@@ -59,5 +67,10 @@ def where(error: BaseException, location: str) -> str:
 
 
 def _forget(private: str) -> None:
+    sys.meta_path[:] = [
+        finder
+        for finder in sys.meta_path
+        if not (isinstance(finder, DigestedFinder) and finder.private == private)
+    ]
     for name in [n for n in sys.modules if n == private or n.startswith(f"{private}.")]:
         del sys.modules[name]

@@ -1,4 +1,4 @@
-"""Finding and loading plugins. Loading a plugin runs its code: install only what you trust.
+"""Loading plugins. Loading a plugin runs its code: only what ``survey`` finds allowed is loaded.
 
 A plugin is a folder with ``plugin.toml`` and ``plugin.py``, or an installed package with an entry
 point in the group ``smsl_studio.plugins``. Folders are looked for, in this order, in the paths
@@ -11,26 +11,19 @@ from __future__ import annotations
 
 import contextlib
 import sys
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
-from functools import partial
-from importlib import metadata
 from pathlib import Path
 
 from smsl_studio.errors import Place, PluginError, WorldError, did_you_mean
-from smsl_studio.library.folders import plugin_path, user_folder
 from smsl_studio.library.importing import import_plugin, place_of
-from smsl_studio.library.manifest import read_manifest
 from smsl_studio.library.operation_library import (
     TABLE,
     FaultEntry,
     OperationLibrary,
     WorldEntry,
 )
-from smsl_studio.shipped import plugins_dir
-
-GROUP = "smsl_studio.plugins"
-MANIFEST = "plugin.toml"
+from smsl_studio.library.survey import FoundPlugin, PluginState, survey
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,15 +49,20 @@ class PluginFault:
 
     def __str__(self) -> str:
         where = f"{self.place}: " if self.place else f"{self.location}: "
-        return f"{where}the plugin {self.plugin!r} did not load: {self.sentence}"
+        what = f"the plugin {self.plugin!r} did not load: " if self.plugin else ""
+        return f"{where}{what}{self.sentence}"
 
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """Every plugin that was found, and every one that did not load."""
+    """Every plugin that was loaded, every one that did not load, and every one that may not be.
+
+    Of those in ``waiting`` (new, changed or forbidden) no code has run.
+    """
 
     plugins: tuple[Plugin, ...] = ()
     faults: tuple[PluginFault, ...] = ()
+    waiting: tuple[FoundPlugin, ...] = ()
 
     @property
     def worlds(self) -> tuple[str, ...]:
@@ -76,10 +74,20 @@ class Loaded:
         for plugin in self.plugins:
             if name in plugin.library.worlds:
                 return plugin, plugin.library.worlds[name]
+        for found in self.waiting:
+            if found.manifest is not None and name in found.manifest.worlds:
+                raise WorldError(
+                    f"the world {name!r} is of the plugin {found.name!r} in {found.location}, "
+                    f"which is not loaded: {found.reason}"
+                )
         near = did_you_mean(name, self.worlds)
         # A plugin that did not load cannot say which worlds it would have had.
         faults = [fault for fault in self.faults if not near or name in fault.plugin]
         broken = "".join(f" {fault}." for fault in faults)
+        for found in self.waiting:
+            if (not near and not _says_worlds(found)) or name in found.name:
+                broken += f" {found.location}: the plugin {found.name!r} is not loaded: "
+                broken += f"{found.reason}."
         advice = near or f"There are {', '.join(self.worlds)}."
         raise WorldError(f"there is no world {name!r}.{broken}".removesuffix("."), advice=advice)
 
@@ -90,64 +98,107 @@ class Loaded:
         own, _ = self.world(world)
         return (own, *(plugin for plugin in self.plugins if not plugin.library.worlds))
 
+    def locations(self, world: str) -> tuple[str, ...]:
+        """Where the plugins stand that a run in a world has to load."""
+        return tuple(plugin.location for plugin in self.serving(world) if plugin.library.serves)
+
     def faults_of(self, world: str) -> dict[str, FaultEntry]:
         """What can be made to go wrong in a plugin's world, by name."""
         plugin, _ = self.world(world)
         return {e.name: e for e in plugin.library.faults.values() if e.world == world}
 
 
-@dataclass(frozen=True, slots=True)
-class _Found:
-    """A plugin that can be loaded: what to call it, and how to."""
-
-    name: str
-    source: str
-    location: str
-    load: Callable[[], Plugin]
-
-
 def discover(
     extra: Sequence[Path] = (),
-    skip: Collection[str] = (),
+    only: Collection[str] | None = None,
     begins: Callable[[str, str], None] | None = None,
 ) -> Loaded:
-    """Load every plugin there is; ``extra`` are folders of plugins (or one) to look at first.
+    """Load every plugin that may be loaded; ``extra`` are folders of plugins (or one), looked at
+    first.
 
-    What stands in a location of ``skip`` is left out. ``begins`` is told name and location of each
-    plugin before its code runs. What plugins print goes to standard error, so that data on
-    standard output stays whole.
+    With ``only`` nothing but what stands in one of these locations is loaded. ``begins`` is told
+    name and location of each plugin before its code runs. What plugins print goes to standard
+    error, so that data on standard output stays whole.
     """
+
+    def load(found: FoundPlugin) -> Plugin | PluginFault:
+        if begins is not None:
+            begins(found.name, found.location)
+        return load_plugin(found)
+
+    every: Sequence[FoundPlugin] = survey(extra)
+    if only is not None:
+        allowed = PluginState.ALLOWED
+        every = [one for one in every if one.state is not allowed or one.location in only]
+    with contextlib.redirect_stdout(sys.stderr):
+        return gathered(every, load)
+
+
+def gathered(
+    every: Iterable[FoundPlugin], load: Callable[[FoundPlugin], Plugin | PluginFault]
+) -> Loaded:
+    """What becomes of plugins that were found: ``load`` is asked about those that are allowed."""
     plugins: list[Plugin] = []
     faults: list[PluginFault] = []
-    seen: set[str] = set()
-    with contextlib.redirect_stdout(sys.stderr):
-        for found in _find(extra):
-            if isinstance(found, PluginFault):
-                faults.append(found)
-            elif found.location not in seen and found.location not in skip:
-                seen.add(found.location)
-                if begins is not None:
-                    begins(found.name, found.location)
-                _load(found, plugins, faults)
-    return Loaded(tuple(plugins), tuple(faults))
+    waiting: list[FoundPlugin] = []
+    for found in every:
+        if found.state is PluginState.ALLOWED:
+            _sort_in(found, load(found), plugins, faults)
+        elif found.error is not None and found.state is PluginState.FAULTY:
+            faults.append(_fault_of(found, found.error))
+        else:
+            waiting.append(found)
+    return Loaded(tuple(plugins), tuple(faults), tuple(waiting))
 
 
-def _load(found: _Found, plugins: list[Plugin], faults: list[PluginFault]) -> None:
+def load_plugin(found: FoundPlugin) -> Plugin | PluginFault:
+    """Run the code of one plugin: what it registered, or the one fault that it is."""
     try:
-        plugin = found.load()
-        _check_names(plugin, plugins)
+        return _loaded(found)
     except PluginError as error:
-        place = error.place or place_of(error, found.location)
-        sentence = f"{error.sentence}. {error.advice}" if error.advice else error.sentence
-        faults.append(PluginFault(found.name, sentence, place, found.location))
+        return _fault_of(found, error)
     except KeyboardInterrupt:
         raise
     except BaseException as error:  # SystemExit, and what compiled libraries raise
-        words = f"{type(error).__name__}: {error}".removesuffix(": ")
         place = place_of(error, found.location)
-        faults.append(PluginFault(found.name, words, place, found.location))
+        return PluginFault(found.name, _words_of(error), place, found.location)
+
+
+def _words_of(error: BaseException) -> str:
+    """``ValueError: what it says``; a plugin's own error may fail to say anything."""
+    try:
+        said = str(error)
+    except KeyboardInterrupt:
+        raise
+    except BaseException:
+        said = "it cannot say what"
+    return f"{type(error).__name__}: {said}".removesuffix(": ")
+
+
+def _fault_of(found: FoundPlugin, error: PluginError) -> PluginFault:
+    """What is wrong with a plugin, in one sentence and with its place."""
+    place = error.place or place_of(error, found.location)
+    sentence = f"{error.sentence}. {error.advice}" if error.advice else error.sentence
+    return PluginFault(found.name, sentence, place, found.location)
+
+
+def _sort_in(
+    found: FoundPlugin,
+    loaded: Plugin | PluginFault,
+    plugins: list[Plugin],
+    faults: list[PluginFault],
+) -> None:
+    """Put what became of a plugin where it belongs; one whose names do not fit is a fault."""
+    if isinstance(loaded, PluginFault):
+        faults.append(loaded)
+        return
+    try:
+        _check_words(loaded, found)
+        _check_names(loaded, plugins)
+    except PluginError as error:
+        faults.append(_fault_of(found, error))
     else:
-        plugins.append(plugin)
+        plugins.append(loaded)
 
 
 def _check_names(plugin: Plugin, others: Sequence[Plugin]) -> None:
@@ -165,60 +216,19 @@ def _check_names(plugin: Plugin, others: Sequence[Plugin]) -> None:
             )
 
 
-def _find(extra: Sequence[Path]) -> Iterator[_Found | PluginFault]:
-    for folder in extra:
-        yield from _in_folder(folder, "asked for", must_exist=True)
-    for folder in plugin_path():
-        yield from _in_folder(folder, "SMSL_PLUGIN_PATH", must_exist=True)
-    yield from _in_folder(user_folder() / "plugins", "user", must_exist=False)
-    yield from _entry_points()
-    yield from _in_folder(plugins_dir(), "shipped", must_exist=False)
-
-
-def _in_folder(folder: Path, source: str, must_exist: bool) -> Iterator[_Found | PluginFault]:
-    if _is_file(folder / MANIFEST):
-        yield _folder_plugin(folder, source)
-        return
-    try:
-        inner = sorted(path for path in folder.iterdir() if _is_plugin(path))
-    except OSError as error:
-        if must_exist:
-            yield PluginFault(folder.name, error.strerror or str(error), None, str(folder))
-        return
-    for path in inner:
-        if _is_file(path / MANIFEST):
-            yield _folder_plugin(path, source)
-        else:
-            place = Place(str(path / "plugin.py"), 1, 1)
-            yield PluginFault(path.name, f"it has no {MANIFEST}", place, str(path))
-
-
-def _is_plugin(path: Path) -> bool:
-    """Whether a folder is a plugin, or means to be one."""
-    return _is_file(path / MANIFEST) or _is_file(path / "plugin.py")
-
-
-def _is_file(path: Path) -> bool:
-    """Whether a file is there; what may not be looked at, or has no possible name, is not."""
-    try:
-        return path.is_file()
-    except OSError:
-        return False
-
-
-def _folder_plugin(folder: Path, source: str) -> _Found:
-    whole = folder.resolve()
-    return _Found(whole.name, source, str(whole), partial(_load_folder, whole, source))
-
-
-def _load_folder(folder: Path, source: str) -> Plugin:
-    manifest = read_manifest(folder / MANIFEST)
-    library = OperationLibrary(manifest.name)
-    module = import_plugin(manifest.name, folder)
-    _register(module, library, folder / "plugin.py")
-    return Plugin(
-        manifest.name, manifest.version, manifest.description, source, str(folder), library
-    )
+def _loaded(found: FoundPlugin) -> Plugin:
+    """Run the code of a plugin that was found, and have it register what it offers."""
+    assert found.manifest is not None
+    library = OperationLibrary(found.manifest.name)
+    if found.point is not None:
+        loaded = found.point.load()
+        getattr(loaded, "register", loaded)(library)
+    else:
+        folder = Path(found.location)
+        module = import_plugin(found.manifest.name, folder, found.sources)
+        _register(module, library, folder / "plugin.py")
+    version, words = found.manifest.version, found.manifest.description
+    return Plugin(found.manifest.name, version, words, found.source, found.location, library)
 
 
 def _register(module: object, library: OperationLibrary, file: Path) -> None:
@@ -232,16 +242,31 @@ def _register(module: object, library: OperationLibrary, file: Path) -> None:
     register(library)
 
 
-def _entry_points() -> Iterator[_Found]:
-    for point in sorted(metadata.entry_points(group=GROUP), key=lambda point: point.name):
-        yield _Found(point.name, "installed", point.value, partial(_load_entry_point, point))
+def _check_words(plugin: Plugin, found: FoundPlugin) -> None:
+    """PluginError where a plugin is called, or registers, what its manifest does not say.
+
+    The manifest is what people were shown. What it says nothing about is not compared.
+    """
+    manifest, library = found.manifest, plugin.library
+    assert manifest is not None
+    for name in (plugin.name, library.name):
+        if name != manifest.name:
+            raise PluginError(f"it calls itself {name!r} once it runs")
+    registered = {
+        "worlds": tuple(library.worlds),
+        "operations": tuple(e.pattern.text if e.pattern else e.name for e in library.operations),
+        "sensors": tuple(e.pattern.text for e in library.sensors),
+        "faults": tuple(name for _, name in library.faults),
+    }
+    for kind, said in manifest.registers.items():
+        missing = [name for name in registered[kind] if name not in said]
+        if said and missing:
+            raise PluginError(
+                f"it registers {missing[0]!r}, which is not among the {kind} of its plugin.toml",
+                advice=f"Add it to {kind} there.",
+            )
 
 
-def _load_entry_point(point: metadata.EntryPoint) -> Plugin:
-    library = OperationLibrary(point.name)
-    loaded = point.load()
-    getattr(loaded, "register", loaded)(library)
-    dist = point.dist
-    version = dist.version if dist else "0"
-    summary = (dist.metadata["Summary"] or "") if dist else ""
-    return Plugin(point.name, version, summary, "installed", point.value, library)
+def _says_worlds(found: FoundPlugin) -> bool:
+    """Whether a plugin that is not loaded names its worlds, so that it can be left out."""
+    return found.manifest is not None and bool(found.manifest.worlds)

@@ -36,6 +36,7 @@ from typing import Any, TypeVar
 from smsl_studio.errors import PluginError
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.signature import Signature, signature_of
+from smsl_studio.library.wording import proper_name, seconds, truth, words_of_values
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
@@ -120,12 +121,19 @@ class OperationLibrary:
         self.costs: list[CostEntry] = []
         self.faults: dict[tuple[str, str], FaultEntry] = {}
 
+    @property
+    def serves(self) -> bool:
+        """Whether anything was registered that a run could use."""
+        return any((self.worlds, self.operations, self.sensors, self.costs))
+
     def world(
         self, name: str, engine: str = "bullet", hardware: bool = False, settle: float = 0.5
     ) -> Callable[[FunctionT], FunctionT]:
         """Offer a world, furnished by the decorated ``build(world, blueprint, seed)``."""
+        name = proper_name(name, "a world")
         _one_of(engine, ENGINES, "engine")
-        if name == TABLE or name in self.worlds or not name:
+        hardware, settle = truth(hardware, "hardware"), seconds(settle, "settle", zero=True)
+        if name == TABLE or name in self.worlds:
             raise PluginError(f"the name {name!r} cannot be given to a world: it is taken")
 
         def keep(function: FunctionT) -> FunctionT:
@@ -140,6 +148,8 @@ class OperationLibrary:
         ``facts`` maps (SB, digit) to a value, digits counted from 0; facts that a sub-SB expands
         are not among them.
         """
+
+        world = proper_name(world, "a world")
 
         def keep(function: FunctionT) -> FunctionT:
             self.arrangers[world] = function
@@ -161,8 +171,10 @@ class OperationLibrary:
         where no SB is named. Without it the sensor serves only facts bound to it. ``words`` say for
         people what values mean that no state has: ``{"h": "held"}``.
         """
-        _positive(period, "period")
-        _positive(max_age, "max_age")
+        name = proper_name(name, "a sensor")
+        fact = proper_name(fact, "a fact") if fact else ""
+        period, max_age = seconds(period, "period"), seconds(max_age, "max_age")
+        told = words_of_values(words)
 
         def keep(function: FunctionT) -> FunctionT:
             signature = signature_of(function)
@@ -171,7 +183,7 @@ class OperationLibrary:
             _must_name_all(pattern, signature)
             if fact and set(where.parameters) != set(pattern.parameters):
                 raise PluginError(f"{name!r} and {fact!r} do not name the same parameters")
-            entry = SensorEntry(function, pattern, where, signature, period, max_age, dict(words))
+            entry = SensorEntry(function, pattern, where, signature, period, max_age, told)
             self.sensors.append(entry)
             return function
 
@@ -194,8 +206,10 @@ class OperationLibrary:
         cancelled, besides those that its edge changes: ``"{n}"`` of the edge's SB or ``"SB/{n}"``,
         counted from 1, by its own parameters.
         """
+        name = proper_name(name, "an operation") if name else ""
         _one_of(stop, STOP_MODES, "stop")
-        _positive(timeout, "timeout")
+        timeout, resumes = seconds(timeout, "timeout"), truth(resumes, "resumes")
+        touched = [proper_name(fact, "a fact") for fact in touches]
 
         def keep(function: FunctionT) -> FunctionT:
             if not inspect.isgeneratorfunction(function):
@@ -207,10 +221,10 @@ class OperationLibrary:
             pattern = read_pattern(name, signature.types) if name else None
             if pattern is not None:
                 _must_name_all(pattern, signature)
-            facts = tuple(read_pattern(text, signature.types) for text in touches)
+            facts = tuple(read_pattern(text, signature.types) for text in touched)
             for fact in facts:
                 _must_know_all(fact, signature)
-            called = f"{self.name}.{function.__name__}"
+            called = f"{self.name}.{proper_name(function.__name__, 'a function')}"
             self.operations.append(
                 OperationEntry(function, called, pattern, signature, stop, timeout, resumes, facts)
             )
@@ -228,11 +242,13 @@ class OperationLibrary:
         world: it reads what it is given, and changes nothing.
         """
 
+        name = proper_name(name, "a cost")
+
         def keep(function: FunctionT) -> FunctionT:
             signature = signature_of(function, ("state", "scene", "history"))
             pattern = read_pattern(name, signature.types)
             _must_name_all(pattern, signature)
-            called = f"{self.name}.{function.__name__}"
+            called = f"{self.name}.{proper_name(function.__name__, 'a function')}"
             self.costs.append(CostEntry(function, called, pattern, signature))
             return function
 
@@ -245,6 +261,7 @@ class OperationLibrary:
         operation and before the world's step, until it ends or the world is opened again. A
         StudioError says that it cannot be done.
         """
+        name, world = proper_name(name, "a fault"), proper_name(world, "a world")
         if not name.isidentifier() or (world, name) in self.faults:
             raise PluginError(f"the name {name!r} cannot be given to a fault of {world!r}")
 
@@ -270,11 +287,6 @@ def _must_name_all(pattern: Pattern, signature: Signature) -> None:
         raise PluginError(f"the function needs {name!r}, {pattern.text!r} does not give it")
 
 
-def _positive(value: float, what: str) -> None:
-    if not value > 0:
-        raise PluginError(f"{what} is {value}, not a time above 0 s")
-
-
 def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
-    if value not in known:
+    if type(value) is not str or value not in known:
         raise PluginError(f"{what} is {value!r}, not one of {', '.join(known)}")

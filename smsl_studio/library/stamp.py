@@ -7,7 +7,9 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
 
-from smsl_studio.library.folders import plugin_path, user_folder
+from smsl_studio.home import user_folder
+from smsl_studio.library.decisions import decisions_file
+from smsl_studio.library.folders import plugin_path
 from smsl_studio.shipped import plugins_dir
 
 MOST = 5000
@@ -17,12 +19,14 @@ _SKIPPED = ("__pycache__", ".git")
 
 
 def library_stamp(extra: Sequence[Path] = (), beside: str = "") -> tuple[object, ...]:
-    """Name, time and size of every file of every plugin folder, and of the bindings ``beside``.
+    """Name, time and size of every file of every plugin folder, of the user's decisions about
+    plugins, and of the bindings ``beside``.
 
     Installed packages are not looked at: they change when Python is started anew.
     """
     folders = [*extra, *plugin_path(), user_folder() / "plugins", plugins_dir()]
-    files = [Path(beside).with_suffix(".toml")] if Path(beside).suffix else []
+    files = [decisions_file()]
+    files += [Path(beside).with_suffix(".toml")] if Path(beside).suffix else []
     files += islice((file for folder in folders for file in _files(folder)), MOST)
     return (str(Path.cwd()), tuple(map(str, folders)), *(_looked(file) for file in files))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import tomllib
 from dataclasses import dataclass
@@ -9,6 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from smsl_studio.errors import Place, PluginError
+from smsl_studio.smsl.inputs import read_ordinary
+
+LARGEST = 4_000_000
+"""Bytes of the longest TOML file that is read."""
 
 _AT = re.compile(r" ?\(at (?:line (\d+), column (\d+)|end of document)\)$")
 
@@ -42,11 +47,20 @@ class TomlText:
         return Place(self.file, line, max(text.find(key), 0) + 1)
 
 
-def read_toml(path: Path) -> tuple[TomlText, dict[str, Any]]:
-    """The text and values of a TOML file; PluginError with the place of a mistake."""
+def read_toml(
+    path: Path, largest: int = LARGEST, inside: str = ""
+) -> tuple[TomlText, dict[str, Any]]:
+    """The text and values of a TOML file; PluginError with the place of a mistake.
+
+    What is no ordinary file is one, and so is one of more than ``largest`` bytes. With ``inside``,
+    the real path of a folder, the file is read only where it lies below that, links resolved.
+    """
     file = str(path)
     try:
-        text = path.read_text(encoding="utf-8")
+        raw = read_ordinary(os.path.realpath(path), largest, inside).raw
+        if len(raw) > largest:
+            raise PluginError(f"it is longer than {largest} bytes", Place(file, 1, 1))
+        text = raw.decode("utf-8").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         raise PluginError(f"no UTF-8: {error.reason}", Place(file, 1, 1)) from None
     except OSError as error:
@@ -61,3 +75,7 @@ def read_toml(path: Path) -> tuple[TomlText, dict[str, Any]]:
         raise PluginError(
             f"no valid TOML: {_AT.sub('', words)}", Place(file, line, column)
         ) from None
+    except RecursionError:
+        raise PluginError("no valid TOML: it is nested too deeply", Place(file, 1, 1)) from None
+    except ValueError as error:  # a number of very many digits
+        raise PluginError(f"no valid TOML: {error}", Place(file, 1, 1)) from None

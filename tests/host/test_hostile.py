@@ -231,6 +231,13 @@ def test_threads_and_processes_that_are_left_behind_end_with_the_run(
     _gone(pid)
 
 
+def test_a_copy_that_an_operation_makes_of_its_process_tells_nothing(child: Make) -> None:
+    host = child(act="os.fork()")
+    assert _carried_out(host).outcome is Outcome.RETURNED
+    before = host.tick().time
+    assert host.tick().time > before
+
+
 def test_a_child_that_dies_and_leaves_its_pipes_to_another_is_seen(
     child: Make, tmp_path: Path
 ) -> None:

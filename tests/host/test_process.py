@@ -11,7 +11,6 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from multiprocessing.context import SpawnProcess
 from pathlib import Path
 from typing import Any
 
@@ -27,8 +26,9 @@ from smsl_studio.front.reading import read
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Host, Outcome
-from smsl_studio.host.shared_poses import SharedPoses
+from smsl_studio.stop import Looks, Stopped, heeding
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+from tests.processes import child_processes
 
 START = {"LAMP": "State_0"}
 ON, SPIN = Address("LAMP", "State_0", "Op_on"), Address("LAMP", "State_0", "Op_spin")
@@ -94,6 +94,31 @@ def test_the_child_runs_what_is_open_and_not_what_stands_on_disk(tmp_path: Path)
         child.close()
 
 
+@pytest.mark.parametrize("now", ["another file", "a pipe", "nothing"])
+def test_a_name_that_leads_elsewhere_by_now_is_nothing_to_the_child(
+    tmp_path: Path, now: str
+) -> None:
+    """The child has the texts that the parent has looked at, wherever their names lead."""
+    base, sub, other = (tmp_path / f"{name}.json" for name in ("base", "sub", "other"))
+    states = '{"State0": {"o": "State1"}, "State1": {}}'
+    base.write_text(f'{{"_imports": ["sub.json", "late.json"], "A": {states}}}')
+    sub.write_text('{"B": {"State0": {"p": "State1"}, "State1": {}}}')
+    blueprint = read(base)
+    (tmp_path / "late.json").write_text(f'{{"C": {states}}}')
+    sub.unlink()
+    if now == "a pipe":
+        os.mkfifo(other)
+    elif now == "another file":
+        other.write_text('{"B": {"State0": {"q": "State1"}, "State1": {}}}')
+    sub.symlink_to(other)
+    child = ProcessHost(blueprint, "table")
+    try:
+        opened = child.open({"A": "State0", "B": "State0"})
+        assert opened.bound.keys() == {Address("A", "State0", "o"), Address("B", "State0", "p")}
+    finally:
+        child.close()
+
+
 @settings(max_examples=8)
 @given(blueprints())
 def test_both_hosts_tell_the_same_story_on_the_table(blueprint: Blueprint) -> None:
@@ -144,6 +169,30 @@ def test_a_hanging_operation_is_given_up(lamp: Callable[..., ProcessHost]) -> No
     host.tick()
     with pytest.raises(HostError, match=r"did not answer for 0\.\d s in the middle of LAMP"):
         host.tick()
+
+
+def test_a_stop_ends_a_child_that_does_not_answer(lamp: Callable[..., ProcessHost]) -> None:
+    host = lamp()
+    host.open({"LAMP": "State_0"})
+    host.begin(Address("LAMP", "State_0", "Op_spin"))
+    host.tick()
+    with heeding(Looks(1).heed), pytest.raises(Stopped):
+        host.tick()
+    with pytest.raises(HostError, match="was ended in the middle of LAMP/State_0/Op_spin"):
+        host.cancel("hold")
+    assert child_processes() == []
+
+
+def test_a_stop_ends_the_building_of_a_world(tmp_path: Path) -> None:
+    code = LAMP_PLUGIN.replace(
+        '    @library.world("lamp"', "    FOREVER\n" + '    @library.world("lamp"', 1
+    )
+    assert "FOREVER" in code
+    folder = write_plugin(tmp_path, "lamp", code.replace("FOREVER", "while True: pass"))
+    host = ProcessHost(blueprint_of(LAMP), "lamp", plugin_paths=[folder])
+    with heeding(Looks(3).heed), pytest.raises(Stopped):
+        host.open({"LAMP": "State_0"})
+    assert child_processes() == []
 
 
 def test_a_frozen_child_is_given_up(lamp: Callable[..., ProcessHost]) -> None:
@@ -201,10 +250,10 @@ def test_a_close_from_another_thread_ends_what_hangs(lamp: Callable[..., Process
 def test_a_child_that_cannot_start_is_one_clear_error(
     lamp: Callable[..., ProcessHost], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(*_: object) -> None:
+    def full(*_: object, **__: object) -> None:
         raise OSError(errno.EAGAIN, "no more processes")
 
-    monkeypatch.setattr(SpawnProcess, "start", full)
+    monkeypatch.setattr(subprocess, "Popen", full)
     host = lamp()
     for _ in range(2):
         with pytest.raises(HostError, match="cannot be started: no more processes"):
@@ -288,16 +337,3 @@ def _ends(pid: int, limit: float = 10.0) -> bool:
             return True
         os.sched_yield()
     return False
-
-
-def test_poses_are_read_whole_or_as_they_were() -> None:
-    ours = SharedPoses(14)
-    theirs = SharedPoses(14, ours.name)
-    assert ours.read() == (0.0,) * 14
-    theirs.write([float(i) for i in range(14)])
-    theirs.beat(3)
-    assert (ours.read(), ours.pulse) == (tuple(map(float, range(14))), 3)
-    theirs.close()
-    ours.close()
-    ours.close()
-    assert ours.read() == tuple(map(float, range(14)))

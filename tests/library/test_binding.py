@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.errors import PluginError
+from smsl_studio.errors import Place, PluginError
 from smsl_studio.front.reading import read
 from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside, read_bindings
@@ -241,6 +243,34 @@ def test_a_binding_that_does_not_fit_is_a_fault_with_its_place(
     assert words in fault.sentence
     assert fault.place is not None
     assert fault.place.line == 9
+
+
+def test_a_bindings_file_belongs_to_the_project_of_its_blueprint(tmp_path: Path) -> None:
+    blueprint, beside = tmp_path / "inner" / "b.json", tmp_path / "inner" / "b.toml"
+    blueprint.parent.mkdir()
+    other, secret = tmp_path / "other.toml", tmp_path / "secret"
+    os.mkfifo(blueprint.with_name("pipe.toml"))
+    other.write_text('[world.w.facts]\n"SB1/0" = "eye"\n')
+    secret.write_text("root:$6$topsecret:19000:0")
+    cases: tuple[tuple[Callable[[], None], str], ...] = (
+        (lambda: beside.symlink_to(other), "the bindings file leads out of the project"),
+        (lambda: beside.symlink_to(secret), "the bindings file leads out of the project"),
+        (lambda: beside.symlink_to("/proc/kmsg"), "the bindings file leads out of the project"),
+        (lambda: beside.symlink_to(blueprint), "the bindings file leads to a file of another kind"),
+        (lambda: beside.symlink_to("gone.toml"), "cannot be read: No such file"),
+        (lambda: os.mkfifo(beside), "cannot be read: it is no ordinary file"),
+        (lambda: beside.symlink_to("pipe.toml"), "cannot be read: it is no ordinary file"),
+    )
+    for make, words in cases:
+        make()
+        with pytest.raises(PluginError, match=words) as caught:
+            bindings_beside(str(blueprint))
+        assert "topsecret" not in str(caught.value)
+        assert caught.value.place == Place(str(beside), 1, 1)
+        beside.unlink()
+    (tmp_path / "smsl.toml").touch()
+    beside.symlink_to(other)
+    assert bindings_beside(str(blueprint)).of("w").facts == {"SB1/0": "eye"}
 
 
 def test_a_bindings_file_that_names_nothing_is_a_fault(loaded: Loaded, tmp_path: Path) -> None:

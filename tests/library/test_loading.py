@@ -9,7 +9,7 @@ import pytest
 
 from smsl_studio.errors import WorldError
 from smsl_studio.library.loading import PluginFault, discover
-from tests.plugin_folder import LAMP_PLUGIN, write_plugin
+from tests.plugin_folder import LAMP_PLUGIN, write_allowed, write_plugin
 
 GOOD = """
 from .words import NAME
@@ -101,6 +101,9 @@ def test_a_fault_in_a_sibling_module_names_the_sibling(tmp_path: Path) -> None:
         ('version = "1"', 1, "name"),
         ('version = "1"\nname = "Not A Name"', 2, "name"),
         ('name = "x"\nicons = 3', 2, "icons"),
+        ("x = " + "[" * 50_000, 1, "nested too deeply"),
+        ("x = " + "9" * 50_000, 1, "4300 digits"),
+        ("#" * 100_001, 1, "longer than 100000 bytes"),
     ],
 )
 def test_a_broken_manifest_is_named_with_its_line(
@@ -134,7 +137,7 @@ def test_plugins_are_found_in_the_path_and_at_home(
 ) -> None:
     one = write_plugin(tmp_path / "a", "one", GOOD, words='NAME = "w1"')
     write_plugin(tmp_path / "b", "two", GOOD, words='NAME = "w2"')
-    write_plugin(home / "plugins", "three", GOOD, words='NAME = "w3"')
+    write_allowed(home, "three", GOOD, words='NAME = "w3"')
     monkeypatch.setenv("SMSL_PLUGIN_PATH", f"{one}:{tmp_path / 'b'}:{tmp_path / 'nowhere'}")
     loaded = discover()
     assert [(p.name, p.source) for p in loaded.plugins[:3]] == [

@@ -1,0 +1,263 @@
+"""A closed binary format: what a child process may tell its parent, and nothing else.
+
+A ``Codec`` writes one kind of value and reads it back. It is put together from the functions below
+and those of ``compound``, once, where a message is declared. Which values may come, how many, how
+long and how large, is part of it. The bytes carry no types and no nesting of their own: a reader
+meets at each place exactly the kind of value that was declared for it. So a hostile sender can
+neither have other values made here nor more of them than was declared, and reading takes time in
+proportion to the bytes. Floats are exact, texts are UTF-8 without surrogates, NaN is no number.
+
+Numbers are little-endian: counts and indices uint32, whole numbers int64, floats IEEE 754 double.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+T = TypeVar("T")
+K = TypeVar("K")
+
+COUNT = struct.Struct("<I")
+"""How counts, lengths and indices are written."""
+
+_WHOLE, _FLOAT = struct.Struct("<q"), struct.Struct("<d")
+
+
+class Unfit(Exception):  # noqa: N818
+    """A value, or bytes, that are not what was declared; the text says where and why."""
+
+    def at(self, where: str) -> Unfit:
+        """The same, one level further out: ``where`` is a field or ``[3]``."""
+        return Unfit(f"{where}{'' if str(self)[:1] in '[.' else ' '}{self}")
+
+
+@dataclass(frozen=True, slots=True)
+class Codec(Generic[T]):
+    """One kind of value. Both functions raise Unfit (``read`` also struct.error at the end).
+
+    ``write`` appends a value to a buffer. ``read`` takes the value that begins at an offset, and
+    tells the offset behind it.
+    """
+
+    write: Callable[[T, bytearray], None]
+    read: Callable[[bytes, int], tuple[T, int]]
+
+    def encode(self, value: T) -> bytes:
+        """A whole message; Unfit where the value is not what was declared."""
+        out = bytearray()
+        self.write(value, out)
+        return bytes(out)
+
+    def decode(self, data: bytes) -> T:
+        """The value of a whole message; Unfit for anything that ``encode`` does not write."""
+        try:
+            value, at = self.read(data, 0)
+        except struct.error:
+            raise Unfit("the message ends too early") from None
+        if at != len(data):
+            raise Unfit(f"{len(data) - at} bytes stand behind the message")
+        return value
+
+
+def nothing() -> Codec[None]:
+    """None; it takes no bytes."""
+
+    def write(value: None, out: bytearray) -> None:
+        if value is not None:
+            raise Unfit(f"is {type_of(value)}, not nothing")
+
+    return Codec(write, lambda data, at: (None, at))
+
+
+def flag() -> Codec[bool]:
+    """True or False."""
+
+    def write(value: bool, out: bytearray) -> None:
+        if type(value) is not bool:
+            raise Unfit(f"is {type_of(value)}, not true or false")
+        out.append(value)
+
+    def read(data: bytes, at: int) -> tuple[bool, int]:
+        return a_byte(data, at) == 1, at + 1
+
+    return Codec(write, read)
+
+
+def whole(least: int, most: int) -> Codec[int]:
+    """A whole number from ``least`` to ``most``, within 64 bits."""
+
+    def check(value: int) -> int:
+        if not least <= value <= most:
+            raise Unfit(f"is not from {least} to {most}")
+        return value
+
+    def write(value: int, out: bytearray) -> None:
+        if type(value) is not int:
+            raise Unfit(f"is {type_of(value)}, not a whole number")
+        out += _WHOLE.pack(check(value))
+
+    def read(data: bytes, at: int) -> tuple[int, int]:
+        return check(_WHOLE.unpack_from(data, at)[0]), at + 8
+
+    return Codec(write, read)
+
+
+def number(least: float, most: float) -> Codec[float]:
+    """A float from ``least`` to ``most``; both are finite, so that it is."""
+
+    def check(value: float) -> float:
+        if not least <= value <= most:
+            raise Unfit(f"is {value!r}, not a number from {least:g} to {most:g}")
+        return value
+
+    def write(value: float, out: bytearray) -> None:
+        if not isinstance(value, (int, float)) or type(value) is bool:
+            raise Unfit(f"is {type_of(value)}, not a number")
+        out += _FLOAT.pack(check(value))
+
+    def read(data: bytes, at: int) -> tuple[float, int]:
+        return check(_FLOAT.unpack_from(data, at)[0]), at + 8
+
+    return Codec(write, read)
+
+
+def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[tuple[float, ...]]:
+    """At most ``count`` floats from ``least`` to ``most``, a ``multiple`` of so many."""
+
+    def check(size: int) -> int:
+        if size > count or size % multiple:
+            raise Unfit(f"has {size} numbers, not at most {count}, a multiple of {multiple}")
+        return size
+
+    def write(values: Sequence[float], out: bytearray) -> None:
+        if not isinstance(values, (tuple, list)):
+            raise Unfit(f"is {type_of(values)}, not numbers")
+        out += COUNT.pack(check(len(values)))
+        try:
+            out += struct.pack(f"<{len(values)}d", *_within(values, least, most))
+        except (struct.error, TypeError):
+            raise Unfit("has what is no number") from None
+
+    def read(data: bytes, at: int) -> tuple[tuple[float, ...], int]:
+        size = check(COUNT.unpack_from(data, at)[0])
+        found = struct.unpack_from(f"<{size}d", data, at + 4)
+        return _within(found, least, most), at + 4 + 8 * size
+
+    return Codec(write, read)
+
+
+def exactly(least: float, most: float, count: int) -> Codec[tuple[float, ...]]:
+    """So many floats from ``least`` to ``most``."""
+    form = struct.Struct(f"<{count}d")
+
+    def write(values: tuple[float, ...], out: bytearray) -> None:
+        try:
+            out += form.pack(*_within(values, least, most))
+        except (struct.error, TypeError):
+            raise Unfit(f"is not {count} numbers") from None
+
+    def read(data: bytes, at: int) -> tuple[tuple[float, ...], int]:
+        return _within(form.unpack_from(data, at), least, most), at + form.size
+
+    return Codec(write, read)
+
+
+def text(most: int) -> Codec[str]:
+    """A text of at most ``most`` characters, of any that UTF-8 can write."""
+
+    def write(value: str, out: bytearray) -> None:
+        if not isinstance(value, str):
+            raise Unfit(f"is {type_of(value)}, not a text")
+        if (length := str.__len__(value)) > most:
+            raise Unfit(f"has {length} characters, more than {most}")
+        try:
+            written = str.encode(value, "utf-8")
+        except UnicodeEncodeError:
+            raise Unfit("is a text that cannot be written") from None
+        out += COUNT.pack(len(written))
+        out += written
+
+    def read(data: bytes, at: int) -> tuple[str, int]:
+        (size,) = COUNT.unpack_from(data, at)
+        if size == 0:
+            return "", at + 4
+        end = at + 4 + size
+        if size > 4 * most or end > len(data):
+            raise Unfit(f"is a text of {size} bytes, which is too long")
+        try:
+            found = data[at + 4 : end].decode("utf-8")
+        except UnicodeDecodeError:
+            raise Unfit("is no text in UTF-8") from None
+        if len(found) > most:
+            raise Unfit(f"has {len(found)} characters, more than {most}")
+        return found, end
+
+    return Codec(write, read)
+
+
+def opaque(most: int) -> Codec[bytes]:
+    """At most ``most`` bytes, which are not looked into."""
+
+    def write(value: bytes, out: bytearray) -> None:
+        out += COUNT.pack(at_most(len(value), most))
+        out += value
+
+    def read(data: bytes, at: int) -> tuple[bytes, int]:
+        end = at + 4 + at_most(COUNT.unpack_from(data, at)[0], most)
+        if end > len(data):
+            raise Unfit("ends too early")
+        return data[at + 4 : end], end
+
+    return Codec(write, read)
+
+
+def one_of(options: Sequence[K]) -> Codec[K]:
+    """One of values that both sides know; their index is all that is told."""
+    known: tuple[K, ...] = tuple(options)
+    index: dict[Hashable, int] = {value: at for at, value in enumerate(known)}
+
+    def write(value: K, out: bytearray) -> None:
+        try:
+            out += COUNT.pack(index[value])
+        except (KeyError, TypeError):
+            raise Unfit(f"is {type_of(value)}, which is none of {len(known)}") from None
+
+    def read(data: bytes, at: int) -> tuple[K, int]:
+        (found,) = COUNT.unpack_from(data, at)
+        if found >= len(known):
+            raise Unfit(f"is number {found} of {len(known)}")
+        return known[found], at + 4
+
+    return Codec(write, read)
+
+
+def _within(values: Sequence[float], least: float, most: float) -> tuple[float, ...]:
+    # A sum that is finite has no NaN in it, with which no order could be relied on.
+    total = sum(values)
+    if values and not (math.isfinite(total) and least <= min(values) <= max(values) <= most):
+        raise Unfit(f"has what is not a number from {least:g} to {most:g}")
+    return tuple(values)
+
+
+def a_byte(data: bytes, at: int) -> int:
+    """A byte that is 0 or 1."""
+    if at >= len(data):
+        raise Unfit("ends too early")
+    if data[at] > 1:
+        raise Unfit(f"is {data[at]}, not 0 or 1")
+    return data[at]
+
+
+def at_most(count: int, most: int) -> int:
+    if count > most:
+        raise Unfit(f"has {count} entries, more than {most}")
+    return count
+
+
+def type_of(value: object) -> str:
+    """What a value is, in short words that run no code of its own."""
+    return f"a value of type {type(value).__name__[:60]!r}"

@@ -1,0 +1,178 @@
+"""What the kernel is asked to refuse to a process that runs library code.
+
+A plugin runs with its user's rights, and this is no sandbox. It keeps a plugin from reaching the
+program that started it, on purpose or by mistake, and from leaving its process group, so that all
+it has started ends with it. What is refused fails with EPERM or EACCES (PermissionError in
+Python). It holds for everything the process starts, and nobody can take it off again. On Linux
+there are two means; elsewhere, and on other processors than those below, there is none:
+
+- A seccomp filter refuses calls by their numbers and arguments: signals to the processes that are
+  named, another process group, another session.
+- A Landlock domain, from Linux 5.19 on, refuses to trace any process outside of it, and with that
+  what goes by ``/proc/PID``: its open files and its memory, also for root. From Linux 6.12 on it
+  refuses every signal to a process outside, too. It takes nothing else away.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import errno
+import os
+import platform
+import signal
+import struct
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+
+MOST_PIDS = 100
+"""Threads of the program that are protected, at most; a filter has no more than 255 steps to go."""
+
+_LOAD, _EQUAL, _AT_LEAST, _RETURN = 0x20, 0x15, 0x35, 0x06
+_ALLOW, _REFUSE = 0x7FFF0000, 0x00050000 | errno.EPERM
+_NUMBER, _PROCESSOR, _ARGUMENTS = 0, 4, 16
+
+_SIGNAL_OF_END, _NO_NEW_PRIVILEGES, _SET_FILTER, _KEEP_SPEED = 1, 38, 1, 4
+_SET_OWNER, _SET_OWNER_EX, _PUSH_INPUT, _CONSOLE = 8, 15, 0x5412, 0x541C
+
+_OTHER_ABI = 0x40000000
+"""From here on calls have other numbers on x86_64, and would be known by none of those below."""
+
+_CREATE_RULESET, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446
+_ASK_VERSION, _BENEATH, _MOVES, _SIGNALS = 1, 1, 1 << 13, 1 << 1
+_FENCES, _FENCES_SIGNALS = 2, 6
+"""The versions of Landlock that know moving between folders, and signals."""
+
+_CALLS = {
+    "x86_64": {
+        "audit": 0xC000003E, "seccomp": 317, "kill": 62, "tkill": 200, "tgkill": 234,
+        "rt_sigqueueinfo": 129, "rt_tgsigqueueinfo": 297, "pidfd_open": 434, "ptrace": 101,
+        "process_vm_writev": 311, "prlimit64": 302, "setpgid": 109, "setsid": 112, "fcntl": 72,
+        "ioctl": 16,
+    },
+    "aarch64": {
+        "audit": 0xC00000B7, "seccomp": 277, "kill": 129, "tkill": 130, "tgkill": 131,
+        "rt_sigqueueinfo": 138, "rt_tgsigqueueinfo": 240, "pidfd_open": 434, "ptrace": 117,
+        "process_vm_writev": 271, "prlimit64": 261, "setpgid": 154, "setsid": 157, "fcntl": 25,
+        "ioctl": 29,
+    },
+}  # fmt: skip
+
+_ON_PIDS = {
+    "kill": 0, "tkill": 0, "tgkill": 0, "rt_sigqueueinfo": 0, "rt_tgsigqueueinfo": 0,
+    "pidfd_open": 0, "ptrace": 1, "process_vm_writev": 0, "prlimit64": 0,
+}  # fmt: skip
+"""Calls that do something to a process, and which argument says to which."""
+
+
+def confine(*processes: int) -> bool:
+    """Refuse this process, for ever, to signal those ``processes``, to reach what others have open
+    or in memory, or to leave its group.
+
+    False where the system cannot do that. To be called while there is one thread.
+    """
+    calls = _CALLS.get(platform.machine())
+    if sys.platform != "linux" or calls is None or sys.maxsize < 2**32:
+        return False
+    protected = [one for process in processes for one in _known_as(process)]
+    program = b"".join(_program(calls, protected[:MOST_PIDS]))
+    libc = ctypes.CDLL(None, use_errno=True)
+    if libc.prctl(_NO_NEW_PRIVILEGES, 1, 0, 0, 0):
+        return False
+    _fence_in(libc)
+    steps = ctypes.create_string_buffer(program, len(program))
+    head = struct.pack("HxxxxxxP", len(program) // 8, ctypes.addressof(steps))
+    return bool(libc.syscall(calls["seccomp"], _SET_FILTER, _KEEP_SPEED, head) == 0)
+
+
+def end_with(parent: int) -> None:
+    """Let the kernel end this process as soon as ``parent``, which started it, has ended."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_SIGNAL_OF_END, signal.SIGKILL, 0, 0, 0)
+    if os.getppid() != parent:
+        os._exit(1)
+
+
+def keeps_apart() -> bool:
+    """Whether processes that are confined cannot signal each other, so that several may run at the
+    same time."""
+    known = sys.platform == "linux" and platform.machine() in _CALLS
+    return known and _landlock(ctypes.CDLL(None)) >= _FENCES_SIGNALS
+
+
+def _landlock(libc: ctypes.CDLL) -> int:
+    """The version of Landlock in this kernel; less than 1 where there is none."""
+    return int(libc.syscall(_CREATE_RULESET, None, 0, _ASK_VERSION))
+
+
+def _fence_in(libc: ctypes.CDLL) -> None:
+    """Enter a Landlock domain, where there is one to enter.
+
+    A domain must restrict something. This one restricts moves between folders, and allows them
+    everywhere.
+    """
+    version = _landlock(libc)
+    if version < _FENCES:
+        return
+    asked = struct.pack("Q", _MOVES)
+    if version >= _FENCES_SIGNALS:
+        asked += struct.pack("QQ", 0, _SIGNALS)
+    ruleset = libc.syscall(_CREATE_RULESET, asked, ctypes.c_size_t(len(asked)), 0)
+    if ruleset < 0:
+        return
+    everything = os.open("/", os.O_PATH | os.O_CLOEXEC)
+    try:
+        rule = struct.pack("=Qi", _MOVES, everything)
+        if libc.syscall(_ADD_RULE, ruleset, _BENEATH, rule, 0) == 0:
+            libc.syscall(_RESTRICT_SELF, ruleset, 0)
+    finally:
+        os.close(everything)
+        os.close(ruleset)
+
+
+def _known_as(process: int) -> Iterator[int]:
+    """The numbers by which a process can be signalled: its own, its group's, its threads'."""
+    yield process
+    with suppress(OSError):
+        group = os.getpgid(process)
+        yield from [-group] if group else []
+    with suppress(OSError):
+        for task in Path(f"/proc/{process}/task").iterdir():
+            if int(task.name) != process:
+                yield int(task.name)
+
+
+def _program(calls: dict[str, int], protected: Iterable[int]) -> Iterator[bytes]:
+    """The steps of the filter: each call is one block, that ends or goes on to the next."""
+    yield _step(_LOAD, _PROCESSOR)
+    yield _step(_EQUAL, calls["audit"], 1, 0)
+    yield _step(_RETURN, _REFUSE)
+    yield _step(_LOAD, _NUMBER)
+    yield _step(_AT_LEAST, _OTHER_ABI, 0, 1)
+    yield _step(_RETURN, _REFUSE)
+    refused = [*protected, -1]
+    for name, argument in _ON_PIDS.items():
+        yield from _block(calls[name], argument, refused)
+    yield from _block(calls["fcntl"], 1, [_SET_OWNER, _SET_OWNER_EX])
+    yield from _block(calls["ioctl"], 1, [_PUSH_INPUT, _CONSOLE])
+    for name in ("setpgid", "setsid"):
+        yield _step(_LOAD, _NUMBER)
+        yield _step(_EQUAL, calls[name], 0, 1)
+        yield _step(_RETURN, _REFUSE)
+    yield _step(_RETURN, _ALLOW)
+
+
+def _block(call: int, argument: int, refused: list[int]) -> Iterator[bytes]:
+    """Refuse a call whose argument is one of these; jumps tell how many steps are left out."""
+    yield _step(_LOAD, _NUMBER)
+    yield _step(_EQUAL, call, 0, len(refused) + 3)
+    yield _step(_LOAD, _ARGUMENTS + 8 * argument)
+    for index, value in enumerate(refused):
+        yield _step(_EQUAL, value & 0xFFFFFFFF, len(refused) - index, 0)
+    yield _step(_RETURN, _ALLOW)
+    yield _step(_RETURN, _REFUSE)
+
+
+def _step(code: int, value: int, hit: int = 0, miss: int = 0) -> bytes:
+    return struct.pack("HBBI", code, hit, miss, value)

@@ -1,0 +1,210 @@
+"""What a plugin offers, as the process that loaded it tells it: words, and no code.
+
+Patterns are told as they were written, and read anew where they arrive.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any, Final, NoReturn
+
+from smsl_studio.errors import HostError, PluginError
+from smsl_studio.host.codec import Codec, Unfit, flag, one_of, text
+from smsl_studio.host.compound import mapped, mapping, optional, row, several
+from smsl_studio.host.vocabulary import PATIENCE, PLACE, SECONDS, name, sentence
+from smsl_studio.library.loading import Plugin, PluginFault
+from smsl_studio.library.operation_library import (
+    ENGINES,
+    STOP_MODES,
+    CostEntry,
+    FaultEntry,
+    OperationEntry,
+    OperationLibrary,
+    SensorEntry,
+    WorldEntry,
+)
+from smsl_studio.library.pattern import Pattern, read_pattern
+from smsl_studio.library.signature import Signature
+from smsl_studio.library.survey import FoundPlugin
+
+LARGEST: Final = 4 * 2**20
+"""Bytes of the longest description of one plugin."""
+
+MOST = 1000
+"""Worlds, operations, sensors and so on: so many of each may one plugin offer."""
+
+
+@dataclass(frozen=True, slots=True)
+class AbsentCode:
+    """Stands for code that is not here; calling it is a HostError."""
+
+    name: str
+
+    def __call__(self, *_: Any, **__: Any) -> NoReturn:
+        raise HostError(f"{self.name} is not here: its code runs in the world's process")
+
+
+NAME, PARAMETER, PATTERN = name(300), name(200), name(500, empty=True)
+TYPES = (int, float, str, bool, object)
+"""What a parameter may be; ``object`` stands for every other type."""
+
+SIGNATURE: Codec[Signature] = mapped(
+    row(mapping(PARAMETER, one_of(TYPES), 200), several(PARAMETER, 200), flag()),
+    lambda told: (
+        {name: kind if kind in TYPES else object for name, kind in told.types.items()},
+        tuple(sorted(told.required)),
+        told.any_name,
+    ),
+    lambda told: Signature(told[0], frozenset(told[1]), told[2]),
+)
+
+WORLD = mapped(
+    row(NAME, one_of(ENGINES), flag(), SECONDS),
+    lambda one: (one.name, one.engine, one.hardware, one.settle),
+    lambda told: WorldEntry(told[0], told[1], told[2], told[3], AbsentCode(told[0])),
+)
+
+OPERATION = mapped(
+    row(
+        NAME,
+        optional(PATTERN),
+        SIGNATURE,
+        one_of(STOP_MODES),
+        PATIENCE,
+        flag(),
+        several(PATTERN, MOST),
+    ),
+    lambda one: (
+        one.name,
+        one.pattern.text if one.pattern else None,
+        one.signature,
+        one.stop,
+        one.timeout,
+        one.resumes,
+        tuple(pattern.text for pattern in one.touches),
+    ),
+    lambda told: _operation(*told),
+)
+
+SENSOR = mapped(
+    row(
+        PATTERN,
+        PATTERN,
+        SIGNATURE,
+        PATIENCE,
+        PATIENCE,
+        mapping(text(1000), sentence(200), 200),
+    ),
+    lambda one: (
+        one.pattern.text,
+        one.fact.text,
+        one.signature,
+        one.period,
+        one.max_age,
+        one.words,
+    ),
+    lambda told: SensorEntry(
+        AbsentCode(told[0]), _pattern(told[0], told[2]), _pattern(told[1], told[2]), *told[2:]
+    ),
+)
+
+COST = mapped(
+    row(NAME, PATTERN, SIGNATURE),
+    lambda one: (one.name, one.pattern.text, one.signature),
+    lambda told: CostEntry(AbsentCode(told[0]), told[0], _pattern(told[1], told[2]), told[2]),
+)
+
+FAULT = mapped(
+    row(NAME, NAME, SIGNATURE),
+    lambda one: (one.world, one.name, one.signature),
+    lambda told: FaultEntry(told[0], told[1], AbsentCode(told[1]), told[2]),
+)
+
+LIBRARY: Codec[OperationLibrary] = mapped(
+    row(
+        name(100),
+        several(WORLD, MOST),
+        several(NAME, MOST),
+        several(OPERATION, MOST),
+        several(SENSOR, MOST),
+        several(COST, MOST),
+        several(FAULT, MOST),
+    ),
+    lambda one: (
+        one.name,
+        tuple(one.worlds.values()),
+        tuple(one.arrangers),
+        tuple(one.operations),
+        tuple(one.sensors),
+        tuple(one.costs),
+        tuple(one.faults.values()),
+    ),
+    lambda told: _library(*told),
+)
+
+PLUGIN = row(name(100), sentence(100), sentence(2000), LIBRARY)
+"""Name, version, description, library; whoever asks knows where the plugin stands."""
+
+DESCRIPTION = row(optional(PLUGIN), optional(row(sentence(), optional(PLACE))))
+"""What the plugin is, or the sentence and the place of what keeps it from loading."""
+
+
+def written(loaded: Plugin | PluginFault) -> bytes:
+    """A description; Unfit, or anything that a plugin's own values raise, where there is none."""
+    if isinstance(loaded, PluginFault):
+        return DESCRIPTION.encode((None, (loaded.sentence, loaded.place)))
+    said = (loaded.name, loaded.version, loaded.description, loaded.library)
+    return DESCRIPTION.encode((said, None))
+
+
+def read_description(data: bytes, found: FoundPlugin) -> Plugin | PluginFault:
+    """What a description says of the plugin that was found; Unfit where it is none."""
+    said, fault = DESCRIPTION.decode(data)
+    if (said is None) == (fault is None):
+        raise Unfit("says neither what it is nor what is wrong, or both")
+    if said is None:
+        return PluginFault(found.name, fault[0], fault[1], found.location)
+    called, version, words, library = said
+    return Plugin(called, version, words, found.source, found.location, library)
+
+
+def _operation(called: str, text: str | None, signature: Signature, *others: Any) -> OperationEntry:
+    stop, timeout, resumes, touches = others
+    pattern = None if text is None else _pattern(text, signature)
+    facts = tuple(_pattern(one, signature) for one in touches)
+    code = AbsentCode(called)
+    return OperationEntry(code, called, pattern, signature, stop, timeout, resumes, facts)
+
+
+def _library(
+    called: str,
+    worlds: Iterable[WorldEntry],
+    arranged: Iterable[str],
+    operations: Iterable[OperationEntry],
+    *others: Any,
+) -> OperationLibrary:
+    library = OperationLibrary(called)
+    sensors, costs, faults = others
+    library.worlds.update(_once(worlds, lambda one: one.name))
+    library.arrangers.update({world: AbsentCode(world) for world in arranged})
+    library.operations.extend(operations)
+    library.sensors.extend(sensors)
+    library.costs.extend(costs)
+    library.faults.update(_once(faults, lambda one: (one.world, one.name)))
+    return library
+
+
+def _once(entries: Iterable[Any], key: Callable[[Any], Any]) -> Mapping[Any, Any]:
+    listed = list(entries)
+    found = {key(entry): entry for entry in listed}
+    if len(found) != len(listed):
+        raise Unfit("tells the same name twice")
+    return found
+
+
+def _pattern(text: str, signature: Signature) -> Pattern:
+    try:
+        return read_pattern(text, signature.types)
+    except PluginError as error:
+        raise Unfit(error.sentence) from None

@@ -1,0 +1,168 @@
+"""The child that loads plugins to describe them: each in a process of its own.
+
+Its parent starts it afresh; it runs no plugin's code itself, and forks once for every plugin. So
+nothing that a plugin does to its process (patches, threads, closed files, an exit) meets another.
+Several load at the same time where the system keeps them from signalling each other.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import select
+import socket
+import time
+from collections import deque
+from collections.abc import Sequence
+from typing import NoReturn
+
+from smsl_studio.host.bounds import limit_process, settle_in
+from smsl_studio.host.brief import words_for
+from smsl_studio.host.codec import Unfit, opaque
+from smsl_studio.host.compound import optional, row
+from smsl_studio.host.confinement import confine, end_with
+from smsl_studio.host.description import LARGEST, written
+from smsl_studio.host.plugin_process import SIZE, PluginProcess, Told
+from smsl_studio.host.vocabulary import COUNT, sentence
+from smsl_studio.host.wire import ChildWire
+from smsl_studio.library.loading import PluginFault, load_plugin
+from smsl_studio.library.survey import FoundPlugin
+
+STEP = row(COUNT, COUNT, optional(opaque(LARGEST)), sentence())
+"""The number of a plugin and of the process that loads it; once it is over, its description or why
+there is none."""
+
+TURN = 1.0
+"""Seconds after which a plugin that is still loading makes room for the next one."""
+
+
+def main(pipe: int, beat: int) -> None:
+    """The child's whole life: have the plugins loaded, and pass on what is told."""
+    settle_in()
+    os.close(beat)
+    wire = ChildWire(socket.socket(fileno=pipe))
+    with contextlib.suppress(EOFError, OSError):  # the parent is gone
+        _, (found, limit, together) = wire.receive()
+        _Loads(wire, found, limit, together).carry_on()
+        wire.send("ok", b"")
+    os._exit(0)
+
+
+class _Loads:
+    """The processes that load plugins, each for ``limit`` seconds at most.
+
+    So many load ``together`` as have not used up their turn. Who has used it up goes on beside
+    them, so that those that hang do not hold up the others; all have begun after half of ``limit``.
+    With 0 there are never two at the same time.
+    """
+
+    def __init__(
+        self, wire: ChildWire, found: Sequence[FoundPlugin], limit: float, together: int
+    ) -> None:
+        self._wire = wire
+        self._limit = limit
+        self._together = together
+        self._me, self._program = os.getpid(), os.getppid()
+        self._waiting = deque(enumerate(found))
+        self._running: list[PluginProcess] = []
+        self._half = time.monotonic() + limit / 2
+
+    def carry_on(self) -> None:
+        """Load all, and tell of each when it begins and when it is over.
+
+        EOFError where the parent is gone.
+        """
+        try:
+            while self._waiting or self._running:
+                now = time.monotonic()
+                while self._waiting and self._has_room(now):
+                    self._begin(*self._waiting.popleft())
+                ready = self._ready(now)
+                for one in list(self._running):
+                    if (told := one.told(ready)) is not None:
+                        self._running.remove(one)
+                        one.end()
+                        self._tell(one, told)
+        finally:
+            for one in self._running:
+                one.kill()
+            for one in self._running:
+                one.end()
+
+    def _has_room(self, now: float) -> bool:
+        at_turn = sum(one.has_turn(now) for one in self._running)
+        return at_turn < self._together if self._together else not self._running
+
+    def _begin(self, number: int, found: FoundPlugin) -> None:
+        told, tell = os.pipe()
+        pid = os.fork()
+        if pid == 0:
+            os.close(told)
+            for other in self._running:
+                other.close()
+            _tell_of(found, self._wire, tell, (self._me, self._program))
+        os.close(tell)
+        with contextlib.suppress(OSError):
+            os.setpgid(pid, pid)
+        one = PluginProcess(number, pid, told, self._limit, self._turn())
+        self._running.append(one)
+        self._tell(one, Told(None))
+
+    def _turn(self) -> float:
+        """How long the next one may load before it makes room, in seconds."""
+        if not self._together:
+            return self._limit
+        left = max(0.0, self._half - time.monotonic())
+        return min(TURN, left * self._together / (len(self._waiting) + 1))
+
+    def _tell(self, one: PluginProcess, told: Told) -> None:
+        self._wire.send("loads", STEP.encode((one.number, one.pid, told.body, told.words)))
+
+    def _ready(self, now: float) -> set[int]:
+        """The files that can be read, or whose process has ended.
+
+        None where something is due before that, seen from the moment ``now`` on.
+        """
+        look = select.poll()
+        look.register(self._wire.fileno(), 0)
+        for one in self._running:
+            for file in one.files:
+                look.register(file, select.POLLIN)
+        due = min(one.due(now) for one in self._running)
+        ready = {file for file, _ in look.poll(max(0.0, due - time.monotonic()) * 1000)}
+        if self._wire.fileno() in ready:
+            raise EOFError
+        return ready
+
+
+def _tell_of(found: FoundPlugin, wire: ChildWire, pipe: int, above: tuple[int, int]) -> NoReturn:
+    """The life of one plugin's process: load it, tell of it, end.
+
+    ``above`` are the processes that started it: this child, and the program.
+    """
+    try:
+        end_with(above[0])
+        with contextlib.suppress(OSError):
+            os.setpgid(0, 0)
+        wire.close()
+        limit_process()
+        confine(*above)
+        body = _described(found)
+        _write(pipe, SIZE.pack(len(body)) + body)
+    finally:
+        os._exit(0)
+
+
+def _described(found: FoundPlugin) -> bytes:
+    try:
+        return written(load_plugin(found))
+    except Unfit as error:
+        words = f"it cannot be described: {error}"
+    except BaseException as error:  # what a plugin keeps in its library may refuse in any way
+        words = f"it cannot be described: {words_for(error)}"
+    return written(PluginFault(found.name, words, None, found.location))
+
+
+def _write(pipe: int, data: bytes) -> None:
+    while data:
+        data = data[os.write(pipe, data) :]

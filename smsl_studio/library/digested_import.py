@@ -1,0 +1,89 @@
+"""Importing the modules of a plugin from the bytes that were digested, not from the disk."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+from importlib.abc import MetaPathFinder
+from importlib.machinery import (
+    EXTENSION_SUFFIXES,
+    ExtensionFileLoader,
+    ModuleSpec,
+    SourceFileLoader,
+)
+from importlib.util import spec_from_file_location
+from pathlib import Path
+from types import ModuleType
+
+from smsl_studio.library.sources import Sources
+
+
+class DigestedFinder(MetaPathFinder):
+    """Finds the modules of one plugin, whose package is called ``private``, and no others."""
+
+    def __init__(self, private: str, sources: Sources) -> None:
+        self.private = private
+        self._sources = sources
+
+    def plugin(self) -> ModuleSpec:
+        """The package itself: ``plugin.py``, with everything beside it below it."""
+        return self._source(self.private, "plugin.py", self._sources.folder)
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """A module of the plugin; ModuleNotFoundError for one that was not digested."""
+        if not fullname.startswith(f"{self.private}."):
+            return None
+        name = fullname.removeprefix(f"{self.private}.").replace(".", "/")
+        modules, compiled = self._sources.modules, self._sources.compiled
+        if f"{name}/__init__.py" in modules:
+            return self._source(fullname, f"{name}/__init__.py", self._sources.folder / name)
+        for file in (f"{name}{suffix}" for suffix in EXTENSION_SUFFIXES):
+            if file in compiled:
+                return self._extension(fullname, file)
+        if f"{name}.py" in modules:
+            return self._source(fullname, f"{name}.py", None)
+        if any(file.startswith(f"{name}/") for file in modules):
+            spec = ModuleSpec(fullname, None, is_package=True)
+            spec.submodule_search_locations = [str(self._sources.folder / name)]
+            return spec
+        raise ModuleNotFoundError(f"No module named {fullname!r}", name=fullname)
+
+    def _source(self, fullname: str, name: str, package: Path | None) -> ModuleSpec:
+        file = str(self._sources.folder / name)
+        spec = spec_from_file_location(
+            fullname,
+            file,
+            loader=_DigestedLoader(fullname, file, self._sources.modules[name]),
+            submodule_search_locations=None if package is None else [str(package)],
+        )
+        assert spec is not None
+        return spec
+
+    def _extension(self, fullname: str, name: str) -> ModuleSpec:
+        """A compiled module: it can only be loaded from the disk, so it is digested again."""
+        file = self._sources.folder / name
+        if hashlib.sha256(file.read_bytes()).hexdigest() != self._sources.compiled[name]:
+            raise ImportError(f"{name} has changed since the plugin was allowed", name=fullname)
+        spec = spec_from_file_location(
+            fullname, file, loader=ExtensionFileLoader(fullname, str(file))
+        )
+        assert spec is not None
+        return spec
+
+
+class _DigestedLoader(SourceFileLoader):
+    """Compiles the bytes it was given; what lies compiled beside the file is not believed."""
+
+    def __init__(self, fullname: str, file: str, raw: bytes) -> None:
+        super().__init__(fullname, file)
+        self._file, self._raw = file, raw
+
+    def get_data(self, path: str) -> bytes:
+        """The bytes of the module itself; other files are read from the disk."""
+        return self._raw if path == self._file else super().get_data(path)
+
+    def path_stats(self, path: str) -> dict[str, float]:
+        """No time and size, so that no compiled copy is looked for or written."""
+        raise OSError(f"{path} is not read from the disk")

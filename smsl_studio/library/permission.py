@@ -1,0 +1,30 @@
+"""Allowing and forbidding a plugin: what the command line and the window do alike."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from smsl_studio.library.decisions import Decision, decide
+from smsl_studio.library.survey import USER, FoundPlugin, PluginState
+
+
+def allow(found: FoundPlugin) -> FoundPlugin:
+    """Let a plugin be loaded from now on; one in the user's folder, as long as it is as found.
+
+    It is what was found that is allowed: files that have changed since are not. PluginError for
+    one that cannot be loaded at all; SaveError where the decision cannot be written.
+    """
+    if found.error is not None:
+        raise found.error
+    decision = Decision(
+        location=found.location, name=found.name, decision="allowed", digest=found.digest
+    )
+    # What needs no permission is not written down.
+    decide(decision, forget=found.source != USER)
+    return replace(found, state=PluginState.ALLOWED)
+
+
+def forbid(found: FoundPlugin) -> FoundPlugin:
+    """Let no code of a plugin be loaded, whatever its files become; SaveError as above."""
+    decide(Decision(location=found.location, name=found.name, decision="forbidden"))
+    return replace(found, state=PluginState.FORBIDDEN, error=None)

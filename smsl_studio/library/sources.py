@@ -1,0 +1,163 @@
+"""What a plugin's folder holds: who may change it, its digest, and the code that was digested.
+
+The code of a plugin that was allowed is imported from here and not from the disk again, so that
+what runs is what was digested. Files that a plugin reads by itself are in the digest too, but
+nobody can hold them still between the digest and the moment it reads them.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import stat
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from importlib.machinery import EXTENSION_SUFFIXES
+from pathlib import Path
+
+from smsl_studio.errors import PluginError
+from smsl_studio.library.ownership import exposure_of, exposure_on_the_way
+
+MOST_FILES = 20_000
+MOST_BYTES = 100_000_000
+"""What a plugin's folder holds at most, so that looking at it stays quick."""
+
+APART = ("__pycache__", ".git")
+"""Folders beside the digest: what is in them is not imported."""
+
+_CODE = (".py", *EXTENSION_SUFFIXES)
+
+
+@dataclass(frozen=True, slots=True)
+class Sources:
+    """A plugin's folder at one moment.
+
+    ``modules`` maps each Python file (its path below the folder, with ``/``) to its bytes,
+    ``compiled`` each extension module to the digest of its bytes.
+    """
+
+    folder: Path
+    digest: str
+    modules: Mapping[str, bytes]
+    compiled: Mapping[str, str]
+
+
+def check_sources(folder: Path) -> None:
+    """PluginError where somebody else could change what is in a plugin's folder.
+
+    Links that lead out of it are followed, to see who could change what they lead to.
+    """
+    waiting, seen = [folder], {folder}
+    while waiting:
+        for path, found in _entries(waiting.pop()):
+            if not stat.S_ISLNK(found.st_mode):
+                continue
+            try:
+                there = path.resolve(strict=True)
+                exposed = exposure_on_the_way(path)
+            except (OSError, RuntimeError):  # it leads nowhere, or round in a circle
+                continue
+            if exposed is not None:
+                raise exposed.error(folder)
+            if there not in seen and not there.is_relative_to(folder):
+                seen.add(there)
+                waiting.append(there)
+
+
+def read_sources(folder: Path) -> Sources:
+    """Digest and code of a plugin's folder.
+
+    PluginError where somebody else could change it, where a link leads out of it, and where it
+    holds what is no ordinary file, or more than ``MOST_FILES`` or ``MOST_BYTES``.
+    """
+    whole, left = hashlib.sha256(), MOST_BYTES
+    modules: dict[str, bytes] = {}
+    compiled: dict[str, str] = {}
+    for path, found in _entries(folder, APART):
+        name = path.relative_to(folder).as_posix()
+        if stat.S_ISDIR(found.st_mode):
+            continue
+        if stat.S_ISLNK(found.st_mode):
+            _line(whole, "link", name, os.fsencode(path.readlink()))
+            if not _stays(path, folder):
+                raise PluginError(
+                    f"{name} is a link that leads out of its folder",
+                    advice="Put the file itself in the place of the link.",
+                )
+            if not path.is_file():
+                continue
+        elif not stat.S_ISREG(found.st_mode):
+            raise _no_file(name)
+        raw = _read(path, name, left)
+        left -= len(raw)
+        digest = hashlib.sha256(raw).digest()
+        _line(whole, "file", name, digest)
+        if name.endswith(".py"):
+            modules[name] = raw
+        elif name.endswith(_CODE):
+            compiled[name] = digest.hex()
+    return Sources(folder, whole.hexdigest(), modules, compiled)
+
+
+def _entries(folder: Path, apart: tuple[str, ...] = ()) -> Iterator[tuple[Path, os.stat_result]]:
+    """The folder and everything in it by name, with what lstat tells; no link is followed.
+
+    PluginError where somebody else could change one of them, or where there are too many.
+    """
+    waiting, count = [folder], 0
+    while waiting:
+        path = waiting.pop()
+        count += 1
+        if count > MOST_FILES:
+            raise PluginError(
+                f"its folder holds more than {MOST_FILES} files",
+                advice="Keep in it only what the plugin needs.",
+            )
+        try:
+            found = path.lstat()
+            folders = stat.S_ISDIR(found.st_mode)
+            inner = sorted(os.listdir(path), reverse=True) if folders else []  # noqa: PTH208
+        except OSError as error:
+            raise PluginError(f"{path} cannot be read: {error.strerror or error}") from None
+        exposed = exposure_of(path, found)
+        if exposed is not None:
+            raise exposed.error(folder)
+        yield path, found
+        waiting += [path / name for name in inner if name not in apart]
+
+
+def _stays(link: Path, folder: Path) -> bool:
+    """Whether a link leads to something in the folder."""
+    try:
+        return link.resolve(strict=True).is_relative_to(folder)
+    except (OSError, RuntimeError):  # it leads nowhere, or round in a circle
+        return False
+
+
+def _read(path: Path, name: str, most: int) -> bytes:
+    """The bytes of an ordinary file."""
+    flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+    try:
+        handle = os.open(path, flags)
+        with os.fdopen(handle, "rb") as file:
+            if not stat.S_ISREG(os.fstat(handle).st_mode):
+                raise _no_file(name)
+            raw = file.read(most + 1)
+    except OSError as error:
+        raise PluginError(f"{name} cannot be read: {error.strerror or error}") from None
+    if len(raw) > most:
+        raise PluginError(
+            f"its folder holds more than {MOST_BYTES // 1_000_000} MB",
+            advice="Keep large files in a folder of their own.",
+        )
+    return raw
+
+
+def _no_file(name: str) -> PluginError:
+    return PluginError(f"{name} is no ordinary file", advice="Take it out of the folder.")
+
+
+def _line(whole: hashlib._Hash, kind: str, name: str, value: bytes) -> None:
+    """Add one entry to a digest; lengths keep names and values apart."""
+    for part in (kind.encode(), os.fsencode(name), value):
+        whole.update(len(part).to_bytes(8, "big") + part)

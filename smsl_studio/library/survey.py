@@ -1,0 +1,199 @@
+"""Which plugins there are and which of them may be loaded, found without running any of their code.
+
+A plugin's own words (``plugin.toml``, what a package says of itself) are read; who else could
+change its folder is looked at; and the user's decisions are asked. A plugin in the user's folder
+is loaded once it was allowed, and as long as its files stay what they were then. All others are
+loaded until they are forbidden: they ship with the program, are installed like it, or were named
+by whoever started it.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib import metadata
+from pathlib import Path
+
+from smsl_studio.errors import Place, PluginError
+from smsl_studio.home import user_folder
+from smsl_studio.library.decisions import Decision, decisions_file, read_decisions
+from smsl_studio.library.folders import plugin_path
+from smsl_studio.library.manifest import MANIFEST, Manifest, read_manifest
+from smsl_studio.library.ownership import exposure_on_the_way
+from smsl_studio.library.sources import Sources, check_sources, read_sources
+from smsl_studio.shipped import plugins_dir
+
+GROUP = "smsl_studio.plugins"
+ASKED, PATH, USER, INSTALLED, SHIPPED = (
+    "asked for",
+    "SMSL_PLUGIN_PATH",
+    "user",
+    "installed",
+    "shipped",
+)
+"""Where a plugin may come from."""
+
+
+class PluginState(enum.Enum):
+    """What is known of a plugin before any code of it runs; only one that is allowed is loaded."""
+
+    ALLOWED = "allowed"
+    NEW = "new"
+    CHANGED = "changed"
+    FORBIDDEN = "forbidden"
+    FAULTY = "fault"
+
+
+@dataclass(frozen=True, slots=True)
+class FoundPlugin:
+    """A plugin that was found; nothing of it has run.
+
+    ``manifest`` is what it says about itself. ``sources`` are its files where they decide whether
+    it may be loaded, ``point`` is where an installed package begins. ``error`` is why it cannot be
+    loaded at all, whatever was decided.
+    """
+
+    name: str
+    source: str
+    location: str
+    state: PluginState = PluginState.ALLOWED
+    manifest: Manifest | None = None
+    sources: Sources | None = field(default=None, repr=False)
+    point: metadata.EntryPoint | None = None
+    error: PluginError | None = None
+
+    @property
+    def digest(self) -> str:
+        """The digest of its files, empty where it decides nothing."""
+        return self.sources.digest if self.sources else ""
+
+    @property
+    def reason(self) -> str:
+        """Why it is not loaded, and the way out; empty for one that is allowed."""
+        allow = f"smsl-studio plugins allow {self.name}"
+        return {
+            PluginState.ALLOWED: "",
+            PluginState.FAULTY: str(self.error),
+            PluginState.NEW: f"it is new, and its code has not run; {allow} loads it from now on",
+            PluginState.CHANGED: "its files have changed since it was allowed, and the new code "
+            f"has not run; {allow} loads it from now on",
+            PluginState.FORBIDDEN: f"it is forbidden; {allow} loads it again",
+        }[self.state]
+
+
+def survey(extra: Sequence[Path] = ()) -> tuple[FoundPlugin, ...]:
+    """Every plugin there is, in the order in which they are loaded, each location once."""
+    decisions: Mapping[str, Decision] | None
+    try:
+        decisions = read_decisions()
+        found: list[FoundPlugin] = []
+    except PluginError as error:
+        decisions = None
+        found = [_fault("", USER, decisions_file(), error)]
+    for folder in extra:
+        found += _in_folder(folder, ASKED, decisions, must_exist=True)
+    for folder in plugin_path():
+        found += _in_folder(folder, PATH, decisions, must_exist=True)
+    found += _in_folder(user_folder() / "plugins", USER, decisions, must_exist=False)
+    found += _packages(decisions)
+    found += _in_folder(plugins_dir(), SHIPPED, decisions, must_exist=False)
+    first: dict[str, FoundPlugin] = {}
+    for one in found:
+        first.setdefault(one.location, one)
+    return tuple(first.values())
+
+
+def _in_folder(
+    folder: Path, source: str, decisions: Mapping[str, Decision] | None, *, must_exist: bool
+) -> Iterator[FoundPlugin]:
+    """The plugin in a folder, or those in the folders in it."""
+    try:
+        exposed = None if source == SHIPPED else exposure_on_the_way(folder)
+        alone = (folder / MANIFEST).is_file()
+        inner = [] if alone else sorted(path for path in folder.iterdir() if _is_plugin(path))
+    except OSError as error:
+        if must_exist:
+            words = PluginError(error.strerror or str(error))
+            yield _fault(folder.name, source, folder, words)
+        return
+    if exposed is not None and (alone or inner):
+        yield _fault(folder.name, source, folder, exposed.error(folder))
+        return
+    for path in [folder] if alone else inner:
+        yield _plugin_in(path, source, decisions)
+
+
+def _fault(name: str, source: str, place: Path, error: PluginError) -> FoundPlugin:
+    return FoundPlugin(name, source, str(place), PluginState.FAULTY, error=error)
+
+
+def _is_plugin(path: Path) -> bool:
+    """Whether a folder is a plugin, or means to be one; one that may not be looked at is none."""
+    try:
+        return (path / MANIFEST).is_file() or (path / "plugin.py").is_file()
+    except OSError:
+        return False
+
+
+def _plugin_in(folder: Path, source: str, decisions: Mapping[str, Decision] | None) -> FoundPlugin:
+    """The plugin in a folder as far as it can be told: its own words, and whether it is allowed."""
+    whole = folder.resolve()
+    name, location = whole.name, str(whole)
+    manifest = sources = error = None
+    try:
+        if not _is_text(location):
+            raise PluginError("its path is no valid text", advice="Rename the folder.")
+        if source != SHIPPED and (exposed := exposure_on_the_way(folder)):
+            raise exposed.error(whole)
+        if not (whole / MANIFEST).is_file():
+            raise PluginError(f"it has no {MANIFEST}", Place(str(whole / "plugin.py"), 1, 1))
+        manifest = read_manifest(whole / MANIFEST)
+        if source == USER:
+            sources = read_sources(whole)
+        elif source != SHIPPED:
+            check_sources(whole)
+    except PluginError as fault:
+        error = fault
+    digest = sources.digest if sources else ""
+    state = _state(location, source, digest, decisions)
+    if error is not None and state is not PluginState.FORBIDDEN:
+        state = PluginState.FAULTY
+    name = manifest.name if manifest else name
+    return FoundPlugin(name, source, location, state, manifest, sources, error=error)
+
+
+def _is_text(path: str) -> bool:
+    """Whether a path can be kept in a file: not every name on a disk is valid UTF-8."""
+    try:
+        path.encode("utf-8")
+    except UnicodeEncodeError:
+        return False
+    return True
+
+
+def _state(
+    location: str, source: str, digest: str, decisions: Mapping[str, Decision] | None
+) -> PluginState:
+    if decisions is None:
+        # Whatever was forbidden may stand here.
+        return PluginState.ALLOWED if source in (ASKED, SHIPPED) else PluginState.NEW
+    decided = decisions.get(location)
+    if decided is not None and decided.decision == "forbidden":
+        return PluginState.FORBIDDEN
+    if source != USER or (decided is not None and decided.digest == digest):
+        return PluginState.ALLOWED
+    return PluginState.NEW if decided is None else PluginState.CHANGED
+
+
+def _packages(decisions: Mapping[str, Decision] | None) -> Iterator[FoundPlugin]:
+    """The installed packages that offer a plugin. Their metadata is read, their code is not."""
+    for point in sorted(metadata.entry_points(group=GROUP), key=lambda point: point.name):
+        state = _state(point.value, INSTALLED, "", decisions)
+        dist = point.dist
+        version = dist.version if dist else "0"
+        summary = (dist.metadata["Summary"] or "") if dist else ""
+        words = Manifest.model_construct(
+            name=point.name, version=version[:100], description=summary[:2000]
+        )
+        yield FoundPlugin(point.name, INSTALLED, point.value, state, words, point=point)

@@ -1,0 +1,75 @@
+"""What a plugin may register: names that can be shown, times that are numbers.
+
+Library code may hand over anything. What comes out of here is a plain text, float or truth value.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Mapping
+
+from smsl_studio.errors import PluginError
+from smsl_studio.legible import DIRECTIONS
+
+LONGEST = 300
+"""Characters of the longest name."""
+
+
+def unfit_name(value: object, most: int = LONGEST) -> str:
+    """Why a value is no name that can be shown, empty where it is one.
+
+    A name is a text with no control characters, surrogates, line breaks or characters that change
+    the direction of writing.
+    """
+    if type(value) is not str:
+        return f"is a value of type {type(value).__name__[:60]!r}, not a text"
+    if not value:
+        return "is empty"
+    if len(value) > most:
+        return f"has {len(value)} characters, more than {most}"
+    if value.isascii() and value.isprintable():
+        return ""
+    for character in value:
+        if unicodedata.category(character) in ("Cc", "Cs", "Zl", "Zp") or character in DIRECTIONS:
+            return f"has the character U+{ord(character):04X}, which no name may have"
+    return ""
+
+
+def proper_name(value: object, what: str) -> str:
+    """A name; PluginError where it is none."""
+    wrong = unfit_name(value)
+    if wrong:
+        raise PluginError(f"the name of {what} {wrong}")
+    return str(value)
+
+
+def seconds(value: object, what: str, zero: bool = False) -> float:
+    """A time in seconds above 0, or ``zero``; PluginError for anything else. It may be for ever."""
+    if isinstance(value, (int, float)) and type(value) is not bool:
+        try:
+            time = float(value)
+        except OverflowError:
+            time = 0.0
+        if time > 0 or (zero and time == 0):
+            return time
+        shown = repr(time)
+    else:
+        shown = f"of type {type(value).__name__!r}"
+    least = "of at least" if zero else "above"
+    raise PluginError(f"{what} is {shown}, not a time {least} 0 s")
+
+
+def truth(value: object, what: str) -> bool:
+    """True or False; PluginError for anything else."""
+    if type(value) is not bool:
+        raise PluginError(f"{what} is of type {type(value).__name__!r}, not True or False")
+    return value
+
+
+def words_of_values(words: Mapping[str, str]) -> dict[str, str]:
+    """What values mean, for people; PluginError where these are no texts."""
+    found = dict(words)
+    for value, word in found.items():
+        if type(value) is not str or type(word) is not str:
+            raise PluginError("words does not map texts to texts")
+    return found
