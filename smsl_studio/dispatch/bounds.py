@@ -17,6 +17,7 @@ from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.graph.build import graph_of
 from smsl_studio.graph.goal_tree import GoalTree
+from smsl_studio.stop import heed
 
 Key = tuple[str, ...]
 Extra = Mapping[str, float]
@@ -73,11 +74,10 @@ class Bounds:
     def _far(self, goal: Address) -> Mapping[str, float]:
         """The least that the SB's own way to the goal costs, for every state that has one."""
         graph = graph_of(self._blueprint[goal.branch])
-        least = [
-            self._least(edge)
-            for state in graph.names
-            for edge in self._stepper.edges.out(goal.branch, state)
-        ]
+        least: list[float] = []
+        for state in graph.names:
+            heed()
+            least += map(self._least, self._stepper.edges.out(goal.branch, state))
         closed = [number for number, cost in enumerate(least) if cost == inf]
         costs = [0.0 if cost == inf else cost for cost in least]
         tree = GoalTree(graph, [graph.index[goal.state]], costs, closed)
@@ -108,8 +108,11 @@ class Bounds:
 
     def _crossings(self, sub: str, up: bool) -> list[Edge]:
         edges, wanted = self._stepper.edges, 1 if up else -1
-        states = self._blueprint[sub].table
-        return [edge for s in states for edge in edges.out(sub, s) if edge.crossing == wanted]
+        found: list[Edge] = []
+        for state in self._blueprint[sub].table:
+            heed()
+            found += (edge for edge in edges.out(sub, state) if edge.crossing == wanted)
+        return found
 
     def _rise(self, sub: str) -> float:
         """The least of a quiet sub's rises, out of all states in which it may be left."""

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.effects import changed_by, touched
-from smsl_studio.dispatch.guards import doubts
+from smsl_studio.dispatch.guards import doubt
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.desk import no_words, who_words
 from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.questions import operation_task
 from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.safeguards import Safeguards
 from smsl_studio.dispatch.stage import ENDED, Failure, Stage, fault_words
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.host.protocol import Bound, Outcome, Tick
@@ -47,6 +48,8 @@ class Carrier:
         self._blame = self._answerable = True
         self._unanswered = False
         self._by = ""
+        self._rests = Safeguards(run, step)
+        self._lost: tuple[str, ...] = ()
 
     @property
     def bound(self) -> Bound:
@@ -96,8 +99,39 @@ class Carrier:
             self._running()
         elif self.stage is Stage.SETTLING:
             tick = self._tick()
+            self._notice()
             if tick.time >= self._until - HAIR:
                 self._decide()
+
+    def watch(self) -> None:
+        """Where a fact on which the step rests is false or unknown, end it as its operation
+        declares (``finish``: it goes on to its end). Whatever ends, nothing commits any more."""
+        if not self.moving or not self._notice():
+            return
+        own = self.stage is Stage.RUNNING or self._person_acts
+        if self.stage is Stage.SETTLING or (own and self.bound.stop == "finish"):
+            return
+        if self.stage is Stage.RUNNING:
+            self._cancel(self.bound.stop, "cancelled", self._lost_words)
+        else:
+            self._end_asking(self._lost_words)
+        self._settle()
+
+    def _notice(self) -> bool:
+        """Whether it is seen at this moment, and not before, that the step's ground is gone."""
+        if self._lost:
+            return False
+        asked = (split_fact(one.address) for one in self.wants if one.kind == "fact")
+        self._lost = self._rests.lost([fact for fact in asked if fact is not None])
+        return bool(self._lost)
+
+    @property
+    def _lost_words(self) -> str:
+        return f"{self.action.edge} cannot go on: {'; '.join(self._lost)}"
+
+    @property
+    def _person_acts(self) -> bool:
+        return self.stage is Stage.ASKING and self.wants[0].kind == "operation"
 
     def abort(self, mode: str, reason: str) -> None:
         """Cancel the running function; the step fails without blame once the world has settled."""
@@ -126,7 +160,7 @@ class Carrier:
 
     def _end_asking(self, reason: str) -> None:
         """Nobody needs to answer any more; a person who was acting is not, as far as we know."""
-        if self.wants[0].kind == "operation":
+        if self._person_acts:
             self._ended("cancelled", reason)
             self._run.emit(*self._run.senses.doubt(self.touched, UNSURE))
         self.wants = ()
@@ -144,9 +178,13 @@ class Carrier:
         if barred is not None:
             self._fail(f"{barred} is {shut[barred]}", risky=False, pending=bool(run.transit))
             return
-        unsure = self._index and doubts(run, self.step, action.edge)
+        self._lost = self._rests.begin(action)
+        if self._lost:
+            self._fail(self._lost_words, risky=False, pending=bool(run.transit))
+            return
+        unsure = doubt(run, action.edge) if self._index else ""
         if unsure:
-            self._fail("; ".join(unsure), risky=False, pending=bool(run.transit))
+            self._fail(unsure, risky=False, pending=bool(run.transit))
             return
         run.transit = action.transit
         now = run.time
@@ -216,17 +254,17 @@ class Carrier:
 
     def _running(self) -> None:
         tick = self._tick()
-        if tick.outcome is Outcome.RETURNED:
-            self._ended("returned", tick.message or self._by)
-        elif tick.outcome is Outcome.RUNNING:
+        if tick.outcome is Outcome.RUNNING:
+            self.watch()
             limit = self.bound.timeout
-            if tick.time - self.since < limit - HAIR:
+            if self.stage is not Stage.RUNNING or tick.time - self.since < limit - HAIR:
                 return
             self._fault = f"{self.action.edge} took longer than its {limit:g} s"
             self._cancel("abort", "timed_out", self._fault)
         else:
             self._ended(ENDED[tick.outcome], tick.message or self._by)
             self._fault = fault_words(self.action.edge, tick)
+            self._notice()
         self._settle()
 
     def _ended(self, outcome: str, message: str) -> None:
@@ -247,8 +285,12 @@ class Carrier:
         """Whatever the function returned, the state check on sensed facts decides."""
         run, action = self._run, self.action
         run.look()
+        self._notice()
         if self._fault:
             self._fail(self._fault, risky=self._blame, unanswered=self._unanswered)
+            return
+        if self._lost:
+            self._fail(self._lost_words, risky=False)
             return
         after = action.after
         run.pending.update(action.moved)
@@ -271,6 +313,7 @@ class Carrier:
             operations = tuple(map(str, action.commits))
             committed = dict(action.committed)
             run.events.append(Committed(t=run.time, operations=operations, configuration=committed))
+        self._rests.end(action)
         self._index += 1
         if self._index == len(self.step.actions):
             self.stage = Stage.DONE
@@ -302,5 +345,6 @@ class Carrier:
         """Pending from the moment a crossing starts until it commits."""
         if pending is None:
             pending = bool(self.action.transit)
-        self.failure = Failure(self.action.edge, reason, risky, pending, unanswered)
+        edge = self.action.edge
+        self.failure = Failure(edge, reason, risky, pending, unanswered, self._lost)
         self.stage = Stage.FAILED

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
@@ -18,6 +18,23 @@ from smsl_studio.errors import PlanningError
 from smsl_studio.host.protocol import Bound
 
 VETOED = "vetoed"
+
+
+class _Exact(Collection[Address]):
+    """The edges to which a function is bound by their address, looked up when one is asked of."""
+
+    def __init__(self, bound: Mapping[Address, Bound]) -> None:
+        self._bound = bound
+
+    def __contains__(self, address: object) -> bool:
+        found = self._bound.get(address) if isinstance(address, Address) else None
+        return found is not None and found.exact
+
+    def __iter__(self) -> Iterator[Address]:
+        return (address for address, one in self._bound.items() if one.exact)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
 
 
 class Course:
@@ -44,9 +61,12 @@ class Course:
         self.version = 0
         self._hierarchy = hierarchy
         self._bound = bound
-        self._exact = frozenset(address for address, one in bound.items() if one.exact)
+        self._exact = _Exact(bound)
         self._planner: Planner | None = None
         self._asked: dict[Address, Planner] = {}
+        self._what_if: dict[object, Planner] = {}
+        self._prospect_of: tuple[object, tuple[JointStep | None, tuple[Address, ...]]]
+        self._prospect_of = None, (None, ())
         self._detours: dict[object, tuple[Address, ...] | None] = {}
         self._vetoed_at: dict[str, str] = {}
         self._legs: tuple[Leg, ...] = ()
@@ -179,16 +199,24 @@ class Course:
         self, configuration: Mapping[str, str]
     ) -> tuple[JointStep | None, tuple[Address, ...]]:
         """The same as ``next_step``, for who only looks: nothing is kept, no veto is lifted."""
+        asked = (tuple(configuration.values()), self._legs, self._at, self.version)
+        if self._prospect_of[0] != asked:
+            self._prospect_of = asked, self._looked_ahead(configuration)
+        return self._prospect_of[1]
+
+    def _looked_ahead(
+        self, configuration: Mapping[str, str]
+    ) -> tuple[JointStep | None, tuple[Address, ...]]:
         kept = self._legs, self._at, self._ahead
         stale = self.vetoed and self._vetoed_at != dict(configuration)
-        planner = self._planner_of(self._lasting) if stale else self.planner
+        planner = self._under("lasting", self._lasting) if stale else self.planner
         try:
             step, _ = self._next(configuration, planner)
-            following = self.ahead
+            return step, self.ahead
         except PlanningError:
-            step, following = None, ()
-        self._legs, self._at, self._ahead = kept
-        return step, following
+            return None, ()
+        finally:
+            self._legs, self._at, self._ahead = kept
 
     def drop_plan(self) -> None:
         self._legs, self._at, self._ahead = (), (0, 0), None
@@ -204,9 +232,10 @@ class Course:
         """
         key = (tuple(configuration.values()), address)
         if key not in self._detours:
-            planner = self._planner_of({**self.closed, address: VETOED})
+            planner = self._under(address, {**self.closed, address: VETOED})
             legs = planner.legs(configuration, self.goals)
             self._detours[key] = None if legs is None else _operations(legs)
+            del self._what_if[address]
         return self._detours[key]
 
     def blocking(self, configuration: Mapping[str, str]) -> Mapping[Address, str]:
@@ -216,8 +245,11 @@ class Course:
         where no way is drawn at all, or where there is one.
         """
         blocks = Blocks(self.closed, self._bound)
-        terms = Terms({}, None, self._exact, None, self.prices.now, blocks)
-        legs = Planner(self._hierarchy, terms, self._ways).legs(configuration, self.goals)
+        planner = self._what_if.get(Blocks)
+        if planner is None:
+            terms = Terms({}, None, self._exact, None, self.prices.now, blocks)
+            planner = self._what_if[Blocks] = Planner(self._hierarchy, terms, self._ways)
+        legs = planner.legs(configuration, self.goals)
         edges = (edge for leg in legs or () for step in leg.steps for edge in step.edges)
         return blocks.among(edges)
 
@@ -225,7 +257,8 @@ class Course:
         """The risky edges on the way that would exist if none were risky; empty: no way at all."""
         if not self.risky:
             return ()
-        legs = self._planner_of({**self.vetoed, **self.shut}).legs(configuration, self.goals)
+        planner = self._under("risky", {**self.vetoed, **self.shut})
+        legs = planner.legs(configuration, self.goals)
         found = (edge for leg in legs or () for edge in leg.operations)
         return tuple(dict.fromkeys(edge for edge in found if edge in self.risky))
 
@@ -234,7 +267,7 @@ class Course:
         lifted = [self.vetoed.pop(address, None) for address in addresses]
         if any(lifted):
             self.version += 1
-            self._planner, self._asked, self._detours = None, {}, {}
+            self._forget_planners()
 
     def _lift_vetoes(self, configuration: Mapping[str, str]) -> None:
         if self._vetoed_at != dict(configuration):
@@ -247,8 +280,19 @@ class Course:
 
     def _changed(self) -> None:
         self.version += 1
-        self._planner, self._asked, self._detours = None, {}, {}
+        self._forget_planners()
         self.drop_plan()
+
+    def _forget_planners(self) -> None:
+        self._planner, self._asked, self._detours, self._what_if = None, {}, {}, {}
+
+    def _under(self, what: object, shut: Mapping[Address, str]) -> Planner:
+        """The planner for what is only asked, kept as long as the terms stand: where it is called
+        off it goes on when it is asked again."""
+        planner = self._what_if.get(what)
+        if planner is None:
+            planner = self._what_if[what] = self._planner_of(shut)
+        return planner
 
     def _planner_of(
         self, shut: Mapping[Address, str], failing: Collection[Address] = ()

@@ -8,16 +8,19 @@ clock or a file or starts a thread.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from contextlib import suppress
 from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.looking import look, look_at_nothing, phase_at_end
+from smsl_studio.dispatch.looking import Standing, look, look_at_nothing, phase_at_end, stand
 from smsl_studio.dispatch.start import begin_run
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.command import in_order
 from smsl_studio.dispatch.supervision.commands import Commands
 from smsl_studio.dispatch.supervision.leaving import leave
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
@@ -28,7 +31,9 @@ from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.errors import HostError, RunRefused
 from smsl_studio.host.protocol import Host, Opened
+from smsl_studio.runlog.ends import BROKEN_OFF, UNBEGUN
 from smsl_studio.runlog.events import Event, Held, RunFinished
+from smsl_studio.stop import BrokenOff, Stopped, restartable
 
 NOWHERE: Mapping[str, str] = MappingProxyType({})
 
@@ -117,20 +122,32 @@ class Dispatcher(Commands):
         return self._drain()
 
     def tick(self) -> tuple[Event, ...]:
-        """One step: commands first, then one host tick or the next proposal; what happened."""
+        """One step: commands first, then one host tick or the next proposal; what happened.
+
+        Where it lasts (a long plan, a world that does not answer) it heeds whoever listens (see
+        ``stop``). Called off, it tells what has happened until then: the next tick goes on.
+        """
         driver = self._driver
         if driver is None or self._ended is not None:
             return ()
         try:
             if self._waiting:
-                commands, self._waiting = self._waiting, []
-                obey(driver, commands)
+                commands, self._waiting = list(in_order(self._waiting)), []
+                try:
+                    obey(driver, commands)
+                finally:
+                    self._waiting[:0] = commands
+                driver.arrival.forget()
             if self._leaving and driver.ended is None:
                 leave(driver)
             if driver.ended is None:
                 driver.go_on()
         except HostError as error:
             return self._host_gone(error)
+        except BrokenOff:
+            raise
+        except Stopped:
+            return self._drain()
         if driver.ended is not None:
             self._ended = driver.ended
             driver.run.emit(driver.ended)
@@ -154,6 +171,17 @@ class Dispatcher(Commands):
     def leave(self) -> None:
         """Whoever attended the run is gone: from the next tick on it ends where it waits."""
         self._leaving = True
+
+    def break_off(self) -> tuple[Event, ...]:
+        """End a run that was called off in the middle of a tick, which is not gone on with."""
+        driver = self._driver
+        if driver is None:
+            return self._end("stopped", UNBEGUN)
+        if self._ended is not None:
+            return ()
+        with suppress(HostError, Stopped):
+            self.host.cancel("hold")
+        return self._end("stopped", BROKEN_OFF)
 
     def close(self) -> None:
         """Free the host; calling it twice is harmless."""
@@ -185,15 +213,29 @@ class Dispatcher(Commands):
 
     @property
     def status(self) -> DispatchStatus:
-        """How the run stands now; the same object until something happens."""
-        if self._status is None:
+        """How the run stands now; the same object until something happens, or more is known.
+
+        Where routes take long to find it heeds whoever listens (see ``stop``), and shows what is
+        known by then (``planning``).
+        """
+        if self._status is None or self._status.planning:
             ended, driver = self._ended, self._driver
-            self._status = (
-                look(driver, self.phase, ended)
-                if driver
-                else look_at_nothing(self.phase, self._goals, ended)
-            )
+            with restartable():
+                self._status = (
+                    look(driver, self.phase, ended)
+                    if driver
+                    else look_at_nothing(self.phase, self._goals, ended)
+                )
         return self._status
+
+    @property
+    def standing(self) -> Standing:
+        """Where the run stands now; unlike ``status`` it plans nothing."""
+        ended, driver = self._ended, self._driver
+        if driver is None:
+            nothing = self.status
+            return Standing(0.0, {}, Scene(), nothing.reason, nothing.sentence)
+        return stand(driver, self.phase, ended)
 
     # the end ------------------------------------------------------------------------------------
 
@@ -203,16 +245,20 @@ class Dispatcher(Commands):
         held = Held(t=self.time, reason=error.sentence, details=details)
         return self._end("failed", error.sentence, held)
 
-    def _end(self, reason: str, sentence: str, *before: Event) -> tuple[Event, ...]:
-        """End outside the driver; what it had to tell comes first."""
+    def end_for(self, reason: str, sentence: str) -> RunFinished:
+        """The last event of the run if it ended now, for this reason."""
         run = self._driver.run if self._driver else None
-        self._ended = RunFinished(
+        return RunFinished(
             t=self.time,
             reason=reason,
             sentence=sentence,
             operations=run.operations if run else 0,
             configuration=dict(run.configuration) if run else {},
         )
+
+    def _end(self, reason: str, sentence: str, *before: Event) -> tuple[Event, ...]:
+        """End outside the driver; what it had to tell comes first."""
+        self._ended = self.end_for(reason, sentence)
         if self._driver is not None:
             refuse(self._driver, self._waiting, "the run is over")
             self._driver.carrier = None

@@ -11,6 +11,8 @@ from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.arrival import Arrival
+from smsl_studio.dispatch.bypass import Bypasses
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.outlook import Outlook
@@ -22,19 +24,19 @@ from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.pricing import Pricing
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.stage import Failure, Stage
-from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
-from smsl_studio.dispatch.supervision.rechecking import informed
+from smsl_studio.dispatch.supervision.loop_guard import REPEATS, LoopGuard
+from smsl_studio.dispatch.supervision.rechecking import informed, lost
 from smsl_studio.dispatch.supervision.reviewing import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.trouble import Hold, Trouble
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.runlog.events import (
-    GoalReached,
     Held,
     Paused,
     RoutePlanned,
     RunFinished,
 )
+from smsl_studio.stop import restartable
 
 
 class Driver:
@@ -59,16 +61,18 @@ class Driver:
     ) -> None:
         self.run, self.course, self.state, self.trouble = run, course, state, trouble
         self.reviewer, self.loops, self.attended = reviewer, loops, attended
+        self.repeats = LoopGuard(REPEATS)
         self.desk = Desk(run, someone or (lambda: self.attended))
         self.starting = Starting(self, seed, course.goals, findings)
         self.outlook = Outlook(run, course)
         self.pricing = Pricing(run, course)
+        self.bypasses = Bypasses(run, course)
         self.carrier: Carrier | None = None
         self.proposed: Address | None = None
         self.chosen = False
         self.ended: RunFinished | None = None
         self.sentence = ""
-        self._told: set[Address] = set()
+        self.arrival = Arrival(run, course.goals)
         self._broken_since: float | None = None
 
     @property
@@ -88,7 +92,7 @@ class Driver:
             self.run.emit(*self.run.senses.listen())
             return
         if asking and not self._outlived():
-            self._wait(watched=phase == "waiting" and not self.desk.keeps)
+            self._wait(watched=phase == "waiting")
         elif carrier is not None:
             self._carry(carrier)
         elif not self.starting.over and phase in ("running", "ready"):
@@ -112,8 +116,12 @@ class Driver:
         if self.carrier is None:
             self._live(watched)
         else:
-            _, changes = self.run.senses.tick()
-            self.run.emit(*changes)
+            self._tick()
+            self.carrier.watch()
+            if self.carrier.stage is not Stage.ASKING:
+                self.desk.withdraw()
+                self._after(self.carrier)
+                return
         self.desk.pass_time()
         self.desk.settled()
 
@@ -128,11 +136,14 @@ class Driver:
         """The world lives while a person thinks; integrity is watched (clause 9) where the run
         has not given it up already."""
         run = self.run
-        _, changes = run.senses.tick()
-        run.emit(*changes)
-        if not watched:
+        self.arrival.begin()
+        self._tick()
+        if not watched or lost(self) or self.desk.keeps:
             return
         self.pricing.ask()
+        if self.arrival.moved and not self.desk.busy and self.arrival.open:
+            self.arrival.look(self)
+            return
         if not run.broken():
             self._broken_since = None
         elif self._broken_since is None:
@@ -143,9 +154,18 @@ class Driver:
             self.withdraw()
             self.hold(self.trouble.relocalise())
 
+    def _tick(self) -> None:
+        """The world goes on for one tick, and its sensors say what they are due to say."""
+        _, changes = self.run.senses.tick()
+        self.run.emit(*changes)
+
     def _propose(self) -> None:
-        if self._tell_goals():
-            self.arrived()
+        if lost(self):
+            return
+        if self.arrival.closing or self.arrival.open:
+            self.arrival.begin()
+            self._tick()
+            self.arrival.look(self)
             return
         step = self._next()
         if step is not None:
@@ -156,17 +176,19 @@ class Driver:
         run, course = self.run, self.course
         self.pricing.ask()
         try:
-            step, leg = course.next_step(run.configuration)
-            if step is None:
-                self.hold(self.trouble.no_way(self.outlook.details()))
-                return None
+            with restartable():
+                step, leg = course.next_step(run.configuration)
+                hold = self.trouble.no_way(self.outlook.details()) if step is None else None
         except PlanningError as error:
             words = f"{error.sentence[:1].upper()}{error.sentence[1:]}."
-            self.hold(Hold(words, (error.advice,)))
+            step, leg, hold = None, None, Hold(words, (error.advice,))
+        if step is None:
+            self.hold(hold)
             return None
         if leg is not None:
             operations = tuple(map(str, leg.operations))
             run.emit(RoutePlanned(t=run.time, goal=leg.aim, operations=operations, cost=leg.cost))
+            self.bypasses.tell((*(edge.address for edge in step.edges), *course.ahead))
         return step
 
     def begin(self, step: JointStep) -> None:
@@ -200,8 +222,8 @@ class Driver:
         if self.state.pausing and not carrier.moving:
             self.now_paused()
         if self.carrier is None:
-            self._tell_goals()
-            if self.state.once:
+            self.arrival.begin(moved=True)
+            if self.state.once and (self.state.by_hand or not self.arrival.open):
                 self.state.once = False
                 if not self.state.by_hand:
                     self.now_paused()
@@ -211,38 +233,18 @@ class Driver:
         self._after(carrier)
 
     def _failed(self, step: JointStep, failure: Failure) -> None:
-        """Relocalise, once people have said what only they know of the scene."""
+        """Relocalise, once people have said what only they know of the scene. Where the step lost
+        what it rests on the run holds at once, and people are asked when it is to go on."""
 
         def relocalise() -> None:
             hold = self.trouble.after(failure)
             self.hold(hold or (Hold(failure.reason) if failure.unanswered else None))
 
         self.trouble.blame(step, failure)
-        if failure.unanswered:
+        if failure.unanswered or failure.lost:
             relocalise()
         else:
             informed(self, relocalise)
-
-    def _tell_goals(self) -> bool:
-        """Goals count as reached in their order; whether all hold."""
-        run = self.run
-        for goal in self.course.goals:
-            if run.configuration[goal.branch] != goal.state:
-                return False
-            if goal not in self._told:
-                self._told.add(goal)
-                self.loops.forget()
-                run.emit(GoalReached(t=run.time, goal=str(goal)))
-        return True
-
-    def arrived(self) -> None:
-        if self.state.by_hand:
-            self.state.once = False
-            return
-        self._tell_goals()
-        goals = self.course.goals
-        word = "holds" if len(goals) == 1 else "hold"
-        self.finish("goal_reached", f"{', '.join(map(str, goals))} {word}.")
 
     # what commands need -------------------------------------------------------------------------
 
@@ -281,13 +283,14 @@ class Driver:
             return
         state = self.state
         self.desk.withdraw()
+        self.arrival.forget()
         state.held, self.sentence = hold, hold.reason
         state.once = state.pausing = state.paused = False
         details = tuple(hold.details)
         held = Held(t=self.run.time, reason=hold.reason, details=details, kind=hold.kind)
         self.run.emit(held)
         if not self.attended:
-            self.finish(hold.kind, hold.reason)
+            self.finish(hold.ends, hold.reason)
 
     def release(self) -> None:
         """The run holds no longer."""

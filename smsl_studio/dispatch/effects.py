@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
+from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import Action
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.dispatch.run import Run
@@ -37,6 +38,15 @@ def changed_by(run: Run, action: Action) -> set[FactKey]:
     for name, state in {**action.moved, **action.committed}.items():
         found |= _differing(run.blueprint[name], run.believed[name], state)
     return found
+
+
+def moved_by(run: Run, edge: Edge) -> frozenset[str]:
+    """The SBs that carrying out one edge moves: its own, with ``load`` also those it sets below."""
+    if not edge.load:
+        return frozenset((edge.branch,))
+    subs = dict(run.hierarchy.subs[edge.branch])
+    below = (run.hierarchy.tree(subs[digit]) for digit in (*edge.falls, *edge.rises))
+    return frozenset((edge.branch,)).union(*below)
 
 
 def _loaded(run: Run, action: Action) -> set[FactKey]:

@@ -37,7 +37,8 @@ def _bases_first(hierarchy: Hierarchy) -> tuple[str, ...]:
 
 
 def _contradictions(hierarchy: Hierarchy, goals: Mapping[str, str]) -> None:
-    """Follow every goal down: on puts a sub in ACTIVATING, off keeps it out."""
+    """Follow every goal down: on puts a sub in ACTIVATING, off keeps it out. Then see whether any
+    states are left in which bases and subs agree with all goals."""
     blueprint = hierarchy.blueprint
     forced: dict[str, tuple[bool, str]] = {}
     for name in hierarchy.order:
@@ -56,3 +57,35 @@ def _contradictions(hierarchy: Hierarchy, goals: Mapping[str, str]) -> None:
                     f"the goals {forced[sub][1]} and {cause} cannot hold together: "
                     f"{sub} cannot be both on and off"
                 )
+    if len(goals) < 2 or any(not _places(hierarchy, {n: s}) for n, s in goals.items()):
+        return  # a goal that can never hold is no contradiction: nothing permitted leads there
+    if not _places(hierarchy, goals):
+        named = " and ".join(f"{name}/{state}" for name, state in goals.items())
+        raise RunRefused(f"the goals {named} cannot hold together: bases and subs cannot agree")
+
+
+def _places(hierarchy: Hierarchy, goals: Mapping[str, str]) -> bool:
+    """Whether every SB is left a state, where each digit and its sub-SB must be able to agree.
+
+    States are taken away as long as one of them agrees with nothing that is left of a neighbour.
+    Every contradiction found is one; with shared subs there are some that this does not find.
+    """
+    blueprint = hierarchy.blueprint
+    left = {
+        name: {goals[name]} & set(blueprint[name].table) if name in goals else set(branch.table)
+        for name, branch in blueprint.branches.items()
+    }
+    shrinks = True
+    while shrinks and all(left.values()):
+        shrinks = False
+        for name in hierarchy.order:
+            branch = blueprint[name]
+            for digit, sub in hierarchy.subs[name]:
+                active = blueprint[sub].activating
+                could = {one == active for one in left[sub]}
+                bases = {one for one in left[name] if branch.is_on(one, digit) in could}
+                on = {branch.is_on(one, digit) for one in bases}
+                subs = {one for one in left[sub] if (one == active) in on}
+                shrinks = shrinks or (bases, subs) != (left[name], left[sub])
+                left[name], left[sub] = bases, subs
+    return all(left.values())

@@ -14,14 +14,16 @@ from smsl_studio.blueprint.check import Term
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.effects import moved_by
 from smsl_studio.dispatch.run import Run
-from smsl_studio.dispatch.words import check_words, fact_words
+from smsl_studio.dispatch.safeguards import lost_critical
+from smsl_studio.dispatch.words import check_words, required_words
 from smsl_studio.errors import AddressError
 
 
 def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
     """Why a joint step may not begin now, as sentences; empty where it may."""
-    reasons = _sources(run, step)
+    reasons = [*_sources(run, step), *lost_critical(run)]
     for edge in step.edges:
         if edge.requires:
             reasons.extend(_required(run, step))
@@ -64,14 +66,11 @@ def _sources(run: Run, step: JointStep) -> list[str]:
     return found
 
 
-def doubts(run: Run, step: JointStep, edge: Edge) -> tuple[str, ...]:
-    """Why an edge of a step that is under way may not run its function now: what it starts from,
-    or requires of SBs that the step does not move, does not check true any more."""
-    source = run.believed[edge.branch]
-    check = run.check(edge.branch, source, run.transit)
-    words = [] if check.truth is True else [check_words(run.blueprint, check)]
-    moved = {one.branch for one in step.edges}
-    return tuple(dict.fromkeys([*words, *_unmet(run, edge, moved)]))
+def doubt(run: Run, edge: Edge) -> str:
+    """Why an edge of a step that is under way may not run its function now: what it starts from
+    does not check true. Empty where it may. What it requires is asked of ``Safeguards``."""
+    check = run.check(edge.branch, run.believed[edge.branch], run.transit)
+    return "" if check.truth is True else check_words(run.blueprint, check)
 
 
 def needs(run: Run, edge: Edge) -> Iterator[Term]:
@@ -91,7 +90,7 @@ def _required(run: Run, step: JointStep) -> Iterator[str]:
     for edge in step.edges:
         if edge.requires:
             yield from _unmet(run, edge, moved)
-        moved.add(edge.branch)
+        moved |= moved_by(run, edge)
 
 
 def _unmet(run: Run, edge: Edge, moved: Collection[str]) -> Iterator[str]:
@@ -99,5 +98,4 @@ def _unmet(run: Run, edge: Edge, moved: Collection[str]) -> Iterator[str]:
     for term in needs(run, edge):
         branch, digit = term.fact
         if digit >= 0 and branch not in moved and term.truth is not True:
-            what = fact_words(run.blueprint, term)
-            yield f"{edge} requires {branch}/{digit} to be {term.wanted}: {what}"
+            yield required_words(run.blueprint, edge, term)

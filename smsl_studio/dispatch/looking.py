@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple, TypeVar
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
@@ -14,6 +15,9 @@ from smsl_studio.dispatch.supervision.offers import offers
 from smsl_studio.dispatch.supervision.table import why_refused
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import RunFinished
+from smsl_studio.stop import BrokenOff, Stopped
+
+Answer = TypeVar("Answer")
 
 _ENDS = {
     "goal_reached": "done",
@@ -28,26 +32,52 @@ def phase_at_end(ended: RunFinished) -> str:
     return _ENDS.get(ended.reason, "fault_hold")
 
 
+class Standing(NamedTuple):
+    """Where a run stands: the time (s), where every SB is believed, the facts as they are sensed,
+    and why it ended or holds.
+    """
+
+    time: float
+    configuration: Mapping[str, str]
+    scene: Scene
+    reason: str
+    sentence: str
+
+
+def stand(driver: Driver, phase: str, ended: RunFinished | None) -> Standing:
+    """Where an opened run stands; nothing is planned for it."""
+    run, held = driver.run, driver.state.held
+    reason = ended.reason if ended else held.kind if held else ""
+    sentence = ended.sentence if ended else _sentence(driver, phase)
+    return Standing(run.time, dict(run.configuration), run.senses.scene, reason, sentence)
+
+
 def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatus:
-    """How an opened run stands."""
+    """How an opened run stands.
+
+    It asks for routes, which may last, and heeds (see ``stop``): called off, it shows what is
+    known.
+    """
     run, carrier, state = driver.run, driver.carrier, driver.state
-    current = carrier.remaining if carrier else ()
-    route = (*(edge.address for edge in current), *driver.course.ahead)
-    following = None if carrier is not None or ended else driver.next_edge()
-    if following is not None and driver.desk.busy and following not in route[:1]:
-        # What people are asked about is still to be carried out, and first.
-        route = (following, *route)
-    if not route and phase == "paused" and not holds(_here(driver), driver.course.goals):
-        # What was asked for by hand has no plan behind it; one sees what would come all the same.
-        route = driver.course.prospect(_here(driver))
+    standing = stand(driver, phase, ended)
+    sought = _Sought()
+    route = sought(lambda: _route(driver, phase, ended), _begun(driver))
+    possible: tuple[Possible, ...] = ()
+    if not ended:
+        possible, whole = driver.outlook.known()
+        sought.all &= whole
+    detour = None
+    if driver.attended and not ended:
+        detour = sought(lambda: _detour(driver), None)
     held = state.held
+    begun = carrier.uncommitted if carrier else ()
     candidates = driver.trouble.candidates if held is not None else ()
     if state.offered is not None:
         candidates = (state.offered,)
     return DispatchStatus(
         phase=phase,
-        time=run.time,
-        configuration=dict(run.configuration),
+        time=standing.time,
+        configuration=standing.configuration,
         pending=dict(run.pending),
         running=carrier.running if carrier else None,
         carrying=carrier.step.asked.address if carrier else None,
@@ -55,23 +85,62 @@ def look(driver: Driver, phase: str, ended: RunFinished | None) -> DispatchStatu
         progress=driver.outlook.progress(carrier),
         route=route,
         goals=driver.course.goals,
-        scene=run.senses.scene,
+        scene=standing.scene,
         check=None if ended else driver.outlook.awaited(carrier),
-        possible=() if ended else tuple(_possible(driver, phase)),
+        possible=tuple(_latched(driver, phase, possible)),
         candidates=candidates,
-        reason=ended.reason if ended else held.kind if held else "",
-        sentence=ended.sentence if ended else _sentence(driver, phase),
+        reason=standing.reason,
+        sentence=standing.sentence,
         operations=run.operations,
         details=tuple(held.details) if held else (),
         offers=offers(driver),
         tasks=driver.desk.tasks,
-        detour=_detour(driver) if driver.attended and not ended else None,
+        detour=detour,
         since=dict(run.since),
         previous=dict(run.previous),
         sources=run.senses.sources,
         full_map=state.full_map,
         by=state.by,
+        notes=() if ended else driver.bypasses.sentences((*begun, *route)),
+        planning=not sought.all,
+        pausing=phase == "running" and (state.once or state.pausing),
     )
+
+
+class _Sought:
+    """What is asked of the planner; ``all`` says whether all of it is known."""
+
+    def __init__(self) -> None:
+        self.all = True
+
+    def __call__(self, question: Callable[[], Answer], otherwise: Answer) -> Answer:
+        try:
+            return question()
+        except BrokenOff:
+            raise
+        except Stopped:
+            self.all = False
+            return otherwise
+
+
+def _begun(driver: Driver) -> tuple[Address, ...]:
+    """What is left of the step that is carried out, and of the plan."""
+    current = driver.carrier.remaining if driver.carrier else ()
+    return (*(edge.address for edge in current), *driver.course.ahead)
+
+
+def _route(driver: Driver, phase: str, ended: RunFinished | None) -> tuple[Address, ...]:
+    """The edges still to be carried out."""
+    route = _begun(driver)
+    if driver.carrier is None and driver.desk.busy and not ended:
+        following = driver.next_edge()
+        if following is not None and following not in route[:1]:
+            # What people are asked about is still to be carried out, and first.
+            route = (following, *route)
+    if not route and phase == "paused" and not holds(_here(driver), driver.course.goals):
+        # What was asked for by hand has no plan behind it; one sees what would come all the same.
+        route = driver.course.prospect(_here(driver))
+    return route
 
 
 def look_at_nothing(
@@ -99,10 +168,10 @@ def look_at_nothing(
     )
 
 
-def _possible(driver: Driver, phase: str) -> Iterator[Possible]:
+def _latched(driver: Driver, phase: str, possible: Iterable[Possible]) -> Iterator[Possible]:
     """Every edge out of the active states; none may be asked for while the run is latched."""
     latched = why_refused("ask", phase, driver.state.taken_over)
-    for one in driver.outlook.possible():
+    for one in possible:
         if phase in ("stopped", "taken_over"):
             yield replace(one, permitted=False, reasons=(*one.reasons, latched))
         else:

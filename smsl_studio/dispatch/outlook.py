@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import CheckResult
@@ -13,6 +15,10 @@ from smsl_studio.dispatch.guards import needs, refusals
 from smsl_studio.dispatch.people.needed import of_step
 from smsl_studio.dispatch.run import Run
 from smsl_studio.dispatch.status import Possible
+from smsl_studio.stop import BrokenOff, Stopped
+
+MOST_TOLD = 200
+"""So many edges are told of where no route leads on."""
 
 
 class Outlook:
@@ -25,24 +31,53 @@ class Outlook:
         self._possible: tuple[Possible, ...] = ()
 
     def possible(self) -> tuple[Possible, ...]:
-        """Every edge out of the active states, bases first, in written order."""
-        run, course = self._run, self._course
-        facts = tuple(reading.value for reading in run.senses.scene.readings.values())
-        ahead = course.ahead
-        key = (tuple(run.configuration.values()), facts, course.version, ahead)
+        """Every edge out of the active states, bases first, in written order.
+
+        It heeds (see ``stop``): called off and asked again, it goes on.
+        """
+        key = self._now()
         if key != self._key:
+            route = frozenset(self._course.ahead)
+            self._possible = tuple(self._one(edge, route) for edge in self._edges())
             self._key = key
-            route = frozenset(ahead)
-            self._possible = tuple(
-                self._one(edge, route)
-                for name in run.hierarchy.order
-                for edge in course.planner.stepper.edges.out(name, run.configuration[name])
-            )
         return self._possible
 
+    def known(self) -> tuple[tuple[Possible, ...], bool]:
+        """The same at once, and whether that is all: where an edge's way is still being looked
+        for, it is not permitted yet, and says why."""
+        if self._now() == self._key:
+            return self._possible, True
+        route, found, whole = frozenset(self._course.ahead), [], True
+        for edge in self._edges():
+            try:
+                found.append(self._one(edge, route))
+            except BrokenOff:
+                raise
+            except Stopped:
+                found.append(self._unknown(edge))
+                whole = False
+        if whole:
+            self._key, self._possible = self._now(), tuple(found)
+        return tuple(found), whole
+
+    def _now(self) -> object:
+        """All that the answers depend on."""
+        run, course = self._run, self._course
+        facts = tuple(reading.value for reading in run.senses.scene.readings.values())
+        return tuple(run.configuration.values()), facts, course.version, course.ahead
+
+    def _edges(self) -> Iterator[Edge]:
+        edges = self._course.planner.stepper.edges
+        for name in self._run.hierarchy.order:
+            yield from edges.out(name, self._run.configuration[name])
+
     def details(self) -> tuple[str, ...]:
-        """Why each edge out of the active states does not help, edge by edge."""
-        return tuple(f"{one.address}: {self._hindrance(one)}" for one in self.possible())
+        """Why each edge out of the active states does not help, edge by edge; of very many the
+        first, and how many more there are."""
+        every = self.possible()
+        told = tuple(f"{one.address}: {self._hindrance(one)}" for one in every[:MOST_TOLD])
+        more = len(every) - len(told)
+        return (*told, f"and {more:,} more operations") if more else told
 
     def _hindrance(self, one: Possible) -> str:
         """Why an edge does not help, though a person may ask for it."""
@@ -104,6 +139,18 @@ class Outlook:
             needs=tuple(needs(run, edge)),
             risk=note.risk or "",
             level=run.levels.operation(edge.address),
+        )
+
+    def _unknown(self, edge: Edge) -> Possible:
+        """An edge whose joint step is not known yet."""
+        return Possible(
+            address=edge.address,
+            target=edge.target,
+            permitted=False,
+            reasons=("its way is still being looked for",),
+            cost=edge.price,
+            on_route=False,
+            level=self._run.levels.operation(edge.address),
         )
 
     def _refusals(self, step: JointStep) -> tuple[str, ...]:

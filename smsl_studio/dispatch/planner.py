@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 from smsl_studio.blueprint.address import Address, split_fact
+from smsl_studio.blueprint.allowance import Allowance
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge, Kind
 from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.search import Move, cheapest, patience
+from smsl_studio.blueprint.search import Move, Search, patience
 from smsl_studio.blueprint.stepper import Stepper, Terms
 from smsl_studio.dispatch.bounds import Bounds
+from smsl_studio.dispatch.effort import fact_count, refuse_too_long
 from smsl_studio.dispatch.ways import Ways
+from smsl_studio.errors import PlanningError
+from smsl_studio.stop import heed
 
 Key = tuple[str, ...]
 
@@ -66,6 +70,14 @@ class Planner:
             for key in note.requires
             if (fact := split_fact(key)) is not None
         }
+        self._guarded = {
+            branch.name
+            for branch in hierarchy.blueprint
+            if any(note.requires for note in branch.notes.operations.values())
+        }
+        self._question: tuple[Key, tuple[Address, ...]] | None = None
+        self._searches: dict[object, Search[Key]] = {}
+        self._gave_up: PlanningError | None = None
 
     def legs(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
         """The way to all goals, one leg for each that does not hold yet; None where there is none.
@@ -74,7 +86,28 @@ class Planner:
         leads nowhere, all of them are sought at once. Out of a failure state the first leg leads to
         the nearest configuration without failure, where a way leads on from it; no route leads
         into a failure state.
+
+        It heeds (see ``stop``). Called off, the next time the same is asked it goes on from there.
+        PlanningError where too many configurations were looked at, or the way takes more steps than
+        a run may have; asked again, that is said again.
         """
+        question = (self.stepper.key(start), tuple(goals))
+        if question != self._question:
+            self._question, self._searches, self._gave_up = question, {}, None
+            self.stepper.allowance = Allowance(self.hierarchy)
+        if self._gave_up is not None:
+            raise PlanningError(self._gave_up.sentence, advice=self._gave_up.advice)
+        try:
+            found = self._way(start, goals)
+            steps = (step for leg in found or () for step in leg.steps)
+            refuse_too_long(sum(max(len(step.actions), 1) for step in steps), self._facts)
+        except PlanningError as error:
+            self._searches, self._gave_up = {}, error.with_traceback(None)
+            raise
+        self._question, self._searches = None, {}
+        return found
+
+    def _way(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
         if holds(start, goals):
             return ()
         if not self.failing(start, goals):
@@ -92,6 +125,10 @@ class Planner:
         """The SBs that stand in a failure state, among those which move for the goals."""
         movers = self._movers([goal.branch for goal in goals])
         return tuple(name for name in movers if configuration[name] in self._failing(name))
+
+    @cached_property
+    def _facts(self) -> int:
+        return fact_count(self.hierarchy.blueprint)
 
     def _to_goals(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
         legs: list[Leg] = []
@@ -132,6 +169,32 @@ class Planner:
         movers = self._movers(branches)
         if len(movers) == 1 and self._ways.alone(self.stepper, movers[0]):
             return self._lone_leg(start, goal, wanted, movers[0], clean)
+        asked = (self.stepper.key(start), goal, tuple(wanted), tuple(movers), clean)
+        if asked not in self._searches:
+            self._searches[asked] = self._search(start, goal, wanted, movers, clean)
+        found = self._searches[asked].found()
+        if found is None:
+            return None
+        steps: list[JointStep] = []
+        before: list[Mapping[str, str]] = []
+        here = dict(start)
+        for move in found:
+            step = self.stepper.written(here, move.what)
+            assert isinstance(step, JointStep)
+            steps.append(step)
+            before.append(dict(here))
+            here.update(step.after)
+        return Leg(goal, tuple(steps), tuple(before), round(sum(s.cost for s in steps), 9))
+
+    def _search(
+        self,
+        start: Configuration,
+        goal: Address | None,
+        wanted: Sequence[Address],
+        movers: Sequence[str],
+        clean: bool,
+    ) -> Search[Key]:
+        """The search for such a way over joint configurations."""
         ill = [name for name in movers if clean or goal is None if self._failing(name)]
         quiet = self._quiet(movers, {*ill, *(one.branch for one in wanted)})
         places = [(self._at[one.branch], one.state) for one in wanted]
@@ -143,25 +206,13 @@ class Planner:
             )
 
         routed = goal.branch if goal is not None else movers[0]
-        found = cheapest(
+        return Search(
             self.stepper.key(start),
             is_goal,
             lambda node: self._moves(node, movers, quiet, routed),
             patience(self.hierarchy.blueprint.state_count),
             Bounds(self.stepper, start, wanted, movers, quiet),
         )
-        if found is None:
-            return None
-        steps: list[JointStep] = []
-        before: list[Mapping[str, str]] = []
-        here = dict(start)
-        for move in found:
-            step = self.stepper.step(here, move.what)
-            assert isinstance(step, JointStep)
-            steps.append(step)
-            before.append(dict(here))
-            here.update(step.after)
-        return Leg(goal, tuple(steps), tuple(before), round(sum(s.cost for s in steps), 9))
 
     def _lone_leg(
         self,
@@ -188,12 +239,14 @@ class Planner:
         return Leg(goal, steps, before, round(sum(step.cost for step in steps), 9))
 
     def _quiet(self, movers: Sequence[str], seen: Collection[str]) -> frozenset[str]:
-        """The flat subs that no goal (``seen``) and no ``requires`` looks into.
+        """The flat subs that no goal (``seen``) and no ``requires`` looks into, and whose own
+        operations require nothing.
 
         Only operations that leave ACTIVATING need to be asked of them: whatever else could be
-        asked, a base's rise does on its own sub-route, and never at a higher cost.
+        asked, a base's rise does on its own sub-route, and never at a higher cost. An operation
+        that requires something may be open only before that rise, so its SB is not among them.
         """
-        asked = self._required.union(seen)
+        asked = self._required.union(seen, self._guarded)
         return frozenset(
             name
             for name in movers
@@ -204,9 +257,12 @@ class Planner:
         self, node: Key, movers: Sequence[str], quiet: frozenset[str], routed: str
     ) -> Iterator[Move]:
         here: dict[str, str] = {}
+        seen = 0
         for name in movers:
             at = self._at[name]
-            for edge in self.stepper.edges.out(name, node[at]):
+            edges = self.stepper.edges.out(name, node[at])
+            seen += len(edges)
+            for edge in edges:
                 if edge.source == edge.target or (name in quiet and edge.crossing >= 0):
                     continue
                 here = here or dict(zip(self.hierarchy.order, node, strict=True))
@@ -217,15 +273,18 @@ class Planner:
                         count = int(name == routed)
                         yield Move(to, edge.cost, count, partial(_one, edge, routed), key, edge)
                     continue
+                heed()
                 script = self.stepper.glance(here, edge)
                 if script is not None:
                     to = self.stepper.key(script.configuration)
                     names = partial(self._names, here, edge, routed)
                     count = script.counts.get(routed, 0)
                     yield Move(to, round(script.cost, 9), count, names, key, edge)
+        # Last, so that a node that is called off and looked at again is counted once.
+        self.stepper.allowance.spend(seen)
 
     def _names(self, here: Mapping[str, str], edge: Edge, routed: str) -> tuple[str, ...]:
-        step = self.stepper.step(here, edge)
+        step = self.stepper.written(here, edge)
         return step.names(routed) if isinstance(step, JointStep) else ()
 
 

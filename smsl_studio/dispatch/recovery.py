@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import islice, product
 
 from smsl_studio.blueprint.check import state_check
 from smsl_studio.blueprint.configuration import disagreements
-from smsl_studio.blueprint.estimate import estimate
+from smsl_studio.blueprint.estimate import fitting
 from smsl_studio.dispatch.run import Run
+from smsl_studio.stop import heed
 
 MOST = 8
 """Candidates that are worth naming; more than one is a hold anyway."""
@@ -37,21 +38,31 @@ def located(run: Run) -> tuple[Mapping[str, str], ...]:
 
 
 def _agreeing(
-    run: Run, states_of: Callable[[Run, str, Mapping[str, str]], list[str]]
+    run: Run, states_of: Callable[[Run, str, Mapping[str, str]], Sequence[str]]
 ) -> tuple[Mapping[str, str], ...]:
+    """Subs are looked at first, because a base's digits are read from them; then the bases decide
+    which of their states a sub may be in. No combination is tried that the bases rule out."""
+    known, blueprint = run.hierarchy, run.blueprint
     believed = dict(run.configuration)
-    found: dict[str, list[str]] = {}
-    for name in reversed(run.hierarchy.order):
+    found: dict[str, Sequence[str]] = {}
+    for name in reversed(known.order):
+        heed()
         found[name] = states_of(run, name, believed)
         if not found[name]:
             return ()
         believed[name] = found[name][0]
+    for name in known.order:
+        for base, digit in known.bases[name]:
+            # The states of an SB that fit the scene have the same facts: any of them tells.
+            on = blueprint[base].is_on(found[base][0], digit)
+            found[name] = [s for s in found[name] if (s == blueprint[name].activating) == on]
+        if not found[name]:
+            return ()
     names = list(run.configuration)
     every = (
         dict(zip(names, states, strict=True)) for states in product(*(found[n] for n in names))
     )
-    agreeing = (one for one in every if not disagreements(run.hierarchy, one))
-    return tuple(one for one in islice(agreeing, MOST) if stands(run, one, vouched=True))
+    return tuple(one for one in islice(every, MOST) if stands(run, one, vouched=True))
 
 
 def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
@@ -71,12 +82,12 @@ def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
     return moved
 
 
-def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
+def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> Sequence[str]:
     scene, committed = run.senses.vouched, run.configuration[name]
     if state_check(run.blueprint, name, committed, scene, believed).truth is True:
         return [committed]
     return _estimated(run, name, believed)
 
 
-def _estimated(run: Run, name: str, believed: Mapping[str, str]) -> list[str]:
-    return list(estimate(run.blueprint, name, run.senses.vouched, believed).states)
+def _estimated(run: Run, name: str, believed: Mapping[str, str]) -> Sequence[str]:
+    return fitting(run.blueprint, name, run.senses.vouched, believed)

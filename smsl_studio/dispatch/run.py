@@ -17,6 +17,7 @@ from smsl_studio.blueprint.check import (
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
@@ -32,7 +33,8 @@ class Run:
     each SB entered its state (simulated s), ``previous`` the edge that led there, where one did.
     ``levels`` say who acts and who senses; ``bound`` is what carries out each edge under them,
     ``people_act`` the SBs in which people carry out or confirm anything; ``people_say`` is whether
-    any fact is theirs to say. ``history`` is what became of edges, for cost functions.
+    any fact is theirs to say. ``critical`` has, for each SB that has any, the digits that are
+    marked as critical. ``history`` is what became of edges, for cost functions.
     """
 
     def __init__(
@@ -58,6 +60,7 @@ class Run:
         self.pending: dict[str, str] = {}
         self.transit: frozenset[FactKey] = frozenset()
         self.operations = 0
+        self.critical = critical_facts(self.blueprint)
         self.since = dict.fromkeys(start, self.senses.time)
         self.previous: dict[str, Address] = {}
         self.history: list[Happened] = []
@@ -146,3 +149,18 @@ class Run:
         self.pending = {
             name: state for name, state in self.pending.items() if self.configuration[name] != state
         }
+
+
+def critical_facts(blueprint: Blueprint) -> dict[str, tuple[int, ...]]:
+    """For each SB that has any, the digits that ``_facts`` marks as critical."""
+    found = {
+        branch.name: tuple(d for d in range(branch.num_facts) if _is_critical(branch, d))
+        for branch in blueprint
+        if "_facts" in branch.fields
+    }
+    return {name: digits for name, digits in found.items() if digits}
+
+
+def _is_critical(branch: StateBranch, digit: int) -> bool:
+    note = branch.fact_note(digit)
+    return note is not None and note.critical

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -21,6 +21,14 @@ class _Doubt:
 
     reason: str
     counted: dict[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """An instant on the run's clock (simulated s), and on the one of sensors elsewhere."""
+
+    time: float
+    live: float
 
 
 class Senses:
@@ -63,6 +71,24 @@ class Senses:
     def sources(self) -> tuple[SourceState, ...]:
         """Every source of every fact as it stands now."""
         return self._monitor.sources(self.time, self._live)
+
+    @property
+    def moment(self) -> Moment:
+        """This instant."""
+        return Moment(self.time, self._live)
+
+    def late(self, since: Moment, facts: Collection[FactKey]) -> tuple[FactKey, ...]:
+        """Those of some facts that rest on a reading which is not newer than an instant.
+
+        A person's answer counts until it is given anew; a source that says nothing is not waited
+        for.
+        """
+        found = dict.fromkeys(
+            source.fact
+            for source in self.sources
+            if source.fact in facts and source.said.value is not None and not _newer(source, since)
+        )
+        return tuple(found)
 
     def answer(
         self, branch: str, digit: int, value: str | None, who: str
@@ -126,7 +152,10 @@ class Senses:
             doubt, name = self._doubts.get(source.fact), source.said.source
             if doubt is None or name not in doubt.counted:
                 continue
-            if source.counted > doubt.counted[name] or source.said.value is None:
+            if source.said.contested:
+                # When one of its speakers falls silent, the other must speak anew as well.
+                doubt.counted[name] = source.counted
+            elif source.counted > doubt.counted[name] or source.said.value is None:
                 del doubt.counted[name]
                 if not doubt.counted:
                     del self._doubts[source.fact]
@@ -152,3 +181,12 @@ class Senses:
             value=reading.value,
             reason=reading.reason if reading.value is None else "",
         )
+
+
+def _newer(source: SourceState, since: Moment) -> bool:
+    sample = source.sample
+    if sample is None:
+        return True
+    if sample.received is not None:
+        return sample.received > since.live
+    return sample.time > since.time

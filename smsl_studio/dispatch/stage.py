@@ -31,13 +31,15 @@ class Stage(Enum):
 @dataclass(frozen=True)
 class Failure:
     """Why a joint step ended early. ``risky`` says that the operation itself is to blame,
-    ``unanswered`` that people were asked and did not say what it needed."""
+    ``unanswered`` that people were asked and did not say what it needed. ``lost`` are the
+    sentences about facts that it rested on and that were false or unknown meanwhile."""
 
     edge: Edge
     reason: str
     risky: bool
     pending: bool
     unanswered: bool = False
+    lost: tuple[str, ...] = ()
 
 
 def fault_words(edge: Edge, tick: Tick) -> str:

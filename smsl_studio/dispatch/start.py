@@ -48,10 +48,13 @@ def start_events(
     """The first events of a run whose sensors were read, which brought ``changes``; RunRefused
     where a state check is not true on sensed facts."""
     checks = run.checks(run.configuration)
-    failed = [check_words(run.blueprint, check) for check in checks if check.truth is not True]
+    failed = [check for check in checks if check.truth is not True]
     if failed:
+        said = [check_words(run.blueprint, check) for check in failed[:_TOLD]]
+        if len(failed) > _TOLD:
+            said.append(f"{len(failed) - _TOLD:,} more state checks are not true")
         advice = _silent(run, checks) or "Put the world where the start has it."
-        raise RunRefused("; ".join(failed), advice=advice)
+        raise RunRefused("; ".join(said), advice=advice)
     started = RunStarted(
         t=run.time,
         world=run.opened.world,
@@ -61,6 +64,10 @@ def start_events(
         behaviour=run.blueprint.behaviour,
     )
     return (started, *changes, *_checked(run))
+
+
+_TOLD = 20
+"""So many state checks that refuse a start are told, and so many sensors that are silent."""
 
 
 def _checked(run: Run) -> Iterator[StateChecked]:
@@ -89,6 +96,8 @@ def _silent(run: Run, checks: Sequence[CheckResult]) -> str:
     if elsewhere is None or not missing:
         return ""
     view = elsewhere.view()
+    if len(missing) > _TOLD:
+        missing[_TOLD:] = [f"{len(missing) - _TOLD:,} more"]
     advice = (
         f"Start a node that tells {', '.join(missing)} to the site {view.site!r} and the run "
         f"{view.run!r} at {view.broker}."

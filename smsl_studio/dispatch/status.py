@@ -65,6 +65,12 @@ class DispatchStatus:
     ``check`` is the state check that is awaited, or that of the active state of the SB in
     question. ``since`` has the time at which each SB entered its state, ``previous`` the edge that
     led there. ``sources`` are all sources of all facts. ``by`` is who has taken over or stopped.
+    ``notes`` say which edges of the route set the facts of their subs by themselves (see
+    ``bypass``).
+    ``pausing`` says that it will pause when what is carried out has ended: after a step, or where
+    the operation does not let itself be held.
+    ``planning`` says that routes are still being looked for: ``route``, ``detour`` and
+    ``possible`` are not all that there is.
     Times are simulated seconds.
     """
 
@@ -94,3 +100,6 @@ class DispatchStatus:
     sources: tuple[SourceState, ...] = ()
     full_map: bool = False
     by: str = ""
+    notes: tuple[str, ...] = ()
+    planning: bool = False
+    pausing: bool = False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
@@ -16,10 +16,16 @@ from smsl_studio.dispatch.words import all_words, check_words
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
 
+HELD, NO_ROUTE = "held", "no_route"
+GUARD_LOST = "guard_lost"
+"""A critical fact, or one that a running operation requires, is false or unknown."""
+GOAL_UNCONFIRMED = "goal_unconfirmed"
+"""The run believes to stand at a goal, and its state check is not true."""
+
 
 @dataclass(frozen=True)
 class Hold:
-    """Why a run cannot go on by itself; ``kind`` is how it ends where nobody is there to decide.
+    """Why a run cannot go on by itself; ``kind`` is one of the words above.
 
     ``blocking`` are the edges that stand in the way, ``skipped`` the vetoed ones that a run
     without a route has skipped.
@@ -27,9 +33,14 @@ class Hold:
 
     reason: str
     details: Sequence[str] = ()
-    kind: str = "held"
+    kind: str = HELD
     blocking: tuple[Address, ...] = ()
     skipped: tuple[Address, ...] = ()
+
+    @property
+    def ends(self) -> str:
+        """The reason with which the run ends where nobody is there to decide."""
+        return NO_ROUTE if self.kind == NO_ROUTE else HELD
 
 
 class Trouble:
@@ -57,8 +68,11 @@ class Trouble:
         run.drop_pending()
 
     def after(self, failure: Failure) -> Hold | None:
-        """Relocalise after a failure: by the sub alone where that explains the scene."""
+        """Relocalise after a failure: by the sub alone where that explains the scene. Where the
+        step lost what it rests on, the run holds, whatever the scene says."""
         run = self._run
+        if failure.lost:
+            return self.lost(failure.lost, failure.reason)
         if not failure.pending and not stands(run, run.configuration):
             alone = sub_relocalised(run, failure.edge.branch)
             if alone is not None:
@@ -66,8 +80,25 @@ class Trouble:
                 return None
         return self.relocalise(failure.reason)
 
-    def relocalise(self, cause: str = "") -> Hold | None:
-        """Read the scene: go on where it equals what is committed, else adopt or hold."""
+    def lost(self, facts: Sequence[str], cause: str = "") -> Hold:
+        """Facts on which the run rests are false or unknown: it holds, and nothing is adopted."""
+        found = self.relocalise(adopts=False)
+        details = dict.fromkeys((*facts, *(found.details if found else ())))
+        return Hold(cause or "; ".join(facts), tuple(details), GUARD_LOST)
+
+    def unconfirmed(self, goals: Sequence[Address]) -> Hold | None:
+        """The run stands at goals, as it believes, and the scene does not show it."""
+        found = self.relocalise()
+        checks = [self._run.check(goal.branch, goal.state) for goal in goals]
+        failed = [check for check in checks if check.truth is not True]
+        if found is None or not failed:
+            return found
+        words = "; ".join(check_words(self._run.blueprint, check) for check in failed)
+        return replace(found, reason=f"The goal is not confirmed: {words}", kind=GOAL_UNCONFIRMED)
+
+    def relocalise(self, cause: str = "", adopts: bool = True) -> Hold | None:
+        """Read the scene: go on where it equals what is committed, else adopt or hold. ``adopts``
+        False: nothing is adopted, whatever the run was told to do."""
         run, self.candidates = self._run, ()
         run.drop_pending()
         run.look()
@@ -80,7 +111,12 @@ class Trouble:
         )
         self.candidates = candidates(run)
         run.emit(Mismatch(t=run.time, facts=facts, candidates=self.candidates))
-        if self._adopts and len(self.candidates) == 1 and stands(run, self.candidates[0]):
+        if (
+            adopts
+            and self._adopts
+            and len(self.candidates) == 1
+            and stands(run, self.candidates[0])
+        ):
             self.adopt(self.candidates[0])
             return None
         first = next(check for check in checks if check.truth is not True)
@@ -101,7 +137,7 @@ class Trouble:
         if risky:
             names = ", ".join(map(str, risky))
             words = [f"{edge}: {course.risky[edge]}" for edge in risky]
-            return Hold(f"Only risky operations lead to {goal}: {names}.", words, "held", risky)
+            return Hold(f"Only risky operations lead to {goal}: {names}.", words, HELD, risky)
         here = ", ".join(f"{name}/{state}" for name, state in run.configuration.items())
         blocking = self._blocking()
         here_too = {line.partition(":")[0] for line in details}
@@ -114,7 +150,7 @@ class Trouble:
         if blocking:
             sentence += f"; it would with {', '.join(map(str, blocking))}"
         skipped = tuple(course.vetoed)
-        return Hold(f"{sentence}.", (*words, *details), "no_route", tuple(blocking), skipped)
+        return Hold(f"{sentence}.", (*words, *details), NO_ROUTE, tuple(blocking), skipped)
 
     def _blocking(self) -> Mapping[Address, str]:
         try:

@@ -15,8 +15,10 @@ from smsl_studio.blueprint.failing import failing_states
 from smsl_studio.blueprint.joint import Action, JointStep
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.stepper import Stepper
+from smsl_studio.dispatch.effort import fact_count, refuse_too_long
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.goal_tree import GoalTree
+from smsl_studio.stop import heed
 
 MOST = 8
 """Trees that are kept of one SB: its goal, ways out of failure, and what is asked in between."""
@@ -32,6 +34,8 @@ class Ways:
     def __init__(self, hierarchy: Hierarchy) -> None:
         self.hierarchy = hierarchy
         self._lone: dict[str, _Lone] = {}
+        self._written = hierarchy.blueprint.operation_count
+        self._facts = fact_count(hierarchy.blueprint)
 
     def alone(self, stepper: Stepper, branch: str) -> bool:
         """Whether an SB's ways depend on nothing but its own state, under these terms."""
@@ -50,25 +54,32 @@ class Ways:
         """The joint steps of the cheapest way to one of some states; None where there is none."""
         lone = self._lone.get(branch)
         if lone is None:
-            lone = self._lone[branch] = _Lone(self.hierarchy.blueprint[branch], stepper)
-        return lone.way(stepper, start, goals)
+            lone = self._lone[branch] = _Lone(
+                self.hierarchy.blueprint[branch], stepper, self._written
+            )
+        return lone.way(stepper, start, goals, self._facts)
 
 
 class _Lone:
-    """One SB that moves alone: its graph, what is closed for good, its trees and its steps."""
+    """One SB that moves alone: its graph, what is closed for good, its trees and its steps.
 
-    def __init__(self, branch: StateBranch, stepper: Stepper) -> None:
+    ``written`` is how many edges the whole blueprint has.
+    """
+
+    def __init__(self, branch: StateBranch, stepper: Stepper, written: int) -> None:
         self._branch = branch
         self._graph = graph_of(branch)
         self._trees: dict[Asked, tuple[GoalTree, Mapping[int, float]]] = {}
         self._steps: dict[tuple[int, float | None], JointStep] = {}
-        self._never = frozenset((*self._unbound(stepper), *self._into_failure()))
+        self._never = frozenset((*self._unbound(stepper, written), *self._into_failure()))
         self._declared = _declared(branch, self._graph)
         self._asking = tuple(self._with_requires())
 
     def way(
-        self, stepper: Stepper, start: Configuration, goals: Collection[str]
+        self, stepper: Stepper, start: Configuration, goals: Collection[str], facts: int
     ) -> tuple[JointStep, ...] | None:
+        """The joint steps to one of the goals; PlanningError where they are too many for so many
+        ``facts``."""
         name, graph = self._branch.name, self._graph
         numbered = ((self._number(a), cost) for a, cost in stepper.terms.costs.items())
         costs = {number: cost for number, cost in numbered if number is not None}
@@ -77,6 +88,7 @@ class _Lone:
         edges = tree.route(graph.index[start[name]])
         if edges is None:
             return None
+        refuse_too_long(len(edges), facts)
         return tuple(self._step(stepper, edge, costs.get(edge)) for edge in edges)
 
     def _tree(
@@ -92,6 +104,7 @@ class _Lone:
         closed.update(e for a in terms.shut if (e := self._number(a)) is not None)
         closed.update(e for e in self._asking if not self._granted(stepper, start, e))
         key = goals, terms.extra is not None
+        heed()
         tree, priced = self._trees.pop(key, (None, {}))
         if tree is None:
             numbers = [graph.index[goal] for goal in goals if goal in graph.index]
@@ -152,13 +165,13 @@ class _Lone:
 
     # what is never used, and what only now and then ----------------------------------------------
 
-    def _unbound(self, stepper: Stepper) -> Iterator[int]:
+    def _unbound(self, stepper: Stepper, written: int) -> Iterator[int]:
         """The edges without a function, where a world says which have one."""
-        bound, name = stepper.terms.bound, self._branch.name
-        written = sum(map(len, self._branch.table.values()))
-        if bound is None or sum(one.branch == name for one in bound) == written:
+        bound = stepper.terms.bound
+        if bound is None or len(bound) == written:
             return
         for number in range(len(self._graph.targets)):
+            heed()
             if self._address(number) not in bound:
                 yield number
 
@@ -167,6 +180,7 @@ class _Lone:
         if failing:
             bad = [name in failing for name in graph.names]
             for number, target in enumerate(graph.targets):
+                heed()
                 if bad[target] and not bad[graph.sources[number]]:
                     yield number
 
@@ -176,6 +190,7 @@ class _Lone:
         if not any(note.requires for note in branch.notes.operations.values()):
             return
         for number, (source, name) in enumerate(zip(graph.sources, graph.operations, strict=True)):
+            heed()
             if branch.operation_note(graph.names[source], name).requires:
                 yield number
 

@@ -5,16 +5,36 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from smsl_studio.blueprint.check import CheckResult, Term
+from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.model import Blueprint
 
 
 def fact_words(blueprint: Blueprint, term: Term) -> str:
     """One term: ``Fact 2 of SB1 reads b, not a``, ``Clamp fixed of SB1 is unknown, no reading``."""
+    return f"{_name(blueprint, term)} {_verdict(term)}"
+
+
+def critical_words(blueprint: Blueprint, term: Term) -> str:
+    """A critical fact that is not as it must be."""
+    return f"{_name(blueprint, term)}, a critical fact, {_verdict(term)}"
+
+
+def required_words(blueprint: Blueprint, edge: Edge, term: Term) -> str:
+    """A fact that an edge requires and that is not so."""
     branch, digit = term.fact
-    name = f"{blueprint[branch].fact_name(digit)} of {branch}"
+    what = fact_words(blueprint, term)
+    return f"{edge} requires {branch}/{digit} to be {term.wanted}: {what}"
+
+
+def _name(blueprint: Blueprint, term: Term) -> str:
+    branch, digit = term.fact
+    return f"{blueprint[branch].fact_name(digit)} of {branch}"
+
+
+def _verdict(term: Term) -> str:
     if term.truth is None:
-        return f"{name} is unknown, {term.reason}"
-    return f"{name} reads {term.reading}" + ("" if term.truth else f", not {term.wanted}")
+        return f"is unknown, {term.reason}"
+    return f"reads {term.reading}" + ("" if term.truth else f", not {term.wanted}")
 
 
 def all_words(blueprint: Blueprint, terms: Iterable[Term]) -> tuple[str, ...]:

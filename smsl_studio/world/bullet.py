@@ -7,59 +7,31 @@ an engine that was merely set back keeps hidden contact caches and drifts by mic
 
 from __future__ import annotations
 
-import ctypes
-import os
-import sys
 import tempfile
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from smsl_studio.errors import WorldError
+from smsl_studio.errors import WorldError, did_you_mean
 from smsl_studio.world import drawing
 from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
 from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.manipulator import Manipulator, Pose
+from smsl_studio.world.pose import check_amounts, check_orientation, check_position
 from smsl_studio.world.protocol import Quaternion, Shape, Vector
+from smsl_studio.world.rest import CALM, Extent, restless, touching
+from smsl_studio.world.silence import silence
 from smsl_studio.world.urdf import read_urdf
 
-
-@contextmanager
-def _quiet() -> Iterator[None]:
-    """Bullet chats from C, past Python: meanwhile standard output and error lead nowhere."""
-    _flush()
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    kept: list[tuple[int, int]] = []
-    for stream in (1, 2):
-        with suppress(OSError):  # a program without a console may have none
-            kept.append((stream, os.dup(stream)))
-            os.dup2(nowhere, stream)
-    try:
-        yield
-    finally:
-        _flush()
-        for stream, copy in kept:
-            os.dup2(copy, stream)
-            os.close(copy)
-        os.close(nowhere)
-
-
-def _flush() -> None:
-    for stream in (sys.stdout, sys.stderr):
-        with suppress(AttributeError, OSError, ValueError):
-            stream.flush()
-    with suppress(AttributeError, OSError, TypeError):
-        ctypes.CDLL(None).fflush(None)
-
-
-with _quiet():
+with silence():
     import pybullet
     import pybullet_data
     from pybullet_utils.bullet_client import BulletClient
 
+STILL: Vector = (0.0, 0.0, 0.0)
 MODELS = Path(pybullet_data.getDataPath())
 """The folder of the models that come with the engine (``franka_panda/panda.urdf``)."""
 
@@ -89,25 +61,32 @@ class BulletWorld:
             raise WorldError(f"{part.name!r} stands in the world already")
         if isinstance(part, Robot) and self._robot is not None:
             raise WorldError(f"{part.name!r} cannot be added: the world has a robot already")
+        if isinstance(part, Body):
+            check_position(part.name, part.position)
+            check_amounts(part.name, "mass and friction", (part.mass, part.friction), least=0.0)
+        else:
+            check_amounts(part.name, "the rest posture", part.rest)
+            check_amounts(part.name, "opening and friction", (part.opening, part.friction), 0.0)
         self._plan.append(part)
         self._carriers = None
-        with _quiet():
+        with silence():
             self._make(part)
 
     def rebuild(self) -> None:
         """Begin again with a fresh engine: every part where the plan has it, time zero."""
         self.close()
         self._start()
-        with _quiet():
+        with silence():
             for part in self._plan:
                 self._make(part)
 
     def _start(self) -> None:
         self._ids: dict[str, int] = {}
+        self._glue: dict[int, tuple[str, str]] = {}
         self._robot: Manipulator | None = None
         self._ticks = 0
         self._changed()
-        with _quiet():
+        with silence():
             engine = BulletClient(pybullet.DIRECT)
             engine.setGravity(0, 0, -9.81)
             engine.setTimeStep(self.tick)
@@ -180,8 +159,32 @@ class BulletWorld:
             self._robot.brake()
 
     def place(self, name: str, position: Vector, orientation: Quaternion = UPRIGHT) -> None:
-        """Put a body somewhere, at rest."""
-        self._put(name, position, orientation, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+        """Put a body somewhere, without speed; WorldError for an unknown name or no pose.
+
+        It and everything that rested on it, or now lies against it, wakes and falls if it can.
+        """
+        check_position(name, position)
+        check_orientation(name, orientation)
+        woken = self._neighbours(name)
+        self._put(name, position, orientation, STILL, STILL)
+        for other in sorted(woken | self._neighbours(name)):
+            self._wake(other)
+
+    def _neighbours(self, name: str) -> set[str]:
+        """The loose bodies that touch a body, and itself if it is loose.
+
+        The engine wakes what touches those or is glued to them, and so on, by itself.
+        """
+        extents = {other: self._extent(other) for other in self._loose()}
+        return touching(extents, self._extent(name))
+
+    def _extent(self, name: str) -> Extent:
+        least, greatest = self._engine.getAABB(self._id(name))
+        return least, greatest
+
+    def _wake(self, name: str) -> None:
+        state = pybullet.ACTIVATION_STATE_WAKE_UP
+        self._engine.changeDynamics(self._id(name), -1, activationState=state)
 
     def _put(
         self, name: str, position: Vector, orientation: Quaternion, speed: Vector, spin: Vector
@@ -198,29 +201,37 @@ class BulletWorld:
         before, calm = self._ticks, 0
         while calm < 12 and (self._ticks - before) * self.tick < limit:
             self.step()
-            calm = calm + 1 if all(self.speed(name) < 0.002 for name in self._loose()) else 0
+            calm = calm + 1 if all(self.speed(name) < CALM for name in self._loose()) else 0
+        if calm < 12:
+            self._ticks = before
+            raise restless(self.name, {name: self.speed(name) for name in self._loose()}, limit)
         for name in self._loose():
-            self.place(name, *self.pose(name))
+            self._put(name, *self.pose(name), STILL, STILL)
             self._let_sleep(self._ids[name], at_once=True)
         self.step()  # the engine takes a body for asleep only from the next tick on
         self._ticks = before
 
     def rub(self, name: str, friction: float) -> None:
         """Give a body another friction, until the world is built again."""
-        self._engine.changeDynamics(self._ids[name], -1, lateralFriction=friction)
+        check_amounts(name, "friction", [friction], least=0.0)
+        self._engine.changeDynamics(self._id(name), -1, lateralFriction=friction)
 
     def stick(self, one: str, other: str) -> int:
         """Glue two bodies together as they lie; the number by which they come apart again."""
         origin = (0.0, 0.0, 0.0)
         back = self._engine.invertTransform(*self.pose(one))
         offset, turned = self._engine.multiplyTransforms(*back, *self.pose(other))
-        bodies = self._ids[one], -1, self._ids[other], -1
+        bodies = self._id(one), -1, self._id(other), -1
         joint = pybullet.JOINT_FIXED, origin, offset, origin, turned
-        return int(self._engine.createConstraint(*bodies, *joint))
+        glue = int(self._engine.createConstraint(*bodies, *joint))
+        self._glue[glue] = (one, other)
+        return glue
 
     def unstick(self, glue: int) -> None:
-        """Take glue away."""
+        """Take glue away; both bodies wake."""
         self._engine.removeConstraint(glue)
+        for name in self._glue.pop(glue, ()):
+            self._wake(name)
 
     # -- asking --------------------------------------------------------------------------------
 
@@ -228,18 +239,18 @@ class BulletWorld:
         """Where a body is: position (m) and orientation."""
         found = self._poses.get(name)
         if found is None:
-            found = self._engine.getBasePositionAndOrientation(self._ids[name])
+            found = self._engine.getBasePositionAndOrientation(self._id(name))
             self._poses[name] = found
         return found
 
     def speed(self, name: str) -> float:
         """How fast a body moves (m/s); turning counts as with 3 cm of arm."""
-        linear, angular = self._engine.getBaseVelocity(self._ids[name])
+        linear, angular = self._engine.getBaseVelocity(self._id(name))
         return float(np.linalg.norm(linear) + 0.03 * np.linalg.norm(angular))
 
     def fingers_on(self, name: str) -> int:
         """How many of the robot's fingers press on a body: 0, 1 or 2."""
-        return self.robot.touching(self._ids[name])
+        return self.robot.touching(self._id(name))
 
     def status(self) -> Mapping[str, str]:
         if self._robot is None:
@@ -275,10 +286,12 @@ class BulletWorld:
         if len(snapshot) != 8 * len(self._state()):
             raise WorldError(f"this snapshot is not of a world built like {self.name!r}")
         ticks, *values = np.frombuffer(snapshot, dtype=np.float64).tolist()
+        check_amounts(self.name, "the numbers of a snapshot", [ticks, *values])
         self.rebuild()
         self._ticks = int(ticks)
         for name in self._loose():
             row, values = values[:13], values[13:]
+            check_orientation(name, row[3:7])
             self._put(name, row[:3], row[3:7], row[7:10], row[10:])
         if self._robot is not None:
             self._robot.restore(values)
@@ -300,9 +313,16 @@ class BulletWorld:
             found += [value for part in (*self.pose(name), linear, angular) for value in part]
         return found if self._robot is None else found + self._robot.state()
 
+    def _id(self, name: str) -> int:
+        found = self._ids.get(name)
+        if found is None:
+            near = did_you_mean(name, self._ids)
+            raise WorldError(f"there is no body {name!r} in the world {self.name!r}", advice=near)
+        return found
+
     def _loose(self) -> list[str]:
         return [part.name for part in self._plan if isinstance(part, Body) and part.mass > 0]
 
     def close(self) -> None:
-        with _quiet(), suppress(pybullet.error):
+        with silence(), suppress(pybullet.error):
             self._engine.disconnect()

@@ -12,8 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from smsl_studio.errors import WorldError
 from smsl_studio.world.bodies import UPRIGHT, Robot
 from smsl_studio.world.kinematics import Arm
+from smsl_studio.world.pose import check_amounts
 from smsl_studio.world.protocol import Quaternion, Vector
 from smsl_studio.world.urdf import Urdf
 
@@ -69,9 +71,13 @@ class Manipulator:
     # -- motors --------------------------------------------------------------------------------
 
     def drive(self, joints: Array, speeds: Array | None = None) -> None:
-        """Send the arm's joints there (rad), to be passed at ``speeds`` (rad/s, else to stop)."""
-        self.goal = np.asarray(joints, dtype=np.float64)
-        self._speeds = np.zeros(len(self.goal)) if speeds is None else np.asarray(speeds)
+        """Send the arm's joints there (rad), to be passed at ``speeds`` (rad/s, else to stop).
+
+        WorldError where there is not one finite number for each joint.
+        """
+        goal = self._one_each("angles", joints)
+        self._speeds = np.zeros(len(goal)) if speeds is None else self._one_each("speeds", speeds)
+        self.goal = goal
         self._engine.setJointMotorControlArray(
             self.body,
             self._arm,
@@ -85,8 +91,20 @@ class Manipulator:
             velocityGains=[1.0] * len(self.goal),
         )
 
+    def _one_each(self, what: str, values: Array) -> Array:
+        found = np.asarray(values, dtype=np.float64)
+        if found.shape != (len(self._arm),) or not np.isfinite(found).all():
+            words = f"{what} of {self._plan.name!r} cannot be {found.tolist()!r}"
+            raise WorldError(words, advice=f"It has {len(self._arm)} joints.")
+        return found
+
     def grip(self, opening: float, force: float = GRIP) -> None:
-        """Send both fingers to ``opening`` (m) from the middle with at most ``force`` (N)."""
+        """Send both fingers to ``opening`` (m) from the middle with at most ``force`` (N).
+
+        WorldError where one of them is no finite number, or the force is below 0.
+        """
+        check_amounts(self._plan.name, "the opening", [opening])
+        check_amounts(self._plan.name, "the force", [force], least=0.0)
         self._grip = (opening, force)
         for joint in self._fingers:
             self._engine.setJointMotorControl2(
@@ -109,12 +127,18 @@ class Manipulator:
             self.grip(float(fingers[:, 0].mean()), self._grip[1])
 
     def seize(self, joint: int) -> None:
-        """Let one joint of the arm (counted from 0) stay where it is, whatever it is sent to."""
+        """Let one joint of the arm (counted from 0) stay where it is, whatever it is sent to.
+
+        WorldError where the arm has no such joint.
+        """
+        if not 0 <= joint < len(self._arm):
+            raise WorldError(f"{self._plan.name!r} has no joint {joint}: they are counted from 0")
         self._seized[joint] = float(self.joints()[joint])
         self.drive(self.goal, self._speeds)
 
     def weaken(self, strongest: float) -> None:
-        """Let the fingers press with no more than this (N) from now on."""
+        """Let the fingers press with no more than this (N) from now on; WorldError below 0."""
+        check_amounts(self._plan.name, "the force", [strongest], least=0.0)
         self._strongest = strongest
         self.grip(*self._grip)
 

@@ -9,6 +9,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from smsl_studio.world.pose import check_position
+
 Array = NDArray[np.float64]
 
 
@@ -18,7 +20,12 @@ def minimum_jerk(share: float) -> float:
 
 
 def waypoints(corners: Sequence[Array], spacing: float = 0.012) -> tuple[list[Array], list[float]]:
-    """Points at most ``spacing`` metres apart through the corners, and their way from the start."""
+    """Points at most ``spacing`` metres apart through the corners, and their way from the start.
+
+    WorldError for a corner that is no position.
+    """
+    for corner in corners:
+        check_position("a way", list(corner))
     points, ways = [np.asarray(corners[0], dtype=np.float64)], [0.0]
     for start, end in pairwise(corners):
         length = float(np.linalg.norm(np.subtract(end, start)))

@@ -94,6 +94,8 @@ def test_by_hand_nothing_moves_until_it_is_asked_and_the_world_lives() -> None:
     story.ask("Op_1b")
     assert (story.phase, story.configuration) == ("ready", {"SB1": "State_baa"})
     story.ask("Op_1c", "Op_2b", "Op_1b", "Op_3c", "Op_1a", "Op_2c", "Op_1c")
+    assert not story.of("goal_reached")
+    story.tick()
     assert story.of("goal_reached")[0].goal == "SB1/State_ccc"
     assert story.phase == "ready"
     story.dispatcher.stop()

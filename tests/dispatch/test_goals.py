@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
@@ -127,6 +128,27 @@ def test_clause_11_where_one_goal_after_the_other_leads_nowhere_they_are_sought_
     assert short(story.started) == ["side", "go"]
 
 
+def test_clause_11_a_goal_that_holds_at_the_start_is_left_where_another_needs_that() -> None:
+    """D may leave B's ACTIVATING only with A, which must step aside for that and come back."""
+    made = blueprint(
+        {
+            "A": branch(
+                {"10": "aside>11", "11": "fall>01", "01": "back>00", "00": "rise>10"},
+                subs={"B": 0},
+            ),
+            "D": branch(
+                {"10": "fall>00", "00": "set>01", "01": "rise>11", "11": ""}, subs={"B": 0}
+            ),
+            "B": branch({"0": "up>1", "1": "down>0"}),
+        }
+    )
+    start = {"A": "State10", "D": "State10", "B": "State1"}
+    story = Story(made, start=start, goals=["A/State10", "D/State11"]).run()
+    assert story.end.reason == "goal_reached"
+    assert story.end.configuration == {"A": "State10", "D": "State11", "B": "State1"}
+    assert short(story.started).count("aside") == 1
+
+
 @pytest.mark.parametrize("sub", ["SUB", "S/U~B"])
 def test_clause_11_a_sub_is_moved_for_what_an_edge_requires_of_it(sub: str) -> None:
     made = blueprint(
@@ -216,3 +238,59 @@ def test_a_plan_that_holds_is_not_made_again(monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(Planner, "legs", counted)
     on_table("three-levels")
     assert count == 1
+
+
+GUARDED = {
+    "A": branch(
+        {"10": "close>00", "00": "open>10, rise>01", "01": ""},
+        initial="10",
+        activating="01",
+        subs={"B": 0, "C": 1},
+    ),
+    "B": branch({"0": "on>1", "1": "off>0"}, initial="0", activating="1"),
+    "C": branch(
+        {"00": "prepare>01", "01": "finish>11", "11": ""},
+        initial="00",
+        activating="11",
+        operations={"prepare": {"requires": {"A/0": "1"}}},
+    ),
+}
+"""C can be prepared only as long as A/0 is on, and it must be off before C may rise."""
+
+
+def test_a_sub_is_asked_while_what_it_requires_still_holds() -> None:
+    story = Story(blueprint(GUARDED), goals=["A/State01"]).run()
+    assert story.end.reason == "goal_reached"
+    assert short(story.started) == ["prepare", "close", "off", "rise", "finish"]
+
+
+def test_an_operation_that_is_open_only_earlier_is_taken_where_it_is_cheaper() -> None:
+    """``late`` can be asked at any time, and costs more than ``prepare``."""
+    values = json.loads(json.dumps(GUARDED))
+    values["C"]["State00"]["late"] = "State01"
+    values["C"]["_operations"]["late"] = {"cost": 5}
+    story = Story(blueprint(values), goals=["A/State01"]).run()
+    assert short(story.started) == ["prepare", "close", "off", "rise", "finish"]
+    assert story.of("route_planned")[0].cost == 3
+
+
+def test_goals_on_two_subs_that_no_state_of_their_base_agrees_with_are_refused() -> None:
+    story = Story(blueprint(GUARDED), goals=["B/State1", "C/State11"])
+    assert story.end.reason == "refused"
+    assert (
+        "B/State1 and C/State11 cannot hold together: bases and subs cannot agree"
+        in story.end.sentence
+    )
+    assert Story(blueprint(GUARDED), goals=["B/State1", "C/State01"]).phase == "running"
+
+
+def test_goals_that_contradict_through_an_sb_between_them_are_refused() -> None:
+    """C in ACTIVATING has B in ACTIVATING, since B has no other state for it, and A's goal not."""
+    values = {
+        "A": branch({"0": "up>1", "1": ""}, initial="0", activating="1", subs={"B": 0}),
+        "B": branch({"0": "up>1", "1": ""}, initial="0", activating="1", subs={"C": 0}),
+        "C": branch({"0": "up>1", "1": ""}, initial="0", activating="1"),
+    }
+    story = Story(blueprint(values), goals=["A/State0", "C/State1"])
+    assert story.end.reason == "refused"
+    assert "A/State0 and C/State1 cannot hold together" in story.end.sentence

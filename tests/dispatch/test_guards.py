@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import pytest
-
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervisor import Proposal, Verdict
 from smsl_studio.host.protocol import Outcome
@@ -182,15 +180,49 @@ class Covered(FakeHost):
         return tuple(one for one in samples if (one.branch, one.digit) not in self.covered)
 
 
-@pytest.mark.parametrize("covered", [("A", 0), ("C", 0)])
-def test_clause_4_an_own_function_does_not_begin_on_facts_that_became_unknown(
-    covered: tuple[str, int],
-) -> None:
+def test_clause_4_an_own_function_does_not_begin_on_facts_that_became_unknown() -> None:
     host = Covered(NESTED, lasts=5)
     story = Story(NESTED, host, attended=True).tick(3)
-    host.covered = (covered,)
+    host.covered = (("A", 0),)
     story.run()
     assert story.phase == "fault_hold"
-    assert f"Fact 1 of {covered[0]} is unknown" in story.dispatcher.status.sentence
+    assert "Fact 1 of A is unknown" in story.dispatcher.status.sentence
     assert host.calls == ["B/State0/u", "B/State2/v"]
     assert story.commits == [("B/State0/u",)]
+
+
+def loading() -> Any:
+    """A turns B on; on its way B loads C off, which its last operation requires."""
+    return blueprint(
+        {
+            "A": branch({"0": "go>1", "1": ""}, subs={"B": 0}),
+            "B": branch(
+                {"10": "load>00", "00": "in>01", "01": ""},
+                subs={"C": 0},
+                operations={"load": {"subs": "load"}, "in": {"requires": {"C/0": "0"}}},
+            ),
+            "C": branch({"0": "up>1", "1": "down>0"}),
+        }
+    )
+
+
+def test_clause_4_what_a_load_brings_about_is_not_required_before() -> None:
+    story = Story(loading()).run()
+    assert (story.end.reason, story.reasons) == ("goal_reached", [])
+    assert story.started == ["A/State0/go", "B/State10/load", "B/State00/in"]
+
+
+def test_a_load_that_was_held_goes_on_where_only_what_it_sets_has_changed() -> None:
+    made = loading()
+    host = FakeHost(made, lasts=10, stop="hold")
+    story = Story(made, host, goals=["B/State00"], attended=True)
+    while not story.started:
+        story.tick()
+    host.facts["C", 0] = "0"  # the first half of what the function sets
+    story.tick(2).dispatcher.pause()
+    story.tick()
+    assert story.phase == "paused"
+    story.dispatcher.resume()
+    story.run()
+    assert story.end.reason == "goal_reached"
+    assert [one.outcome for one in story.of("operation_ended")] == ["returned"]

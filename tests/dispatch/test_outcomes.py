@@ -127,6 +127,15 @@ def test_avoided_edges_alone_leave_no_route_and_every_edge_says_why() -> None:
     )
 
 
+def test_of_very_many_edges_the_first_say_why() -> None:
+    loops = ", ".join(f"loop{number}>0" for number in range(210))
+    made = blueprint({"ONE": branch({"0": f"go>1, {loops}", "1": ""})})
+    details = Story(made, avoid=["ONE/State0/go"]).run().of("held")[0].details
+    assert len(details) == 201
+    assert details[199].startswith("ONE/State0/loop198: ")
+    assert details[200] == "and 11 more operations"
+
+
 LINE = branch({"00": "a>10", "10": "b>11, other>00", "11": "c>00"}, activating="11")
 ROUTE = {"BASE": branch({"00": "up>10, mix>11", "10": "on>11", "11": "down>00"}, subs={"SUB": 0})}
 

@@ -39,3 +39,30 @@ def test_nobody_elsewhere_is_nobody_to_listen_to() -> None:
     assert senses.scene.readings["SB1", 0].value == "a"
     senses.look()
     assert senses.scene.readings["SB1", 0].value == "b"
+
+
+def test_what_is_in_doubt_is_said_anew_also_after_a_second_speaker() -> None:
+    """Its reading from before the doubt may be young enough when the other one falls silent."""
+    hanoi = sample("hanoi-2")
+    host = LocalHost(hanoi, "table")
+    opened = host.open({"SB1": "State_aa"})
+    senses = Senses(host, opened, opened.rules)
+    fact = ("SB1", 0)
+
+    def reason() -> str:
+        return senses.scene.readings[fact].reason
+
+    senses.look()
+    senses.tick()
+    senses.bus.publish([Sample(*fact, "table_SB1_0", "b", senses.time, 1, boot=9)])
+    for _ in range(3):
+        senses.tick()
+    host.disturb("table_SB1_0", "dropout")  # the sensor itself is silent from now on
+    assert reason().startswith("two speakers for table_SB1_0: this program of boot 1, this program")
+    senses.doubt([fact], "it was cancelled")
+    while not reason().startswith("no reading"):
+        senses.tick()
+        assert senses.scene.readings[fact].value is None
+    host.disturb("table_SB1_0", "none")
+    senses.tick()
+    assert senses.scene.readings[fact].value == "a"

@@ -107,4 +107,4 @@ def _agreed_all_the_way(story: Story) -> None:
 def _nothing_after(story: Story, word: str) -> None:
     """A refusal comes before motion: nothing starts for it."""
     last = max(i for i, event in enumerate(story.events) if event.event == word)
-    assert {event.event for event in story.events[last + 1 :]} <= {"fact_changed"}
+    assert {event.event for event in story.events[last + 1 :]} <= {"fact_changed", "goal_reached"}

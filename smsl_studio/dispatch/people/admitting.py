@@ -123,6 +123,7 @@ def _begin(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -
         state.paused |= state.held is not None and not state.by_hand
         driver.loops.forget()
         driver.reviewer.forget()
+        driver.bypasses.tell((edge.address for edge in step.edges), again=True)
     else:
         driver.loops.count(run.configuration, step.asked)
     driver.begin(step)

@@ -41,9 +41,11 @@ class _WithPeople(Mapping[Address, Bound]):
         if not self._human(edge):
             return self._bound[edge]
         found = self._bound.get(edge)
+        note = self._blueprint[edge.branch].operation_note(edge.state, edge.operation)
+        one = BY_HAND if note.stop is None else replace(BY_HAND, stop=note.stop)
         if found is None:
-            return BY_HAND
-        return replace(BY_HAND, exact=found.exact, touches=found.touches, timeout=found.timeout)
+            return one
+        return replace(one, exact=found.exact, touches=found.touches, timeout=found.timeout)
 
     def __contains__(self, edge: object) -> bool:
         return edge in self._bound or (isinstance(edge, Address) and self._human(edge))

@@ -55,21 +55,33 @@ def everywhere(run: Run) -> tuple[Question, ...]:
     return tuple(found)
 
 
+def all_theirs(run: Run, terms: Iterable[Term]) -> bool:
+    """Whether every one of these terms is unknown, and behind it are facts that people may say."""
+    return run.people_say and all(
+        term.truth is None and bool(_questions(run, [term])) for term in terms
+    )
+
+
 def _questions(run: Run, terms: Iterable[Term]) -> tuple[Question, ...]:
-    found = dict(one for term in terms for one in _theirs(run, term))
+    found: dict[FactKey, str] = {}
+    met: set[FactKey] = set()
+    for term in terms:
+        found.update(_theirs(run, term, met))
     return tuple(fact_task(run.blueprint, key, reason) for key, reason in found.items())
 
 
-def _theirs(run: Run, term: Term) -> Iterator[tuple[FactKey, str]]:
-    """The unknown facts behind a term that people may say, each with why it is unknown."""
+def _theirs(run: Run, term: Term, met: set[FactKey]) -> Iterator[tuple[FactKey, str]]:
+    """The unknown facts behind a term that people may say, each with why it is unknown. ``met``
+    are those that were looked behind: several bases may share one sub-SB."""
     name, digit = term.fact
-    if digit < 0 or term.reason == IN_TRANSIT:
+    if digit < 0 or term.reason == IN_TRANSIT or term.fact in met:
         return
+    met.add(term.fact)
     branch = run.blueprint[name]
     sub = sub_below(run.blueprint, branch, digit)
     if sub is not None:
         for inner in run.check(sub.name, sub.activating).unknown:
-            yield from _theirs(run, inner)
+            yield from _theirs(run, inner, met)
     elif run.levels.fact(name, digit) != AUTOMATIC:
         reading = run.senses.scene.get(name, digit)
         if reading is not None and reading.value is None:

@@ -15,11 +15,20 @@ class Commands:
     def __init__(self) -> None:
         self._waiting: list[Command] = []
 
+    @property
+    def commanded(self) -> tuple[str, ...]:
+        """The words of the commands that wait for the next tick."""
+        return tuple(command.word for command in self._waiting)
+
     # going on and holding -----------------------------------------------------------------------
 
-    def ask(self, address: Address, *, by: str = PERSON) -> None:
-        """Carry out one operation that a person chose; refused with every reason otherwise."""
-        self._say(Command("ask", by, address))
+    def ask(self, address: Address, *, by: str = PERSON, every_time: bool = False) -> None:
+        """Carry out one operation that a person chose; refused with every reason otherwise.
+
+        ``every_time``: it is asked for by itself whenever the run comes by, so it must end.
+        """
+        said = {"every_time": True} if every_time else {}
+        self._say(Command("ask", by, address, parameters=said))
 
     def pause(self, *, by: str = PERSON) -> None:
         """Hold now, or as the running operation declares (finish it, abort it)."""

@@ -12,21 +12,37 @@ from smsl_studio.dispatch.recovery import located, stands
 from smsl_studio.dispatch.stage import Stage
 from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.words import all_words
+from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
+from smsl_studio.stop import BrokenOff, Looks, Stopped, heeding
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
 
+PATIENCE = 2
+"""How often a stop looks whether the world has braked, before it is ended instead."""
+LONGEST = 40
+"""How often more it looks while the machine gives the world no time to brake."""
+MUTE = "the simulation process did not brake and was ended"
+
 
 def stop(driver: Driver, command: Command) -> str:
-    """Brake and latch; where nobody attends the run, that is its end."""
+    """Brake and latch; where nobody attends the run, or its world is gone, that is its end."""
     run, state = driver.run, driver.state
-    touched = _cut(driver, f"stopped by {command.by}")
+    gone = ""
+    try:
+        with heeding(Looks(PATIENCE, LONGEST).heed):
+            touched = _cut(driver, f"stopped by {command.by}")
+    except BrokenOff:
+        raise
+    except (HostError, Stopped) as error:  # what is gone does not move
+        words = error.sentence if isinstance(error, HostError) else MUTE
+        touched, gone = _end_all(driver), f" {words[:1].upper()}{words[1:]}."
     state.latch()
     state.taken_over, state.stopped, state.touched = "", command.by, touched
-    driver.sentence = f"Stopped by {command.by}."
+    driver.sentence = f"Stopped by {command.by}.{gone}"
     run.emit(RunStopped(t=run.time, by=command.by))
-    if not driver.attended:
+    if gone or not driver.attended:
         driver.finish("stopped", driver.sentence)
     return ""
 
@@ -49,7 +65,7 @@ def end(driver: Driver, command: Command) -> str:
     if held is None:
         driver.finish("stopped", driver.sentence)
     else:
-        driver.finish(held.kind, held.reason)
+        driver.finish(held.ends, held.reason)
     return ""
 
 
@@ -149,10 +165,16 @@ def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
         run.host.cancel("hold")
     if carrier is not None:
         touched = carrier.cut(reason)
-    driver.carrier = None
+    _end_all(driver)
+    return touched
+
+
+def _end_all(driver: Driver) -> tuple[FactKey, ...]:
+    """Nothing that was going on or planned goes on; the facts it may have touched."""
+    carrier, driver.carrier = driver.carrier, None
     driver.desk.withdraw()
     driver.reviewer.forget()
-    run.drop_pending()
+    driver.run.drop_pending()
     driver.course.drop_plan()
     driver.release()
-    return touched
+    return carrier.touched if carrier is not None else ()

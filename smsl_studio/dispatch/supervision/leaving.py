@@ -11,18 +11,22 @@ if TYPE_CHECKING:
 
 
 def leave(driver: Driver) -> None:
-    """Nobody attends the run any more: where it waits for somebody, it is over."""
+    """Nobody attends the run any more: where it waits for somebody, it is over.
+
+    Where it waits at its goals, these are checked once more; that decides how it ends.
+    """
     if driver.phase == "waiting":
         driver.desk.settled()
     driver.attended = False
     held, phase = driver.state.held, driver.phase
     if held is not None and phase in ("no_route", "fault_hold"):
-        driver.finish(held.kind, held.reason)
+        driver.finish(held.ends, held.reason)
     elif phase == "stopped":
         driver.finish("stopped", driver.sentence)
     elif phase in ("ready", "paused") and _at_goals(driver):
         driver.state.by_hand = False
-        driver.arrived()
+        driver.state.resume()
+        driver.arrival.closing = True
     elif phase == "waiting" and not driver.starting.told:
         driver.finish("refused", f"The start is not known, and {driver.desk.nobody}.")
     elif phase == "waiting":
@@ -44,5 +48,4 @@ def _at_goals(driver: Driver) -> bool:
     """Whether it stands where it should, and nothing is open that could change that."""
     if driver.carrier is not None or driver.desk.busy:
         return False
-    driver.run.look()
-    return holds(driver.run.configuration, driver.course.goals) and not driver.run.broken()
+    return holds(driver.run.configuration, driver.course.goals)

@@ -8,6 +8,8 @@ from smsl_studio.blueprint.edges import Edge
 
 VISITS = 3
 """So often the automatic route may begin one edge from one configuration."""
+REPEATS = 100
+"""So often a script may ask for one that it asks for every time."""
 
 
 class LoopGuard:

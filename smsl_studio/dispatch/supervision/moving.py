@@ -10,6 +10,7 @@ from smsl_studio.dispatch.people.admitting import admit
 from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.supervision.rechecking import recheck
 from smsl_studio.runlog.events import OperationRefused, Resumed
+from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
@@ -31,7 +32,12 @@ def ask(driver: Driver, command: Command) -> str:
         reasons = ("people are being asked where the procedure stands",)
     else:
         run.look()
-        answer = asked(run, driver.course, address)
+        with restartable():
+            answer = asked(run, driver.course, address)
+        if isinstance(answer, JointStep) and command.parameters.get("every_time"):
+            circling = driver.repeats.why_not(run.configuration, answer.asked)
+            driver.repeats.count(run.configuration, answer.asked)
+            answer = (circling,) if circling else answer
         if isinstance(answer, JointStep):
             refused = admit(driver, answer, chosen=True)
             # What was held by a pause until now, a question, is no longer what the run waits for.

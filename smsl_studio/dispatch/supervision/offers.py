@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.status import Offer
+from smsl_studio.dispatch.trouble import NO_ROUTE
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
@@ -42,13 +43,13 @@ def _taken_over(driver: Driver) -> Iterator[Offer]:
 def _held(driver: Driver) -> Iterator[Offer]:
     held, course, found = driver.state.held, driver.course, driver.trouble.candidates
     assert held is not None
-    if held.kind == "held" and len(found) == 1:
+    if held.kind != NO_ROUTE and len(found) == 1:
         yield Offer("adopt", "", f"Go on from {_states(found[0])}, which the scene agrees with.")
     for address in held.blocking:
         if address in course.closed:
             words = f"Let {address} be used again. It is {course.closed[address]}."
             yield Offer("restore", str(address), words)
-    for one in driver.outlook.possible():
+    for one in driver.outlook.known()[0]:
         if one.risky and one.permitted:
             words = f"Try {one.address} again. It failed: {course.risky[one.address]}."
             yield Offer("ask", str(one.address), words)

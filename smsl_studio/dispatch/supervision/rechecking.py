@@ -6,8 +6,10 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.carrier import Carrier
-from smsl_studio.dispatch.people.needed import in_checks
+from smsl_studio.dispatch.effects import moved_by
+from smsl_studio.dispatch.people.needed import all_theirs, in_checks
 from smsl_studio.dispatch.recovery import stands
+from smsl_studio.dispatch.safeguards import lost_critical, lost_terms
 from smsl_studio.dispatch.words import all_words
 
 if TYPE_CHECKING:
@@ -44,11 +46,39 @@ def informed(driver: Driver, then: Callable[[], None]) -> None:
         then()
 
 
+def lost(driver: Driver) -> bool:
+    """Hold where a critical fact is false or unknown; whether that is so.
+
+    It holds at once, whatever people are being asked. Only where all that is lost is theirs to say
+    they are asked first, or may finish what they are asked already.
+    """
+    run = driver.run
+    if not driver.starting.told or not lost_critical(run):
+        return False
+
+    def hold() -> None:
+        facts = lost_critical(run)
+        driver.hold(driver.trouble.lost(facts) if facts else None)
+
+    theirs = all_theirs(run, lost_terms(run))
+    if theirs and driver.desk.keeps:
+        return False
+    driver.withdraw()
+    if theirs:
+        informed(driver, hold)
+    else:
+        run.look()
+        hold()
+    return True
+
+
 def _recheck_others(driver: Driver, carrier: Carrier) -> None:
-    """An operation that was held goes on only where all that it does not move is as it was."""
+    """An operation that was held goes on only where all that it does not move is as it was, and
+    what it rests on is known."""
     run = driver.run
     run.look()
-    moved = {edge.branch for edge in carrier.step.edges}
+    carrier.watch()
+    moved = {name for edge in carrier.step.edges for name in moved_by(run, edge)}
     words = all_words(run.blueprint, (term for term in run.broken() if term.fact[0] not in moved))
     if words:
         carrier.abort("hold", f"while it was held, {'; '.join(words)}")

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.dispatch.trouble import Hold
+from smsl_studio.dispatch.trouble import NO_ROUTE, Hold
 
 RUN_STATES = (
     "idle",
@@ -54,7 +54,7 @@ class RunState:
                 return "paused"
             return "waiting" if asking else "running"
         if self.held is not None:
-            return "no_route" if self.held.kind == "no_route" else "fault_hold"
+            return "no_route" if self.held.kind == NO_ROUTE else "fault_hold"
         if self.paused or self.frozen:
             return "paused"
         return "ready" if self.by_hand and not self.once else "running"

@@ -21,6 +21,7 @@ from smsl_studio.dispatch.supervision.command import (
 )
 from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import Commanded
+from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
@@ -80,13 +81,16 @@ REFUSED: Mapping[str, Mapping[str, str]] = {
 """By command and run state. ``{by}`` is who has taken over."""
 
 
-def obey(driver: Driver, commands: Sequence[Command]) -> None:
-    """Carry out the commands of one tick in order of rank; each is answered by one event, which
-    stands before its effects. Where the host dies meanwhile, all are answered first."""
+def obey(driver: Driver, commands: list[Command]) -> None:
+    """Carry out the commands of one tick, which are in order of rank, and take them off the list.
+
+    Each is answered by one event, which stands before its effects. Where the host dies meanwhile,
+    all are answered first. Where one is called off (see ``stop``), it is still on the list.
+    """
     done: list[str] = []
     gone: HostError | None = None
-    for one in in_order(commands):
-        command = one
+    while commands:
+        command = commands[0]
         events = driver.run.events
         at = len(events)
         try:
@@ -98,6 +102,7 @@ def obey(driver: Driver, commands: Sequence[Command]) -> None:
                 refused = DO[command.word](driver, command)
         except HostError as error:
             gone, refused = error, f"the world is gone: {error.sentence}"
+        del commands[0]
         if not refused or command.word in STANDS:
             done.append(command.word)
         events.insert(at, _told(driver, command, refused))
@@ -133,7 +138,8 @@ def meant(driver: Driver, command: Command) -> Command:
     """The command with what it is about, where that was left open: the record must name it."""
     if command.word != "veto" or command.address is not None or driver.carrier is not None:
         return command
-    return replace(command, address=driver.next_edge())
+    with restartable():
+        return replace(command, address=driver.next_edge())
 
 
 def _told(driver: Driver, command: Command, refused: str) -> Commanded:

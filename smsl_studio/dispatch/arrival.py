@@ -1,0 +1,118 @@
+"""Arrival: a goal is told, and a run is over, only after a fresh check of where it stands.
+
+The configuration says where the run believes to be. Before a goal counts, the world goes on for at
+least one more tick, every sensor is read, and the goal's state check must be true with readings
+that are newer than whatever happened last: a commit, a command, a disturbance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import Address, fact_text
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.senses import Moment
+from smsl_studio.dispatch.supervision.rechecking import informed, lost
+from smsl_studio.runlog.events import GoalReached
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.driver import Driver
+
+HAIR = 1e-9
+
+
+class Arrival:
+    """What has been told of the goals of one run, and since when it stands at the next ones.
+
+    ``closing``: whoever attended the run is gone, so it ends here, whatever the check says.
+    ``moved``: an operation has ended since goals were looked for; by hand nothing else is a reason.
+    """
+
+    def __init__(self, run: Run, goals: Sequence[Address]) -> None:
+        self.closing = self.moved = False
+        self._run, self._goals = run, tuple(goals)
+        self._told: set[Address] = set()
+        self._since: Moment | None = None
+
+    @property
+    def open(self) -> bool:
+        """Whether the run stands where a goal was not told yet, or where all of them hold."""
+        here = self._reached
+        return len(here) == len(self._goals) or any(goal not in self._told for goal in here)
+
+    @property
+    def _reached(self) -> tuple[Address, ...]:
+        """The goals in their order, up to the first where the run does not stand."""
+        here = self._run.configuration
+        away = (n for n, goal in enumerate(self._goals) if here[goal.branch] != goal.state)
+        return self._goals[: next(away, len(self._goals))]
+
+    def begin(self, moved: bool = False) -> None:
+        """Only readings from now on count; ``moved``: also where that was said before."""
+        self.moved |= moved
+        if moved or self._since is None:
+            self._since = self._run.senses.moment
+
+    def forget(self) -> None:
+        """Something happened: readings must be newer than that."""
+        self._since = None
+
+    def look(self, driver: Driver) -> None:
+        """A tick has passed: tell the goals where the check is true, hold where it is not. Where
+        readings are still awaited, and within the settling time, nothing happens."""
+        run, since = self._run, self._since
+        if since is None:
+            return
+        run.look()
+        if lost(driver):
+            return
+        here = self._reached
+        if self.closing and len(here) < len(self._goals):
+            driver.finish("held", "The goals do not hold any more, and nobody is there to decide.")
+        elif _doubtful(run, here) or run.broken():
+            if run.time - since.time >= run.opened.settle - HAIR:
+                self.forget()
+                informed(driver, lambda: driver.hold(driver.trouble.unconfirmed(here)))
+        else:
+            late = run.senses.late(since, self._facts(here))
+            driver.sentence = _waits(here, late) if late else ""
+            if not late:
+                self._tell(driver, here)
+
+    def _tell(self, driver: Driver, here: Sequence[Address]) -> None:
+        run, state = self._run, driver.state
+        new = [goal for goal in here if goal not in self._told]
+        arrived = self.moved or bool(new)
+        self._told.update(new)
+        self.moved, self._since = False, None
+        for goal in new:
+            driver.loops.forget()
+            driver.repeats.forget()
+            run.emit(GoalReached(t=run.time, goal=str(goal)))
+        if state.by_hand:
+            state.once = False
+        elif arrived and state.once:
+            state.once = False
+            driver.now_paused()
+        elif len(here) == len(self._goals):
+            word = "holds" if len(here) == 1 else "hold"
+            driver.finish("goal_reached", f"{', '.join(map(str, here))} {word}.")
+
+    def _facts(self, goals: Sequence[Address]) -> set[FactKey]:
+        """Every fact that goals hang on, and every critical one."""
+        run = self._run
+        found = {(name, digit) for name, digits in run.critical.items() for digit in digits}
+        names = {goal.branch for goal in goals} | {name for name, _ in found}
+        below = {name for one in names for name in run.hierarchy.tree(one)}
+        return found | {(n, d) for n in below for d in range(run.blueprint[n].num_facts)}
+
+
+def _doubtful(run: Run, goals: Sequence[Address]) -> bool:
+    return any(run.check(goal.branch, goal.state).truth is not True for goal in goals)
+
+
+def _waits(goals: Sequence[Address], late: Sequence[FactKey]) -> str:
+    names = ", ".join(map(str, goals))
+    return f"{names} awaits a new reading of {', '.join(fact_text(*key) for key in late)}."

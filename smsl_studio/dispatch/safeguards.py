@@ -1,0 +1,103 @@
+"""Safeguards: the facts on which a run rests at every tick, also in the middle of an operation.
+
+These are every fact that the blueprint marks as critical, and what the running edges require. Each
+must be known and have the value that is believed, as far as the step itself does not change it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from smsl_studio.blueprint.check import IN_TRANSIT, FactKey, Term, state_check
+from smsl_studio.blueprint.edges import Edge
+from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.dispatch.effects import changed_by
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.words import critical_words, required_words
+
+NOTHING: frozenset[FactKey] = frozenset()
+
+
+def lost_critical(run: Run, changing: Collection[FactKey] = NOTHING) -> tuple[str, ...]:
+    """The critical facts that are false or unknown now, as sentences; empty where all is well.
+
+    ``changing`` are facts that a step changes at this moment.
+    """
+    if not run.critical:
+        return ()
+    return tuple(critical_words(run.blueprint, term) for term in lost_terms(run, changing))
+
+
+def lost_terms(run: Run, changing: Collection[FactKey] = NOTHING) -> Iterator[Term]:
+    """The same facts, as terms of the state checks in which they are."""
+    believed, scene = run.believed, run.senses.scene
+    left_out = run.transit.union(changing)
+    for name, digits in run.critical.items():
+        state = believed[name]
+        check = state_check(run.blueprint, name, state, scene, believed, transit=left_out)
+        if check.truth is True:
+            continue
+        for digit in digits:
+            term = check.terms[digit]
+            if term.truth is not True and term.reason != IN_TRANSIT:
+                yield term
+
+
+class Safeguards:
+    """What one step rests on while it is carried out.
+
+    ``begin`` is called before the function of an action starts, ``end`` when its check was true.
+    """
+
+    def __init__(self, run: Run, step: JointStep) -> None:
+        self._run = run
+        self._idle = not run.critical and not any(edge.requires for edge in step.edges)
+        self._required: list[Edge] = []
+        self._changing = NOTHING
+        self._changed: set[FactKey] = set()
+
+    def begin(self, action: Action) -> tuple[str, ...]:
+        """What the edges that begin now require, and every critical fact: why they may not begin.
+
+        From now on what the action changes is left out, and what its edges require must stay.
+        """
+        if self._idle:
+            return ()
+        self._required.extend(edge for edge in action.begins if edge.requires)
+        lost = self.lost()
+        self._changing = frozenset(changed_by(self._run, action)) | action.transit
+        self._changed |= self._changing
+        return lost
+
+    def end(self, action: Action) -> None:
+        """What the action changed must from now on be as it is believed."""
+        self._changing = NOTHING
+        self._required = [edge for edge in self._required if edge not in action.commits]
+
+    def lost(self, asked: Collection[FactKey] = NOTHING) -> tuple[str, ...]:
+        """What is false or unknown now though the step rests on it, as sentences; ``asked`` are
+        facts that people are being asked for."""
+        if self._idle:
+            return ()
+        changing = self._changing.union(asked)
+        required = (word for edge in self._required for word in self._unmet(edge, changing))
+        return tuple(dict.fromkeys((*required, *lost_critical(self._run, changing))))
+
+    def _unmet(self, edge: Edge, changing: Collection[FactKey]) -> Iterator[str]:
+        """What an edge requires of facts that the step has not changed, and is not sensed so."""
+        run = self._run
+        believed, left_out = run.believed, run.transit.union(changing)
+        for name, digit, value in edge.requires:
+            if (name, digit) in self._changed:
+                continue
+            check = state_check(
+                run.blueprint, name, believed[name], run.senses.scene, believed, transit=left_out
+            )
+            term = check.terms[digit]
+            if term.reading != value and term.reason != IN_TRANSIT:
+                wanted = Term(term.fact, value, term.reading, _same(term, value), term.reason)
+                yield required_words(run.blueprint, edge, wanted)
+
+
+def _same(term: Term, value: str) -> bool | None:
+    return None if term.reading is None else term.reading == value

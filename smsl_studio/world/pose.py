@@ -1,0 +1,56 @@
+"""Poses that come from outside: refused where no body could stand there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+
+from smsl_studio.errors import WorldError
+
+FARTHEST = 1000.0
+"""Metres from the origin; a body farther away is no longer moved exactly."""
+
+LOOSE = 0.01
+"""How far the length of a quaternion may be from 1."""
+
+
+def check_position(name: str, position: Sequence[float]) -> None:
+    """WorldError where a position is not three lengths (m) within reach."""
+    if not _are_numbers(position, 3):
+        raise WorldError(f"{name!r} cannot stand at {position!r}: it takes x, y and z in metres")
+    if any(abs(value) > FARTHEST for value in position):
+        raise WorldError(
+            f"{name!r} cannot stand at {position!r}: that is more than {FARTHEST:g} m away",
+            advice="Positions are in metres.",
+        )
+
+
+def check_orientation(name: str, orientation: Sequence[float]) -> None:
+    """WorldError where an orientation is no quaternion of length 1."""
+    if not _are_numbers(orientation, 4) or abs(math.hypot(*orientation) - 1.0) > LOOSE:
+        raise WorldError(
+            f"{name!r} cannot be turned by {orientation!r}: it takes a quaternion x, y, z, w "
+            "of length 1"
+        )
+
+
+def check_amounts(name: str, what: str, values: Iterable[float], least: float = -math.inf) -> None:
+    """WorldError where one of the values is no finite number, or below the least."""
+    for value in values:
+        if not _is_number(value) or value < least:
+            raise WorldError(f"{what} of {name!r} cannot be {value!r}")
+
+
+def _are_numbers(values: object, count: int) -> bool:
+    try:
+        found = list(values)  # type: ignore[call-overload]
+    except TypeError:
+        return False
+    return len(found) == count and all(_is_number(value) for value in found)
+
+
+def _is_number(value: object) -> bool:
+    try:
+        return math.isfinite(value)  # type: ignore[arg-type]
+    except (TypeError, OverflowError):
+        return False

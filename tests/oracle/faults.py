@@ -1,0 +1,445 @@
+"""Deliberate faults: for each clause, what the program would do if it broke the clause.
+
+Each puts something else in the place of one piece of the program. ``numbers`` are cases in which
+the oracle must then name the clause; without the fault it finds nothing in them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import pytest
+
+from smsl_studio.blueprint import stepper
+from smsl_studio.blueprint.along import Along
+from smsl_studio.blueprint.check import CheckResult, Term
+from smsl_studio.blueprint.configuration import start_configuration
+from smsl_studio.blueprint.edges import Edges
+from smsl_studio.blueprint.joint import Script
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.dispatch import arrival, carrier, goals, guards, safeguards, start, trouble
+from smsl_studio.dispatch.carrier import Carrier
+from smsl_studio.dispatch.driver import Driver
+from smsl_studio.dispatch.people import admitting
+from smsl_studio.dispatch.planner import Planner
+from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.safeguards import Safeguards
+from smsl_studio.dispatch.senses import Senses
+from smsl_studio.dispatch.supervision.reviewing import Reviewer
+from smsl_studio.dispatch.trouble import Trouble
+from smsl_studio.library import table
+from smsl_studio.monitor import facts as monitor_facts
+from smsl_studio.monitor.aggregate import Verdict
+from smsl_studio.monitor.ledger import Ledger
+from smsl_studio.runlog.events import OperationStarted
+
+Patch = pytest.MonkeyPatch
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A part of a clause that is broken on purpose, and where the oracle must see it."""
+
+    clause: int
+    words: str
+    apply: Callable[[Patch], None]
+    numbers: tuple[int, ...] = ()
+
+    def __str__(self) -> str:
+        return f"{self.clause} {self.words}"
+
+
+# 1, 2, 3: sub digits, classes, start ------------------------------------------------------------
+
+
+def _one_is_on(patch: Patch) -> None:
+    patch.setattr(StateBranch, "is_on", lambda self, state, digit: self.facts(state)[digit] == "1")
+
+
+def _nothing_disagrees(patch: Patch) -> None:
+    patch.setattr(stepper, "disagreements", lambda hierarchy, configuration: ())
+    patch.setattr(Along, "edges_for", lambda self, *_: ())
+
+
+def _mixed_has_no_function(patch: Patch) -> None:
+    patch.setattr(Edges, "_others", lambda self, *_: False)
+
+
+def _given_subs_are_ignored(patch: Patch) -> None:
+    whole = start_configuration
+
+    def roots_only(hierarchy: Any, given: Any) -> dict[str, str]:
+        return whole(hierarchy, {k: v for k, v in given.items() if k in hierarchy.roots})
+
+    patch.setattr(start, "start_configuration", roots_only)
+
+
+def _start_is_not_checked(patch: Patch) -> None:
+    patch.setattr(start, "check_words", lambda *_: "")
+    whole = start.start_events
+
+    def unchecked(run: Run, *rest: Any) -> Any:
+        with pytest.MonkeyPatch.context() as inner:
+            inner.setattr(run, "checks", lambda configuration: ())
+            return whole(run, *rest)
+
+    patch.setattr("smsl_studio.dispatch.people.starting.start_events", unchecked)
+
+
+# 4, 5, 6: guards, carrying out, commits ---------------------------------------------------------
+
+
+def _source_is_not_checked(patch: Patch) -> None:
+    patch.setattr(guards, "_sources", lambda run, step: [])
+
+
+def _required_is_not_sensed(patch: Patch) -> None:
+    patch.setattr(guards, "_required", lambda run, step: iter(()))
+    patch.setattr(Safeguards, "_unmet", lambda self, *_: iter(()))
+
+
+def _nobody_confirms(patch: Patch) -> None:
+    patch.setattr(admitting, "confirmations", lambda run, step: ())
+
+
+def _the_supervisor_is_not_heard(patch: Patch) -> None:
+    whole = Reviewer.lets_begin
+
+    def deaf(self: Reviewer, driver: Driver, step: Any) -> bool:
+        with pytest.MonkeyPatch.context() as inner:
+            inner.setattr(self, "_obey", lambda *_: None)
+            whole(self, driver, step)
+        return True
+
+    patch.setattr(Reviewer, "lets_begin", deaf)
+
+
+def _avoided_edges_are_used(patch: Patch) -> None:
+    patch.setattr(stepper.Stepper, "_closures", lambda self, edge: iter(()))
+
+
+def _rises_come_first(patch: Patch) -> None:
+    def turned(self: Any, script: Any, edge: Any, held: Any) -> None:
+        subs = dict(self.hierarchy.subs[edge.branch])
+        for digit in reversed((*edge.falls, *edge.rises)):
+            branch = self.hierarchy.blueprint[subs[digit]]
+            goal = branch.activating if digit in edge.rises else branch.initial
+            if script.configuration[branch.name] == goal:
+                continue
+            if branch.name in self.plain:
+                route = self._plain_route(script.configuration, branch, goal)
+            else:
+                route = self._sub_route(script.configuration, branch, goal, held).edges
+            for part in route:
+                self._carry(script, part, held)
+
+    patch.setattr(stepper.Stepper, "_drive", turned)
+
+
+def _bases_do_not_tell_that_they_start(patch: Patch) -> None:
+    whole = Carrier._begin
+
+    def silent(self: Carrier, shut: Any) -> None:
+        before = len(self._run.events)
+        whole(self, shut)
+        told = self._run.events[before:]
+        kept = [
+            one
+            for one in told
+            if not isinstance(one, OperationStarted) or one.address == str(self.action.edge)
+        ]
+        self._run.events[before:] = kept
+
+    patch.setattr(Carrier, "_begin", silent)
+
+
+def _crossings_commit_alone(patch: Patch) -> None:
+    patch.setattr(stepper.Stepper, "_link", lambda self, *_: None)
+    patch.setattr(
+        stepper.Stepper, "_last_crossing", lambda self, script, _: len(script.functions) - 1
+    )
+
+
+def _the_base_waits_for_the_whole_fall(patch: Patch) -> None:
+    """A base edge commits only when its sub-routes have ended, and not with the last crossing."""
+    patch.setattr(
+        stepper.Stepper, "_last_crossing", lambda self, script, _: len(script.functions) - 1
+    )
+
+
+# 7, 8: outcome, failure -------------------------------------------------------------------------
+
+
+def _unknown_is_good_enough(patch: Patch) -> None:
+    whole = Run.check
+
+    def lenient(self: Run, *rest: Any) -> CheckResult:
+        found = whole(self, *rest)
+        terms = tuple(replace(t, truth=True) if t.truth is None else t for t in found.terms)
+        return CheckResult(found.branch, found.state, terms)
+
+    _only_in_deciding(patch, lenient)
+
+
+def _the_check_does_not_decide(patch: Patch) -> None:
+    whole = Run.check
+
+    def blind(self: Run, *rest: Any) -> CheckResult:
+        found = whole(self, *rest)
+        return CheckResult(found.branch, found.state, tuple(_true(term) for term in found.terms))
+
+    _only_in_deciding(patch, blind)
+
+
+def _true(term: Term) -> Term:
+    return replace(term, truth=True)
+
+
+def _only_in_deciding(patch: Patch, check: Callable[..., CheckResult]) -> None:
+    whole = Carrier._decide
+
+    def deciding(self: Carrier) -> None:
+        with pytest.MonkeyPatch.context() as inner:
+            inner.setattr(Run, "check", check)
+            whole(self)
+
+    patch.setattr(Carrier, "_decide", deciding)
+
+
+def _a_told_failure_is_none(patch: Patch) -> None:
+    patch.setattr(carrier, "fault_words", lambda edge, tick: "")
+
+
+def _nothing_settles(patch: Patch) -> None:
+    def at_once(self: Carrier) -> None:
+        self._until = self._run.time
+        self._decide()
+
+    patch.setattr(Carrier, "_settle", at_once)
+
+
+def _nothing_is_risky(patch: Patch) -> None:
+    whole = Trouble.blame
+    patch.setattr(
+        Trouble,
+        "blame",
+        lambda self, step, failure: whole(self, step, replace(failure, risky=False)),
+    )
+
+
+def _it_adopts_unasked(patch: Patch) -> None:
+    whole = Trouble.__init__
+    patch.setattr(Trouble, "__init__", lambda self, run, course, _: whole(self, run, course, True))
+
+
+def _it_goes_on_from_anywhere(patch: Patch) -> None:
+    patch.setattr(trouble, "stands", lambda run, configuration: True)
+
+
+# 9: integrity, what must stay true, the end -----------------------------------------------------
+
+
+def _integrity_is_not_watched(patch: Patch) -> None:
+    patch.setattr(Run, "broken", lambda self: ())
+
+
+def _required_may_be_lost(patch: Patch) -> None:
+    patch.setattr(Safeguards, "_unmet", lambda self, *_: iter(()))
+
+
+def _critical_may_be_lost(patch: Patch) -> None:
+    patch.setattr(safeguards, "lost_critical", lambda *_: ())
+
+
+def _critical_is_not_asked_before(patch: Patch) -> None:
+    patch.setattr(guards, "lost_critical", lambda run: ())
+    patch.setattr("smsl_studio.dispatch.driver.lost", lambda driver: False)
+    patch.setattr(Safeguards, "begin", lambda self, action: ())
+
+
+def _people_are_asked_first(patch: Patch) -> None:
+    patch.setattr("smsl_studio.dispatch.supervision.rechecking.all_theirs", lambda *_: True)
+
+
+def _goals_are_believed(patch: Patch) -> None:
+    patch.setattr(arrival, "_doubtful", lambda run, here: False)
+    patch.setattr(Senses, "late", lambda self, since, facts: ())
+    patch.setattr(arrival, "lost", lambda driver: False)
+    patch.setattr(Run, "broken", lambda self: ())
+
+
+def _goals_are_told_at_once(patch: Patch) -> None:
+    whole = Driver._after
+
+    def after(self: Driver, carrier: Carrier) -> None:
+        whole(self, carrier)
+        if self.carrier is None and self.ended is None and self.state.held is None:
+            self.arrival._tell(self, self.arrival._reached)
+
+    patch.setattr(Driver, "_after", after)
+
+
+# 10, 11, 12: asked directly, goals, routes ------------------------------------------------------
+
+
+def _the_dearest_goes_along(patch: Patch) -> None:
+    whole = Along._singles
+    patch.setattr(Along, "_singles", lambda self, *rest: whole(self, *rest)[::-1])
+
+
+def _a_base_without_a_rise_is_left(patch: Patch) -> None:
+    patch.setattr(Along, "_singles", lambda self, *_: [])
+    patch.setattr(Along, "_take", lambda self, *_: None)
+
+
+def _only_roots_may_be_asked(patch: Patch) -> None:
+    whole = Planner._movers
+    patch.setattr(
+        Planner,
+        "_movers",
+        lambda self, branches: (
+            [name for name in whole(self, branches) if not self.hierarchy.bases[name]]
+            or whole(self, branches)
+        ),
+    )
+
+
+def _goals_are_turned_round(patch: Patch) -> None:
+    whole = goals.goals_of
+    patch.setattr(start, "goals_of", lambda hierarchy, asked: whole(hierarchy, asked)[::-1])
+
+
+def _contradictions_are_accepted(patch: Patch) -> None:
+    patch.setattr(goals, "_contradictions", lambda hierarchy, wanted: None)
+
+
+def _what_holds_is_not_left(patch: Patch) -> None:
+    whole = Planner._movers
+
+    def last_only(self: Planner, branches: Any) -> Any:
+        return whole(self, list(branches)[-1:])
+
+    patch.setattr(Planner, "_movers", last_only)
+
+
+def _every_edge_costs_the_same(patch: Patch) -> None:
+    whole = Edges._edge
+
+    def flat(self: Edges, *rest: Any) -> Any:
+        return replace(whole(self, *rest), cost=1.0)
+
+    patch.setattr(Edges, "_edge", flat)
+
+
+def _subs_cost_nothing(patch: Patch) -> None:
+    whole = Script.begin
+
+    def begin(self: Script, edge: Any, *rest: Any) -> Any:
+        crossing = bool(self.carried) and edge.crossing
+        return whole(self, replace(edge, cost=0.0) if crossing else edge, *rest)
+
+    patch.setattr(Script, "begin", begin)
+
+
+# 13, 14, 15: unknown, table, time ---------------------------------------------------------------
+
+
+def _nothing_is_stale(patch: Patch) -> None:
+    whole = Ledger.__init__
+    patch.setattr(Ledger, "__init__", lambda self, name, _: whole(self, name, 1e9))
+
+
+def _the_first_sensor_wins(patch: Patch) -> None:
+    def first(rule: Any, said: Any) -> Verdict:
+        known = [one for one in said if one.value is not None]
+        return Verdict(known[0].value if known else None, "")
+
+    patch.setattr(monitor_facts, "aggregate", first)
+
+
+def _a_cancelled_operation_moved_nothing(patch: Patch) -> None:
+    patch.setattr(Senses, "doubt", lambda self, facts, reason: ())
+
+
+def _load_sets_no_subs(patch: Patch) -> None:
+    patch.setattr(table, "_facts_below", lambda *_: {})
+
+
+def _one_fact_is_forgotten(patch: Patch) -> None:
+    whole = table.facts_of
+
+    def fewer(branch: Any, state: str) -> Any:
+        found = whole(branch, state)
+        return dict(list(found.items())[:-1]) if len(found) > 1 else found
+
+    patch.setattr(table, "facts_of", fewer)
+
+
+def _time_passes_in_a_pause(patch: Patch) -> None:
+    whole = Driver.go_on
+
+    def going(self: Driver) -> None:
+        if self.phase == "paused" and self.ended is None:
+            self._tick()
+        whole(self)
+
+    patch.setattr(Driver, "go_on", going)
+
+
+def _two_steps_of_the_world(patch: Patch) -> None:
+    whole = Senses.tick
+
+    def twice(self: Senses) -> Any:
+        whole(self)
+        return whole(self)
+
+    patch.setattr(Senses, "tick", twice)
+
+
+FAULTS: tuple[Fault, ...] = (
+    Fault(1, "on is always 1", _one_is_on, (2240,)),
+    Fault(1, "bases and subs may disagree", _nothing_disagrees, (20, 21)),
+    Fault(2, "a mixed edge runs no function of its own", _mixed_has_no_function, (18, 44)),
+    Fault(3, "a start given for a sub is ignored", _given_subs_are_ignored, (0, 5)),
+    Fault(3, "a start is not checked", _start_is_not_checked, (1354, 1368)),
+    Fault(4, "the source is not checked", _source_is_not_checked, (6, 8)),
+    Fault(4, "what is required is not sensed", _required_is_not_sensed, (341, 1123)),
+    Fault(4, "nobody confirms", _nobody_confirms, (6, 34)),
+    Fault(4, "the supervisor is not heard", _the_supervisor_is_not_heard, (24, 32)),
+    Fault(4, "avoided edges are used", _avoided_edges_are_used, (24, 7)),
+    Fault(5, "rises come before falls", _rises_come_first, (311, 454)),
+    Fault(5, "a base does not tell that it starts", _bases_do_not_tell_that_they_start, (3, 15)),
+    Fault(6, "crossings commit alone", _crossings_commit_alone, (18, 78)),
+    Fault(6, "a base waits for the whole fall", _the_base_waits_for_the_whole_fall, (412, 532)),
+    Fault(7, "the target's check does not decide", _the_check_does_not_decide, (6, 8)),
+    Fault(7, "a told failure is none", _a_told_failure_is_none, (408, 687)),
+    Fault(7, "nothing settles", _nothing_settles, (12, 15)),
+    Fault(8, "nothing is risky", _nothing_is_risky, (24, 26)),
+    Fault(8, "it adopts unasked", _it_adopts_unasked, (6, 8)),
+    Fault(8, "it goes on from anywhere", _it_goes_on_from_anywhere, (8, 17)),
+    Fault(9, "integrity is not watched", _integrity_is_not_watched, (26, 31)),
+    Fault(9, "what is required may be lost", _required_may_be_lost, (207, 726)),
+    Fault(9, "critical facts may be lost", _critical_may_be_lost, (162, 328)),
+    Fault(9, "critical facts are not asked before", _critical_is_not_asked_before, (48, 95)),
+    Fault(9, "people are asked before it holds", _people_are_asked_first, (10905, 4336)),
+    Fault(9, "goals are believed", _goals_are_believed, (26, 31)),
+    Fault(9, "goals are told at once", _goals_are_told_at_once, (3, 8)),
+    Fault(10, "the dearest goes along", _the_dearest_goes_along, (64, 95)),
+    Fault(10, "a base without a rise is left", _a_base_without_a_rise_is_left, (21, 30)),
+    Fault(11, "only roots may be asked", _only_roots_may_be_asked, (20, 40)),
+    Fault(11, "goals are turned round", _goals_are_turned_round, (4, 9)),
+    Fault(11, "contradictions are accepted", _contradictions_are_accepted, (441, 442)),
+    Fault(11, "what holds is not left", _what_holds_is_not_left, (5619,)),
+    Fault(12, "every edge costs the same", _every_edge_costs_the_same, (3, 10)),
+    Fault(12, "a driven sub costs nothing", _subs_cost_nothing, (3, 13)),
+    Fault(13, "unknown is good enough", _unknown_is_good_enough, (17, 31)),
+    Fault(13, "nothing is stale", _nothing_is_stale, (0, 6)),
+    Fault(13, "the first sensor wins", _the_first_sensor_wins, (9, 16)),
+    Fault(13, "a cancelled operation moved nothing", _a_cancelled_operation_moved_nothing, (623,)),
+    Fault(14, "load sets no subs", _load_sets_no_subs, (8, 17)),
+    Fault(14, "one fact is forgotten", _one_fact_is_forgotten, (7, 8)),
+    Fault(15, "time passes in a pause", _time_passes_in_a_pause, (40, 201)),
+    Fault(15, "the world steps twice", _two_steps_of_the_world, (0, 1)),
+)
