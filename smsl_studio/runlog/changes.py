@@ -2,168 +2,219 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Mapping
 from types import MappingProxyType
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.fold import RunFold
 from smsl_studio.runlog.retold import Entered, Retold, Sensed
 
-Changes = dict[str, Any]
+
+def take(fold: RunFold, event: Event) -> None:
+    """One more event happens."""
+    change = _CHANGES.get(type(event))
+    if change is not None:
+        change(fold, event)
+    fold.index += 1
+    fold.time = max(fold.time, event.t)
 
 
 def after(before: Retold, event: Event) -> Retold:
     """How the run stands after one more event."""
-    changes = _CHANGES.get(type(event), _nothing)(before, event)
-    return replace(before, index=before.index + 1, time=max(before.time, event.t), **changes)
+    fold = RunFold.of(before)
+    take(fold, event)
+    return fold.retold()
 
 
-_CLEARED: Mapping[str, Any] = MappingProxyType(
-    {"started": (), "own": (), "running": "", "running_since": None}
-)
-"""Nothing is carried out any more."""
+def _clear(fold: RunFold) -> None:
+    """Nothing is carried out any more."""
+    fold.started, fold.own, fold.stack = {}, {}, []
+    fold.running, fold.running_since = "", None
 
 
-def _nothing(before: Retold, event: Event) -> Changes:
-    return {}
-
-
-def _entered(before: Retold, t: float, states: Mapping[str, str], by: Sequence[str]) -> Changes:
+def _enter(fold: RunFold, t: float, states: Mapping[str, str], by: Iterable[str]) -> None:
     """SBs came into states, by these operations."""
     how = {Address.split(text)[0]: text for text in by}
-    came = {branch: Entered(t, how.get(branch, "")) for branch in states}
-    return {
-        "configuration": {**before.configuration, **states},
-        "entered": {**before.entered, **came},
-    }
+    fold.configuration.update(states)
+    for branch in states:
+        fold.entered[branch] = Entered(t, how.get(branch, ""))
 
 
-def _run_started(before: Retold, event: run.RunStarted) -> Changes:
-    return {
-        **_entered(before, event.t, event.start, ()),
-        "goals": event.goals,
-        "begun": True,
-    }
+def _run_started(fold: RunFold, event: run.RunStarted) -> None:
+    _enter(fold, event.t, event.start, ())
+    fold.goals, fold.begun = event.goals, True
 
 
-def _operation_started(before: Retold, event: run.OperationStarted) -> Changes:
-    route = before.route[1:] if before.route[:1] == (event.address,) else before.route
-    return {
-        "started": (*before.started, event.address),
-        "own": (*before.own, event.address) if event.function else before.own,
-        "running": event.address,
-        "running_since": event.t,
-        "route": route,
-        "held": None,
-        "check": None,
-    }
+def _route_planned(fold: RunFold, event: run.RoutePlanned) -> None:
+    fold.planned, fold.passed = event.operations, 0
 
 
-def _operation_ended(before: Retold, event: run.OperationEnded) -> Changes:
-    return {"own": tuple(one for one in before.own if one != event.address)}
+def _operation_started(fold: RunFold, event: run.OperationStarted) -> None:
+    if fold.planned[fold.passed : fold.passed + 1] == (event.address,):
+        fold.passed += 1
+    fold.started[event.address] = None
+    if event.function:
+        fold.own[event.address] = None
+        fold.stack.append(event.address)
+    fold.running, fold.running_since = event.address, event.t
+    fold.held, fold.check = None, None
 
 
-def _state_checked(before: Retold, event: run.StateChecked) -> Changes:
-    return {"check": event, **_next(before.own, event.t)}
+def _operation_ended(fold: RunFold, event: run.OperationEnded) -> None:
+    fold.own.pop(event.address, None)
 
 
-def _next(own: Sequence[str], t: float) -> Changes:
+def _state_checked(fold: RunFold, event: run.StateChecked) -> None:
+    fold.check = event
+    _next(fold, event.t)
+
+
+def _next(fold: RunFold, t: float) -> None:
     """A base's function runs when its subs have moved, which no event of its own tells."""
-    return (
-        {"running": own[-1], "running_since": t} if own else {"running": "", "running_since": None}
-    )
+    while fold.stack and fold.stack[-1] not in fold.own:
+        fold.stack.pop()
+    fold.running = fold.stack[-1] if fold.stack else ""
+    fold.running_since = t if fold.running else None
 
 
-def _committed(before: Retold, event: run.Committed) -> Changes:
-    left = tuple(one for one in before.started if one not in event.operations)
-    return {
-        **_entered(before, event.t, event.configuration, event.operations),
-        **({"started": left, **_next(before.own, event.t)} if left else _CLEARED),
-        "operations": before.operations + len(event.operations),
-        "once": before.once and bool(left),
-    }
+def _committed(fold: RunFold, event: run.Committed) -> None:
+    _enter(fold, event.t, event.configuration, event.operations)
+    for address in event.operations:
+        fold.started.pop(address, None)
+    if fold.started:
+        _next(fold, event.t)
+    else:
+        _clear(fold)
+        fold.once = False
+    fold.operations += len(event.operations)
 
 
-def _relocalised(before: Retold, event: run.Relocalised) -> Changes:
-    moved = {b: s for b, s in event.configuration.items() if before.configuration.get(b) != s}
-    return {
-        **_entered(before, event.t, moved, ()),
-        **_CLEARED,
-        "held": None,
-        "candidates": (),
-        "once": before.once and not before.started,
-    }
+def _relocalised(fold: RunFold, event: run.Relocalised) -> None:
+    here = fold.configuration
+    _enter(fold, event.t, {b: s for b, s in event.configuration.items() if here.get(b) != s}, ())
+    _fail(fold)
+    fold.held, fold.candidates = None, ()
 
 
-def _mismatch(before: Retold, event: run.Mismatch) -> Changes:
-    return {**_CLEARED, "candidates": event.candidates}
+def _fail(fold: RunFold) -> None:
+    """Whatever is carried out is over; where one operation was wanted, that was it."""
+    fold.once = fold.once and not fold.started
+    _clear(fold)
 
 
-def _held(before: Retold, event: run.Held) -> Changes:
-    return {**_CLEARED, "held": event, "once": False, "paused": False}
+def _mismatch(fold: RunFold, event: run.Mismatch) -> None:
+    _fail(fold)
+    fold.candidates = event.candidates
 
 
-def _fact_changed(before: Retold, event: run.FactChanged) -> Changes:
-    sensed = Sensed(event.value, event.reason, event.t)
-    return {"facts": {**before.facts, (event.branch, event.digit): sensed}}
+def _held(fold: RunFold, event: run.Held) -> None:
+    _clear(fold)
+    fold.held, fold.once, fold.paused = event, False, False
 
 
-def _restored(before: Retold, event: run.OperationRestored) -> Changes:
-    return {
-        "pruned": _without(before.pruned, event.address),
-        "risky": _without(before.risky, event.address),
-    }
+def _fact_changed(fold: RunFold, event: run.FactChanged) -> None:
+    fold.facts[event.branch, event.digit] = Sensed(event.value, event.reason, event.t)
 
 
-def _commanded(before: Retold, event: run.Commanded) -> Changes:
+def _risky(fold: RunFold, event: run.OperationRisky) -> None:
+    _fail(fold)
+    fold.risky[event.address] = event.reason
+
+
+def _pruned(fold: RunFold, event: run.OperationPruned) -> None:
+    fold.pruned[event.address] = event.reason
+
+
+def _restored(fold: RunFold, event: run.OperationRestored) -> None:
+    fold.pruned.pop(event.address, None)
+    fold.risky.pop(event.address, None)
+
+
+def _commanded(fold: RunFold, event: run.Commanded) -> None:
     """What commands do that nothing else tells of."""
     if event.refused:
-        return {}
+        return
     match event.command:
         case "step":
-            return {"once": True, "paused": False, "frozen": False}
+            fold.once, fold.paused, fold.frozen = True, False, False
         case "ask":
-            return {"paused": before.paused or (before.held is not None and not before.by_hand)}
+            # What a pause held until now, a question, is no longer what the run waits for.
+            fold.frozen = False
+            fold.paused = fold.paused or (fold.held is not None and not fold.by_hand)
         case "set_automatic":
-            return {"by_hand": event.value == "off"}
-        case "resume" if before.phase == "ready":
-            return {"by_hand": False}
+            fold.by_hand = event.value == "off"
+        case "resume" if fold.phase == "ready":
+            fold.by_hand = False
         case "full_map":
-            return {"full_map": event.value == "on"}
-        case _:
-            return {}
+            fold.full_map = event.value == "on"
 
 
-_LATCHED: Mapping[str, Any] = MappingProxyType(
-    {**_CLEARED, "held": None, "paused": False, "frozen": False, "once": False, "tasks": {}}
-)
+def _paused(fold: RunFold, event: run.Paused) -> None:
+    fold.paused, fold.once = True, False
+    fold.frozen = bool(fold.started or fold.tasks)
 
 
-def _reset(before: Retold, event: run.RunReset) -> Changes:
-    return {"stopped": "", "paused": True}
+def _resumed(fold: RunFold, event: run.Resumed) -> None:
+    fold.paused = fold.frozen = fold.once = False
+    fold.held = None
 
 
-def _task_closed(before: Retold, event: run.TaskClosed) -> Changes:
-    return {"tasks": {name: task for name, task in before.tasks.items() if name != event.task}}
+def _latch(fold: RunFold) -> None:
+    """Nothing that was going on or wanted goes on by itself."""
+    _clear(fold)
+    fold.held, fold.paused, fold.frozen, fold.once = None, False, False, False
+    fold.tasks = {}
 
 
-def _disturbed(before: Retold, event: run.Disturbed) -> Changes:
+def _stopped(fold: RunFold, event: run.RunStopped) -> None:
+    _latch(fold)
+    fold.stopped, fold.taken_over = event.by, ""
+
+
+def _reset(fold: RunFold, event: run.RunReset) -> None:
+    fold.stopped, fold.paused = "", True
+
+
+def _taken_over(fold: RunFold, event: run.TakenOver) -> None:
+    _latch(fold)
+    fold.taken_over = event.by
+
+
+def _given_back(fold: RunFold, event: run.GivenBack) -> None:
+    fold.taken_over, fold.paused = "", not fold.by_hand
+
+
+def _task_opened(fold: RunFold, event: run.TaskOpened) -> None:
+    fold.tasks[event.task] = event
+
+
+def _task_closed(fold: RunFold, event: run.TaskClosed) -> None:
+    fold.tasks.pop(event.task, None)
+
+
+def _disturbed(fold: RunFold, event: run.Disturbed) -> None:
     if event.kind == "none":
-        return {"disturbed": _without(before.disturbed, event.target)}
-    return {"disturbed": {**before.disturbed, event.target: event.kind}}
+        fold.disturbed.pop(event.target, None)
+    else:
+        fold.disturbed[event.target] = event.kind
 
 
-def _without(values: Mapping[str, str], name: str) -> Mapping[str, str]:
-    return {key: value for key, value in values.items() if key != name}
+def _fault_injected(fold: RunFold, event: run.FaultInjected) -> None:
+    fold.faults.append(event.fault)
 
 
-_CHANGES: Mapping[type[Event], Callable[[Retold, Any], Changes]] = MappingProxyType(
+def _finished(fold: RunFold, event: run.RunFinished) -> None:
+    _clear(fold)
+    fold.finished = event
+
+
+_CHANGES: Mapping[type[Event], Callable[[RunFold, Any], None]] = MappingProxyType(
     {
         run.RunStarted: _run_started,
-        run.RoutePlanned: lambda before, event: {"route": event.operations},
+        run.RoutePlanned: _route_planned,
         run.OperationStarted: _operation_started,
         run.OperationEnded: _operation_ended,
         run.StateChecked: _state_checked,
@@ -172,38 +223,20 @@ _CHANGES: Mapping[type[Event], Callable[[Retold, Any], Changes]] = MappingProxyT
         run.Mismatch: _mismatch,
         run.Held: _held,
         run.FactChanged: _fact_changed,
-        run.OperationRisky: lambda before, event: {
-            **_CLEARED,
-            "risky": {**before.risky, event.address: event.reason},
-        },
-        run.OperationPruned: lambda before, event: {
-            "pruned": {**before.pruned, event.address: event.reason}
-        },
+        run.OperationRisky: _risky,
+        run.OperationPruned: _pruned,
         run.OperationRestored: _restored,
-        run.Paused: lambda before, event: {
-            "paused": True,
-            "once": False,
-            "frozen": bool(before.started or before.tasks),
-        },
-        run.Resumed: lambda before, event: {
-            "paused": False,
-            "frozen": False,
-            "once": False,
-            "held": None,
-        },
+        run.Paused: _paused,
+        run.Resumed: _resumed,
         run.Commanded: _commanded,
-        run.RunStopped: lambda before, event: {
-            **_LATCHED,
-            "stopped": event.by,
-            "taken_over": "",
-        },
+        run.RunStopped: _stopped,
         run.RunReset: _reset,
-        run.TakenOver: lambda before, event: {**_LATCHED, "taken_over": event.by},
-        run.GivenBack: lambda before, event: {"taken_over": "", "paused": not before.by_hand},
-        run.TaskOpened: lambda before, event: {"tasks": {**before.tasks, event.task: event}},
+        run.TakenOver: _taken_over,
+        run.GivenBack: _given_back,
+        run.TaskOpened: _task_opened,
         run.TaskClosed: _task_closed,
         run.Disturbed: _disturbed,
-        run.FaultInjected: lambda before, event: {"faults": (*before.faults, event.fault)},
-        run.RunFinished: lambda before, event: {**_CLEARED, "finished": event},
+        run.FaultInjected: _fault_injected,
+        run.RunFinished: _finished,
     }
 )

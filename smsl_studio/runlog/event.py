@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, ClassVar
 
+from smsl_studio.legible import json_text
+
 Json = Any
 
 
@@ -26,8 +28,8 @@ class Event:
         return values
 
     def line(self) -> str:
-        """The event as one line of JSON."""
-        return json.dumps(self.as_json(), ensure_ascii=False, separators=(",", ":"))
+        """The event as one line of JSON, in which what is hidden is spelled as an escape."""
+        return json_text(json.dumps(self.as_json(), ensure_ascii=False, separators=(",", ":")))
 
 
 def _plain(value: Json) -> Json:

@@ -56,6 +56,7 @@ __all__ = [
     "RunStarted",
     "RunStopped",
     "StateChecked",
+    "SubsBypassed",
     "SweepFinished",
     "TakenOver",
     "TaskAnswered",
@@ -86,6 +87,17 @@ class RoutePlanned(Event):
     goal: str
     operations: tuple[str, ...]
     cost: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SubsBypassed(Event):
+    """The run goes by an edge with ``subs: load``, or a person asked for one: its function sets the
+    facts of these SBs by itself, and none of their operations is carried out."""
+
+    event: ClassVar[str] = "subs_bypassed"
+    address: str
+    subs: tuple[str, ...]
+    sentence: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -195,7 +207,9 @@ class Relocalised(Event):
 class Held(Event):
     """The run holds and says why; nobody moves until someone decides.
 
-    ``kind`` is ``no_route`` where nothing permitted leads to the goal, else ``held``.
+    ``kind`` is ``no_route`` where nothing permitted leads to the goal, ``guard_lost`` where a
+    critical fact or one that a running operation requires is false or unknown,
+    ``goal_unconfirmed`` where the state check of a goal is not true, else ``held``.
     """
 
     event: ClassVar[str] = "held"

@@ -21,26 +21,31 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from smsl_studio.errors import Place, SaveError, UsageError
+from smsl_studio.errors import Place, SaveError
+from smsl_studio.legible import json_text
 from smsl_studio.runlog.events import Event
 from smsl_studio.seal.chain import Chain
+from smsl_studio.smsl.outputs import open_new
 
 Json = Any
 FORMAT = "smsl-run"
-VERSION = 2
-"""1 had no chain."""
+VERSION = 3
+"""1 had no chain. In 2 goals were told without a fresh check, and the header had no ``grounds``."""
+FORMER = 2
+"""The version before, which is still read."""
 
 LONGEST = 1 << 24
 """So many bytes has a line at most; who reads a log keeps to it as well."""
 
 _NO_DISK = (errno.EINVAL, errno.ENOTSUP, errno.EROFS)
-"""What fsync answers for what is no file on a disk, such as a pipe."""
+"""What fsync answers on a file system that does not know it."""
 
 
 class RunLog:
     """A log that is being written. SaveError where it cannot be, before anything has run.
 
-    UsageError where the file holds something already: a record is never written over.
+    UsageError where the file holds something already: a record is never written over. It is an
+    ordinary file, and no link: a record that goes through a pipe cannot be waited for.
     """
 
     def __init__(self, path: Path, header: Mapping[str, Json]) -> None:
@@ -48,16 +53,9 @@ class RunLog:
         self._chain = Chain()
         self._count = 0
         try:
-            # Not "wb", which would empty what is there before anybody has looked at it.
-            self._file = path.open("ab", buffering=0)
+            self._file = open_new(path)
         except (OSError, ValueError) as error:
             raise self._failed(error) from None
-        if os.fstat(self._file.fileno()).st_size:
-            self._file.close()
-            raise UsageError(
-                f"{path} holds something already, and a record is never written over",
-                advice="Give the log a new file, or take that one away first.",
-            )
         try:
             self._linked(_line({"log": FORMAT, "version": VERSION, **header}))
             self._settle()
@@ -122,4 +120,4 @@ class RunLog:
 
 
 def _line(values: Json) -> str:
-    return json.dumps(values, ensure_ascii=False, separators=(",", ":"))
+    return json_text(json.dumps(values, ensure_ascii=False, separators=(",", ":")))

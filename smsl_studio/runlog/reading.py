@@ -1,8 +1,9 @@
 """Reading a run log line by line, and saying whether it is the one that was written.
 
 A log is a foreign file: whatever it holds, the answer is its events, a ReadError with a place, or
-a doubt. A doubt is the first reason why the log does not verify; its events can be read all the
-same, up to the last whole line.
+a doubt. A doubt is the first reason why the log does not verify: its chain does not hold, its
+events are no story that a run can tell (see ``grammar``), or it does not end. Its events can be
+read all the same, up to the last whole line.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
@@ -19,8 +21,10 @@ from typing import Any, BinaryIO
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.runlog.decoding import event_of
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.log import FORMAT, LONGEST, VERSION
+from smsl_studio.runlog.grammar.automaton import Grammar
+from smsl_studio.runlog.log import FORMAT, FORMER, LONGEST, VERSION
 from smsl_studio.seal.chain import Chain, unlinked
+from smsl_studio.smsl.inputs import open_ordinary
 
 Json = Any
 Going = Callable[[float], None]
@@ -34,6 +38,7 @@ _LOOKED_AT = 100
 _DAMAGED = "The log was damaged or changed; take another copy of it."
 _NO_LOG = "Choose a file of run --log."
 _NO_HEAD = "the log has no head: it was cut, or its run did not come to an end"
+_UNWRITTEN = "the line holds what no run has written"
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,14 +83,21 @@ class LogReader:
         self.doubt: Doubt | None = None
         self._stream, self._file = stream, file
         self._chain = Chain()
+        self._grammar = Grammar(self.header)
         self._number = 0
         self._seems_log = self._lost = False
+
+    @property
+    def version(self) -> int:
+        """The version of its format; 0 as long as no header was read."""
+        return int(self.header.get("version", 0))
 
     def records(self) -> Iterator[Record]:
         """The header, then every event; ReadError where a line is none."""
         first = self._next()
         self._seems_log = _FIRST.startswith(first) or _is_of_log(first)
         self.header = self._header(first)
+        self._grammar = Grammar(self.header)
         while (line := self._next()).endswith(b"\n"):
             if self.head is not None:
                 raise self._wrong("something stands behind the head, which is the last line")
@@ -123,9 +135,9 @@ class LogReader:
         values = self._values(line) if line.startswith(_FIRST) else {}
         if values.get("log") != FORMAT:
             raise self._wrong("this is no run log", advice=_NO_LOG)
-        if values.get("version") != VERSION:
+        if values.get("version") not in (FORMER, VERSION):
             raise self._wrong(
-                f"this is a run log of another version than {VERSION}",
+                f"this is a run log of another version than {FORMER} and {VERSION}",
                 advice="Read it with the program that wrote it.",
             )
         return values
@@ -137,6 +149,7 @@ class LogReader:
         except ValueError as error:
             raise self._wrong(str(error)) from None
         self.count += 1
+        self._judge(self._grammar.follow(event))
         split = unlinked(line)
         assert split is not None, "a line that was read carries a link"
         return Record(self._number, split[0].decode("utf-8"), event)
@@ -151,14 +164,18 @@ class LogReader:
         if not self._chain.holds(line):
             self._doubts("the chain does not hold: this line, or one before it, was changed")
         try:
-            values = json.loads(split[0].decode("utf-8"), parse_constant=_no_number)
+            values = json.loads(
+                split[0].decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_once
+            )
         except UnicodeDecodeError as error:
             column = len(split[0][: error.start].decode("utf-8")) + 1
             raise self._wrong("the line is not UTF-8", column) from None
         except json.JSONDecodeError as error:
             raise self._wrong("the line is no JSON object", error.colno) from None
+        except _TwiceError as error:
+            raise self._wrong(f"{_UNWRITTEN}: {error}") from None
         except (ValueError, RecursionError):
-            raise self._wrong("the line holds what no run has written") from None
+            raise self._wrong(_UNWRITTEN) from None
         if not isinstance(values, dict):
             raise self._wrong("the line is no JSON object")
         return values
@@ -172,6 +189,12 @@ class LogReader:
             self._doubts(f"the head counts {self.head.count} events; there are {self.count}")
         elif self.head.hash != self._chain.digest:
             self._doubts("the head does not fit: it, or a line before it, was changed")
+        self._judge(self._grammar.end())
+
+    def _judge(self, why: str) -> None:
+        """What the grammar says of the line; empty: it is possible."""
+        if why:
+            self._doubts(f"the story is impossible: {why}")
 
     def _doubts(self, sentence: str) -> None:
         if self.doubt is None:
@@ -197,17 +220,19 @@ class LoggedRun:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The answer to whether a log is the one that was written; ``events`` is how many it has."""
+    """The answer to whether a log is the one that was written; ``events`` is how many it has,
+    ``version`` that of its format, 0 where it has no header."""
 
     events: int
     head: Head | None
     doubt: Doubt | None
+    version: int = 0
 
 
 def open_log(path: Path) -> BinaryIO:
-    """The bytes of a log; ReadError where there are none."""
+    """The bytes of a log in an ordinary file; ReadError where there are none."""
     try:
-        return path.open("rb")
+        return os.fdopen(open_ordinary(path), "rb")
     except (OSError, ValueError) as error:
         raise _unreadable(error, Place(str(path), 1, 1)) from None
 
@@ -253,8 +278,8 @@ def verify(stream: BinaryIO, file: str) -> Verdict:
         if not reader.remains_of_log():
             raise
         doubt = Doubt(error.place or Place(file, 1, 1), error.sentence)
-        return Verdict(reader.count, None, reader.doubt or doubt)
-    return Verdict(reader.count, reader.head, reader.doubt)
+        return Verdict(reader.count, None, reader.doubt or doubt, reader.version)
+    return Verdict(reader.count, reader.head, reader.doubt, reader.version)
 
 
 def _is_of_log(line: bytes) -> bool:
@@ -266,6 +291,18 @@ def _unreadable(error: OSError | ValueError, place: Place) -> ReadError:
     reason = getattr(error, "strerror", None) or error
     advice = "Check the path and the right to read it."
     return ReadError(f"the run log cannot be read: {reason}", place, advice)
+
+
+class _TwiceError(ValueError):
+    """A key that stands twice in an object: readers differ in which of the two counts."""
+
+
+def _once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        many = Counter(key for key, _ in pairs)
+        raise _TwiceError(f"{many.most_common(1)[0][0][:40]!r} stands in it twice")
+    return found
 
 
 def _no_number(word: str) -> Json:

@@ -1,6 +1,6 @@
 """Telling a run again: how it stood after any number of its events, from the events alone.
 
-``changes.after`` is one step of the fold, ``Retelling`` the whole run, with snapshots in between so
+``changes.take`` is one step of the fold, ``Retelling`` the whole run, with snapshots in between so
 that any moment of a long one is near. No world, no blueprint and no dispatcher is asked.
 """
 
@@ -9,12 +9,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
 
-from smsl_studio.runlog.changes import after
+from smsl_studio.runlog.changes import take
 from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.fold import RunFold
 from smsl_studio.runlog.retold import Retold
 
 EVERY = 64
-"""Events between two snapshots."""
+"""Events between two snapshots, at least. A run that holds many values has them further apart, so
+that all snapshots together are no larger than its log."""
 
 
 class Retelling:
@@ -31,14 +33,15 @@ class Retelling:
         self.events = tuple(events)
         self._times: list[float] = []
         self._snapshots = [Retold(by_hand=by_hand)]
-        told = self._snapshots[0]
+        fold, due = RunFold(by_hand=by_hand), EVERY
         for event in self.events:
-            told = after(told, event)
-            self._times.append(told.time)
-            if told.index % EVERY == 0:
-                self._snapshots.append(told)
+            take(fold, event)
+            self._times.append(fold.time)
+            if fold.index >= due:
+                self._snapshots.append(fold.retold())
+                due = fold.index + max(EVERY, fold.size)
                 if going is not None:
-                    going(told.index)
+                    going(fold.index)
 
     def __len__(self) -> int:
         return len(self.events)
@@ -51,10 +54,14 @@ class Retelling:
     def at(self, index: int) -> Retold:
         """How it stood after the first ``index`` events, held to 0 and their number."""
         index = min(max(index, 0), len(self.events))
-        told = self._snapshots[index // EVERY]
+        near = bisect_right(self._snapshots, index, key=lambda told: told.index) - 1
+        told = self._snapshots[near]
+        if told.index == index:
+            return told
+        fold = RunFold.of(told)
         for event in self.events[told.index : index]:
-            told = after(told, event)
-        return told
+            take(fold, event)
+        return fold.retold()
 
     def index_at(self, time: float) -> int:
         """How many events have happened until a time (simulated s), those at it included."""

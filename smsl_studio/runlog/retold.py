@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from smsl_studio.runlog import events as run
@@ -27,8 +27,55 @@ class Entered:
     by: str = ""
 
 
+class Phased:
+    """What follows from how a run stands: its run state, and the sentence that belongs to it."""
+
+    __slots__ = ()
+    by_hand: bool
+    once: bool
+    paused: bool
+    frozen: bool
+    held: run.Held | None
+    stopped: str
+    taken_over: str
+    finished: run.RunFinished | None
+    begun: bool
+    started: Collection[str]
+    tasks: Mapping[str, run.TaskOpened]
+
+    @property
+    def phase(self) -> str:
+        """The run state, in the words of a run that goes on; why it ended where it has."""
+        if self.finished is not None:
+            return self.finished.reason
+        if not self.begun:
+            return "idle"
+        if self.stopped or self.taken_over:
+            return "stopped" if self.stopped else "taken_over"
+        if self.tasks and not self.frozen:
+            return "waiting"
+        if self.started and not self.frozen:
+            return "running"
+        if self.held is not None:
+            return "no_route" if self.held.kind == "no_route" else "fault_hold"
+        if self.paused or self.frozen:
+            return "paused"
+        return "ready" if self.by_hand and not self.once else "running"
+
+    @property
+    def sentence(self) -> str:
+        """Why it ended or holds, or who has stopped it or taken it over."""
+        if self.finished is not None:
+            return self.finished.sentence
+        if self.stopped:
+            return f"Stopped by {self.stopped}."
+        if self.taken_over:
+            return f"{self.taken_over} has taken over."
+        return self.held.reason if self.held is not None else ""
+
+
 @dataclass(frozen=True, slots=True)
-class Retold:
+class Retold(Phased):
     """How a run stood after its first ``index`` events. Addresses are text, times simulated s.
 
     ``started`` are the operations that have begun and not committed, ``own`` those of them whose
@@ -66,33 +113,3 @@ class Retold:
     taken_over: str = ""
     finished: run.RunFinished | None = None
     begun: bool = False
-
-    @property
-    def phase(self) -> str:
-        """The run state, in the words of a run that goes on; why it ended where it has."""
-        if self.finished is not None:
-            return self.finished.reason
-        if not self.begun:
-            return "idle"
-        if self.stopped or self.taken_over:
-            return "stopped" if self.stopped else "taken_over"
-        if self.tasks and not self.frozen:
-            return "waiting"
-        if self.started and not self.frozen:
-            return "running"
-        if self.held is not None:
-            return "no_route" if self.held.kind == "no_route" else "fault_hold"
-        if self.paused or self.frozen:
-            return "paused"
-        return "ready" if self.by_hand and not self.once else "running"
-
-    @property
-    def sentence(self) -> str:
-        """Why it ended or holds, or who has stopped it or taken it over."""
-        if self.finished is not None:
-            return self.finished.sentence
-        if self.stopped:
-            return f"Stopped by {self.stopped}."
-        if self.taken_over:
-            return f"{self.taken_over} has taken over."
-        return self.held.reason if self.held is not None else ""

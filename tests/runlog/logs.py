@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from random import Random
 
@@ -14,32 +15,69 @@ from smsl_studio.runlog.events import (
     Event,
     FactChanged,
     GoalReached,
+    Held,
     Mismatch,
+    OperationEnded,
+    OperationRisky,
     OperationStarted,
+    Relocalised,
     RoutePlanned,
     RunFinished,
     RunStarted,
+    StateChecked,
 )
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.runlog.reading import verify
 from smsl_studio.seal.chain import Chain, unlinked
 
-EVENTS: tuple[Event, ...] = (
-    RunStarted(t=0.0, world="table", seed=3, start={"SB/é": "State_0"}, goals=("SB/é/State_1",)),
-    FactChanged(t=0.0, branch="SB/é", digit=0, value=None, reason="stale"),
-    RoutePlanned(t=0.0, goal="SB/é/State_1", operations=("SB/é/State_0/Op",), cost=1.5),
-    OperationStarted(t=0.0, address="SB/é/State_0/Op", target="State_1", function="table.set"),
-    FactChanged(t=0.05, branch="SB/é", digit=0, value="1"),
-    Mismatch(t=0.05, facts=("a", "b"), candidates=({"SB/é": "State_1"},)),
-    Committed(t=0.1, operations=("SB/é/State_0/Op",), configuration={"SB/é": "State_1"}),
-    GoalReached(t=0.1, goal="SB/é/State_1"),
-    RunFinished(t=0.1, reason="goal_reached", sentence="Yes.", operations=1, configuration={}),
+SB, FIRST, SECOND = "SB/é", "SB~1é/State_0/Op", "SB~1é/State_1/Op"
+_BEGUN: tuple[Event, ...] = (
+    RunStarted(t=0.0, world="table", seed=3, start={SB: "State_0"}, goals=("SB~1é/State_2",)),
+    FactChanged(t=0.0, branch=SB, digit=0, value="0"),
+    StateChecked(t=0.0, address="SB~1é/State_0", result="true"),
+    RoutePlanned(t=0.0, goal="SB~1é/State_2", operations=(FIRST, SECOND), cost=1.5),
+    OperationStarted(t=0.0, address=FIRST, target="State_1", function="table.set"),
+    FactChanged(t=0.05, branch=SB, digit=0, value=None, reason="stale"),
+    FactChanged(t=0.1, branch=SB, digit=0, value="1"),
+    OperationEnded(t=0.1, address=FIRST, outcome="returned"),
+    StateChecked(t=0.1, address="SB~1é/State_1", result="true"),
+    Committed(t=0.1, operations=(FIRST,), configuration={SB: "State_1"}),
+    OperationStarted(t=0.1, address=SECOND, target="State_2", function="table.set"),
+    OperationEnded(t=0.2, address=SECOND, outcome="failed", message="it slipped"),
+    OperationRisky(t=0.2, address=SECOND, reason="it failed"),
+    Mismatch(t=0.2, facts=("a", "b"), candidates=({SB: "State_2"},)),
 )
+EVENTS: tuple[Event, ...] = (
+    *_BEGUN,
+    Relocalised(t=0.2, configuration={SB: "State_2"}),
+    GoalReached(t=0.25, goal="SB~1é/State_2"),
+    RunFinished(
+        t=0.25,
+        reason="goal_reached",
+        sentence="SB~1é/State_2 holds.",
+        operations=1,
+        configuration={SB: "State_2"},
+    ),
+)
+"""A run that reaches its goal, and not as it was planned."""
+OTHER: tuple[Event, ...] = (
+    *_BEGUN,
+    Held(t=0.2, reason="It slipped."),
+    RunFinished(
+        t=0.2,
+        reason="held",
+        sentence="It slipped.",
+        operations=1,
+        configuration={SB: "State_1"},
+    ),
+)
+"""The same run, where nobody lets it go on."""
 HEADER = {"seed": 3, "world": "table", "wall_time": "2026-01-01T00:00:00.000+00:00", "node": "é"}
 
 
 def write_log(path: Path, events: Sequence[Event] = EVENTS, seed: int = 3) -> bytes:
     """A finished log; its bytes."""
+    events = [replace(e, seed=seed) if isinstance(e, RunStarted) else e for e in events]
     with RunLog(path, {**HEADER, "seed": seed}) as log:
         log.write(events)
         log.finish()

@@ -5,21 +5,25 @@ from __future__ import annotations
 import io
 import json
 import os
+import resource
 from pathlib import Path
 
 import pytest
 
-from smsl_studio.errors import ReadError, SaveError
-from smsl_studio.runlog.events import Committed, Paused, RunFinished
+from smsl_studio.errors import ReadError, SaveError, UsageError
+from smsl_studio.runlog.events import Committed, FactChanged, Held, RunFinished
 from smsl_studio.runlog.log import LONGEST, RunLog
 from smsl_studio.runlog.reading import read_log, verify
 from tests.runlog.logs import chained, is_verified
 
+GONE = "The world \udcff is gone."
 EVENTS = (
-    Paused(t=0.1),
-    Committed(t=0.25, operations=("SB/é/Op",), configuration={"SB": "State_\udcff"}),
-    RunFinished(t=1.0, reason="stopped", sentence="Stop.", operations=1, configuration={}),
+    FactChanged(t=0.1, branch="SB/é", digit=0, value="State_\udcff"),
+    Held(t=1.0, reason=GONE),
+    RunFinished(t=1.0, reason="failed", sentence=GONE, operations=0, configuration={}),
 )
+"""A run whose world died before it began."""
+REFUSED = RunFinished(t=0.0, reason="refused", sentence="No.", operations=0, configuration={})
 FIRST = b'{"log":"smsl-run","version":2}'
 
 
@@ -31,7 +35,7 @@ def test_what_is_written_is_read(tmp_path: Path) -> None:
     found = read_log(tmp_path / "run.jsonl")
     assert {k: v for k, v in found.header.items() if k != "chain"} == {
         "log": "smsl-run",
-        "version": 2,
+        "version": 3,
         "seed": 7,
     }
     assert found.events == EVENTS
@@ -64,10 +68,12 @@ def test_a_line_cut_short_is_dropped(tmp_path: Path) -> None:
     assert str(found.doubt).startswith(f"{path}:4:1: not verified: the last line is cut short")
 
 
-def test_a_log_without_events_verifies(tmp_path: Path) -> None:
-    with RunLog(tmp_path / "log", {}) as log:
+def test_a_log_without_events_tells_of_no_run(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    with RunLog(path, {}) as log:
         log.finish()
-    assert is_verified((tmp_path / "log").read_bytes())
+    words = "the story is impossible: the log ends, and the run that it tells of does not"
+    assert str(read_log(path).doubt) == f"{path}:2:1: not verified: {words}"
 
 
 def test_a_line_that_no_reader_would_take_is_not_written(tmp_path: Path) -> None:
@@ -91,25 +97,50 @@ def test_the_disk_has_the_header_and_the_whole_log(
     assert synced == [synced[0], (tmp_path / "log").stat().st_size]
 
 
-def test_a_pipe_takes_a_log(tmp_path: Path) -> None:
+def test_a_log_is_an_ordinary_file_and_no_link(tmp_path: Path) -> None:
     reader, writer = os.pipe()
-    with RunLog(Path(f"/dev/fd/{writer}"), {}) as log:
-        log.finish()
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "to-null").symlink_to("/dev/null")
+    (tmp_path / "to-nothing").symlink_to(tmp_path / "nothing")
+    (tmp_path / "empty").touch()
+    (tmp_path / "to-empty").symlink_to(tmp_path / "empty")
+    for odd, words in (
+        (f"/dev/fd/{writer}", "is (a link|no ordinary file)"),
+        ("/dev/null", "is no ordinary file"),
+        ("/dev/full", "is no ordinary file"),
+        (".", "is no ordinary file"),
+        ("pipe", "is no ordinary file"),
+        ("to-null", "is a link"),
+        ("to-nothing", "is a link"),
+        ("to-empty", "is a link"),
+    ):
+        with pytest.raises(UsageError, match=f"{odd} {words}".lstrip(".")):
+            RunLog(tmp_path / odd, {})
     os.close(writer)
     with os.fdopen(reader, "rb") as stream:
-        assert is_verified(stream.read())
+        assert stream.read() == b""
+    assert not (tmp_path / "nothing").exists()
+    assert (tmp_path / "empty").read_bytes() == b""
+    with RunLog(tmp_path / "empty", {}) as log:
+        log.write([REFUSED])
+        log.finish()
+    assert is_verified((tmp_path / "empty").read_bytes())
 
 
-@pytest.mark.parametrize("where", ["nowhere/run.jsonl", "."])
-def test_a_log_that_cannot_be_opened_says_so(tmp_path: Path, where: str) -> None:
+def test_a_log_that_cannot_be_opened_says_so(tmp_path: Path) -> None:
     with pytest.raises(SaveError, match="the run log cannot be written") as caught:
-        RunLog(tmp_path / where, {})
+        RunLog(tmp_path / "nowhere" / "run.jsonl", {})
     assert caught.value.advice
 
 
-def test_a_full_disk_is_seen_at_the_first_line() -> None:
-    with pytest.raises(SaveError, match="No space left"):
-        RunLog(Path("/dev/full"), {})
+def test_a_full_disk_is_seen_at_the_first_line(tmp_path: Path) -> None:
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10, limits[1]))
+        with pytest.raises(SaveError, match="File too large"):
+            RunLog(tmp_path / "log", {})
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
 
 
 def damaged(line: bytes) -> bytes:
@@ -129,7 +160,8 @@ HEAD = chained([FIRST]).splitlines(keepends=True)[-1]
         (b'{"log":"smsl-run","version":2}\n', "1:1", "does not end in a link"),
         (b'{"log":"smsl-run","version":2', "1:30", "cut short"),
         (chained([b'{"log":"smsl-run","version":1}']), "1:1", "another version"),
-        (chained([b'{"log":"smsl-run","log":"x"}']), "1:1", "no run log"),
+        (chained([b'{"log":"smsl-run","log":"x"}']), "1:1", "written: 'log' stands in it twice"),
+        (damaged(b'{"event":"paused","t":0,"t":1}'), "2:1", "written: 't' stands in it twice"),
         (damaged(b'{"a":1}'), "2:1", "tells of no event"),
         (damaged(b'{"event":"paused","t":}'), "2:23", "no JSON object"),
         (damaged(b'["event"]'), "2:9", "no JSON object"),
@@ -187,7 +219,7 @@ def test_what_has_no_lines_is_told_by_its_first() -> None:
 
 
 def test_a_head_that_lies_is_a_doubt() -> None:
-    good = damaged(b'{"event":"paused","t":0}')
+    good = damaged(REFUSED.line().encode())
     assert is_verified(good)
     hash_ = json.loads(good.splitlines()[-1])["head"]["hash"]
     for wrong, words in (

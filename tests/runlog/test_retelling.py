@@ -10,7 +10,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.runlog.changes import after
-from smsl_studio.runlog.events import Event, FactChanged, RunStarted
+from smsl_studio.runlog.events import Event, FactChanged, RoutePlanned, RunStarted
 from smsl_studio.runlog.retelling import EVERY, Retelling
 from smsl_studio.runlog.retold import Retold
 from smsl_studio.shipped import samples_dir
@@ -32,11 +32,13 @@ def _assert_alike(told: Retold, dispatcher: Dispatcher) -> None:
 
 
 def _retold(
-    dispatcher: Dispatcher, act: Callable[[int], None] = lambda tick: None
+    dispatcher: Dispatcher,
+    act: Callable[[int], None] = lambda tick: None,
+    by_hand: bool = False,
 ) -> tuple[Event, ...]:
     """Run to the end; after each tick the events alone must say how the run stands."""
     events: list[Event] = []
-    told = Retold()
+    told = Retold(by_hand=by_hand)
     try:
         ticks = 0
         happened = dispatcher.open()
@@ -84,6 +86,63 @@ def test_who_asks_for_an_operation_while_it_holds_finds_it_paused_afterwards() -
 
     events = _retold(dispatcher, act)
     assert Retelling(events).at(len(events)).phase == "stopped"
+
+
+def test_one_operation_that_fails_was_the_one_that_was_wanted() -> None:
+    """By hand the run waits again, also where the failure was blamed on the operation first."""
+    blueprint = smsl.read(samples_dir() / "hanoi-2.json")
+    dispatcher = smsl.open_run(blueprint, host="local", attended=True, automatic=False)
+
+    def act(tick: int) -> None:
+        if tick == 1:
+            dispatcher.inject("fail")
+            dispatcher.step()
+        elif tick == 10:
+            assert dispatcher.phase == "ready"
+            dispatcher.stop()
+        elif tick == 11:
+            dispatcher.end()
+
+    told = [event.event for event in _retold(dispatcher, act, by_hand=True)]
+    assert {"operation_risky", "relocalised"} <= set(told)
+
+
+def test_who_asks_for_an_operation_in_place_of_a_question_that_a_pause_holds() -> None:
+    """The question is withdrawn, and the operation is carried out: nothing stands still."""
+    blueprint = smsl.read(samples_dir() / "three-levels.json")
+    dispatcher = smsl.open_run(
+        blueprint, start="SURGERY/State100", host="local", attended=True,
+        levels={"supervision": "human"},
+    )  # fmt: skip
+
+    def act(tick: int) -> None:
+        if tick == 2:
+            assert dispatcher.phase == "waiting"
+            dispatcher.pause()
+        elif tick == 3:
+            assert dispatcher.phase == "paused"
+            following = dispatcher.status.tasks[0].address
+            dispatcher.ask(blueprint.resolve(following))
+        elif tick == 4:
+            assert dispatcher.phase == "running"
+        elif tick == 20:
+            dispatcher.stop()
+        elif tick == 21:
+            dispatcher.end()
+
+    _retold(dispatcher, act)
+
+
+def test_a_run_of_many_facts_is_told_in_the_time_of_its_events() -> None:
+    """What is copied for snapshots is no more than the log has, and every moment is there."""
+    many = 3000
+    facts = [FactChanged(t=float(n), branch="SB", digit=n, value="1") for n in range(many)]
+    route = RoutePlanned(t=0.0, goal="SB/A", operations=tuple("abc" * many), cost=1.0)
+    retelling = Retelling([route, *facts])
+    copied = sum(len(one.facts) + len(one.route) for one in retelling._snapshots)
+    assert copied < 4 * (many + len(route.operations))
+    for index in (0, 1, 2, 64, 65, 1777, many, many + 1):
+        assert len(retelling.at(index).facts) == max(index - 1, 0)
 
 
 def test_any_moment_is_the_same_from_a_snapshot_and_from_the_start() -> None:

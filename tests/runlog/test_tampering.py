@@ -11,12 +11,12 @@ import smsl_studio as smsl
 from smsl_studio.errors import ReadError
 from smsl_studio.runlog.reading import Doubt, read_log, read_records
 from smsl_studio.shipped import samples_dir
-from tests.runlog.logs import CHANGES, EVENTS, is_verified, tampered, write_log
+from tests.runlog.logs import CHANGES, EVENTS, OTHER, is_verified, tampered, write_log
 
 
 @pytest.fixture
 def logs(tmp_path: Path) -> tuple[bytes, bytes]:
-    return write_log(tmp_path / "one"), write_log(tmp_path / "two", EVENTS[:5], seed=4)
+    return write_log(tmp_path / "one"), write_log(tmp_path / "two", OTHER, seed=4)
 
 
 def test_good_logs_verify(logs: tuple[bytes, bytes]) -> None:

@@ -1,0 +1,179 @@
+"""The automaton: whether an event may follow what a log has told so far, and if not, why.
+
+``TABLE`` has a row for each event: in which part of the story it may stand, and the function that
+says what is wrong with it. What every event must obey stands in ``_always``. The blueprint is not
+asked, so the order is judged and whether the story agrees with itself, and nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from types import MappingProxyType
+from typing import Any, NamedTuple
+
+from smsl_studio.runlog import events as run
+from smsl_studio.runlog.changes import take
+from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.grammar import bounds, operations, regulation, scene
+from smsl_studio.runlog.grammar.header import misshapen
+from smsl_studio.runlog.grammar.memory import Memory
+from smsl_studio.runlog.grammar.progress import follow
+
+Json = Any
+NO_END = "the log ends, and the run that it tells of does not"
+
+
+class Row(NamedTuple):
+    """Where an event may stand, and what is wrong with one that may not stand there.
+
+    ``before``: also before ``run_started``, while people are asked about the start. ``starting``:
+    between ``run_started`` and the last state check of the start.
+    """
+
+    wrong: Callable[[Memory, Any], Iterator[str]]
+    before: bool = True
+    starting: bool = False
+
+
+TABLE: Mapping[type[Event], Row] = MappingProxyType(
+    {
+        run.RunStarted: Row(bounds.run_started),
+        run.FactChanged: Row(scene.fact_changed, starting=True),
+        run.StateChecked: Row(operations.state_checked, before=False, starting=True),
+        run.RoutePlanned: Row(operations.route_planned, before=False),
+        run.SubsBypassed: Row(operations.subs_bypassed, before=False),
+        run.OperationStarted: Row(operations.operation_started, before=False),
+        run.OperationEnded: Row(operations.operation_ended, before=False),
+        run.Committed: Row(operations.committed, before=False),
+        run.OperationRefused: Row(operations.operation_refused),
+        run.OperationRisky: Row(operations.operation_risky, before=False),
+        run.OperationPruned: Row(operations.operation_shut_out),
+        run.OperationRestored: Row(operations.operation_restored),
+        run.CostsChanged: Row(operations.costs_changed),
+        run.Mismatch: Row(scene.mismatch),
+        run.Relocalised: Row(scene.relocalised),
+        run.GoalReached: Row(scene.goal_reached, before=False),
+        run.Held: Row(scene.held),
+        run.Commanded: Row(regulation.commanded),
+        run.Paused: Row(regulation.paused),
+        run.Resumed: Row(regulation.resumed),
+        run.RunStopped: Row(regulation.stopped),
+        run.RunReset: Row(regulation.reset),
+        run.TakenOver: Row(regulation.taken_over),
+        run.GivenBack: Row(regulation.given_back),
+        run.Disturbed: Row(regulation.disturbed),
+        run.FaultInjected: Row(regulation.fault_injected),
+        run.TaskOpened: Row(regulation.task_opened),
+        run.TaskEscalated: Row(regulation.task_escalated),
+        run.TaskAnswered: Row(regulation.task_answered),
+        run.TaskClosed: Row(regulation.task_closed),
+        run.RunFinished: Row(bounds.run_finished),
+    }
+)
+"""Every event of a run. What is not here (the events of a sweep) is none."""
+
+
+class Grammar:
+    """One reading of a story; ``header`` is that of its log.
+
+    ``follow`` takes the next event. Once it has said why an event is impossible, it says nothing
+    more: what comes after is judged by nothing.
+    """
+
+    def __init__(self, header: Mapping[str, Json]) -> None:
+        self._said = Memory(header)
+        self._over = False
+
+    def follow(self, event: Event) -> str:
+        """Why the next event is impossible, as a sentence without its full stop; empty where it
+        is possible."""
+        if self._over:
+            return ""
+        said = self._said
+        said.now = event.t
+        why = next(_wrong(said, event), "")
+        if why:
+            self._over = True
+            return why
+        follow(said, event)
+        take(said.fold, event)
+        said.last = event
+        return ""
+
+    def end(self) -> str:
+        """Why the story cannot end here; empty where it can."""
+        return "" if self._over or self._said.fold.finished is not None else NO_END
+
+
+def _wrong(said: Memory, event: Event) -> Iterator[str]:
+    row = TABLE.get(type(event))
+    if row is None:
+        yield f"a run does not tell of {event.event}"
+        return
+    yield from _always(said, event, row)
+    yield from row.wrong(said, event)
+
+
+def _always(said: Memory, event: Event, row: Row) -> Iterator[str]:
+    """What holds for every event."""
+    fold, last, word = said.fold, said.last, event.event.replace("_", " ")
+    if last is None:
+        yield from misshapen(said.header)
+    if fold.finished is not None:
+        yield f"{word} stands behind the end of the run"
+    before = last.t if last is not None else 0.0
+    if event.t < before:
+        yield f"the time goes back from {before:g} s to {event.t:g} s"
+    if not fold.begun and not row.before:
+        yield f"{word} stands before the beginning of the run"
+    if said.unchecked and not row.starting:
+        branch, state = next(iter(said.unchecked.items()))
+        yield f"the run goes on before {branch}/{state}, where it begins, was checked"
+    if isinstance(last, run.GivenBack) and not isinstance(event, run.Relocalised):
+        yield "the run was given back, and is not located"
+    if isinstance(last, run.GoalReached) and fold.phase == "paused" and not _arrives(event):
+        yield "a goal is told in a paused run, which goes on"
+    if isinstance(last, run.OperationRisky) and not isinstance(event, _LOOKS):
+        yield f"{last.address} is risky, and the scene is not looked at"
+    if isinstance(last, run.Mismatch) and not isinstance(event, _SETTLES):
+        yield "the scene and what is believed differ, and the run goes on"
+    if event.t > before and _at_once(said):
+        yield f"time passes until {event.t:g} s, and nothing goes on that takes any"
+    if said.doomed and not (isinstance(event, run.RunFinished) and event.reason == "failed"):
+        yield "the run holds in the middle of an operation, or while it is latched, and goes on"
+    if said.owed and said.owed != event.event and _overdue(said, event):
+        assert said.cause is not None
+        yield f"{said.cause.command.replace('_', ' ')} was carried out, and nothing came of it"
+
+
+_LOOKS = (run.OperationRisky, run.FactChanged, run.Mismatch, run.Relocalised, run.TaskOpened,
+          run.Held)  # fmt: skip
+"""What follows a failure."""
+_SETTLES = (run.Held, run.Relocalised, run.TaskClosed)
+"""What follows a mismatch; people who were being asked are asked no more."""
+
+
+def _at_once(said: Memory) -> bool:
+    """Whether a run goes on by itself, and what comes next takes no time: nothing is carried out,
+    nobody is asked, and it stands at no goal, which it would look at."""
+    fold = said.fold
+    if not fold.begun or said.unchecked or fold.phase != "running":
+        return False
+    return not (said.begun or said.standing or said.tasks)
+
+
+def _arrives(event: Event) -> bool:
+    """Whether a run that nobody attends any more looks at its goals, and ends there."""
+    return isinstance(event, run.GoalReached | run.RunFinished) and (
+        not isinstance(event, run.RunFinished) or event.reason == "goal_reached"
+    )
+
+
+def _overdue(said: Memory, event: Event) -> bool:
+    """Whether what a command owes can come no more."""
+    assert said.cause is not None
+    if event.t > said.cause.t or isinstance(event, run.RunFinished):
+        return True
+    # The end of a run stands behind the answers to whatever else was commanded.
+    ending = said.owed == run.RunFinished.event
+    return isinstance(event, run.Commanded) and not (ending and event.refused)

@@ -1,0 +1,195 @@
+"""How a story begins and how it ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from smsl_studio.runlog import events as run
+from smsl_studio.runlog.ends import BROKEN_OFF, LET_GO, UNBEGUN
+from smsl_studio.runlog.grammar.memory import Memory, parts, texts
+
+Json = Any
+REASONS = ("goal_reached", "no_route", "held", "refused", "stopped", "failed")
+_CUT = (LET_GO, BROKEN_OFF, UNBEGUN)
+"""Ends that the run does not tell by itself, whatever is open."""
+
+
+def run_started(said: Memory, event: run.RunStarted) -> Iterator[str]:
+    """It begins once, where its goals are, and as its header has it."""
+    fold, start = said.fold, event.start
+    if fold.begun:
+        yield "a second run begins; a log has one"
+    if not start or not all(start.values()) or not all(start):
+        yield "the run begins in no state"
+    if fold.facts and not said.names:
+        yield "facts were told before the run began, and nobody was asked for any"
+    if fold.configuration and dict(start) != fold.configuration:
+        yield f"the run begins elsewhere than where it was located, in {_where(fold.configuration)}"
+    goals = [parts(goal) for goal in event.goals]
+    if not goals or any(len(goal) != 2 or goal[0] not in start for goal in goals):
+        yield "a goal is no state of an SB of this run"
+    elif len({goal[0] for goal in goals}) < len(goals):
+        yield "an SB has two goals"
+    for one in said.expansion.broken(start, start):
+        yield f"the run begins in {one.base}/{start[one.base]} and {one.sub}/{start[one.sub]}"
+    yield from _unlike_header(said, event)
+
+
+def _unlike_header(said: Memory, event: run.RunStarted) -> Iterator[str]:
+    """The header is written before the run, by whom the run was asked for."""
+    header, located = said.header, bool(said.fold.configuration)
+    world, seed = header.get("world"), header.get("seed")
+    if isinstance(world, str) and world != event.world:
+        yield f"the run is in the world {event.world}; the header has {world}"
+    if isinstance(seed, int) and seed != event.seed:
+        yield f"the seed is {event.seed}; the header has {seed}"
+    digests = header.get("digests")
+    behaviour = digests.get("behaviour") if isinstance(digests, dict) else None
+    if isinstance(behaviour, str) and behaviour != event.behaviour:
+        yield "the run is of another blueprint than the header"
+    for branch, state in _states(header.get("start")).items():
+        if event.start.get(branch) != state and not located:
+            yield f"the run does not begin in {branch}/{state}, which the header asks for"
+    goals = _states(header.get("goals"))
+    if goals and goals != _states(list(event.goals)):
+        yield "the goals are not those that the header asks for"
+
+
+def _states(value: Json) -> Mapping[str, str]:
+    """The states that a header names with their SBs; one without is left to the blueprint."""
+    named = [parts(text) for text in texts(value)]
+    return {one[0]: one[1] for one in named} if all(len(one) == 2 for one in named) else {}
+
+
+def run_finished(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    """The end counts and places what was told, and its reason is that of what came last."""
+    fold = said.fold
+    if event.reason not in REASONS:
+        yield f"a run cannot end with the reason {event.reason}"
+        return
+    if event.operations != fold.operations:
+        yield f"the run ends with {event.operations} operations; {fold.operations} have committed"
+    if (fold.begun or fold.configuration) and dict(event.configuration) != fold.configuration:
+        yield f"the run ends in another place than {_where(fold.configuration)}"
+    if not event.sentence:
+        yield "the run ends, and does not say why"
+    if said.tasks and event.reason != "failed" and event.sentence not in _CUT:
+        yield f"the run ends, and {next(iter(said.tasks))} is open"
+    for branch, state in event.configuration.items():
+        if not said.evidence.is_drawn(branch, state):
+            yield f"the run ends in {branch}/{state}, which is not drawn"
+    yield from _ENDS[event.reason](said, event)
+
+
+def _reached(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    fold = said.fold
+    missing = [goal for goal in fold.goals if not _holds(said, goal) or goal not in said.reached]
+    if not fold.begun:
+        yield "the goal is reached by a run that has not begun"
+    elif missing:
+        yield f"the run ends at its goal; {missing[0]} was not reached"
+    elif fold.started:
+        yield f"the run ends at its goal in the middle of {next(iter(fold.started))}"
+    elif fold.held or fold.stopped or fold.taken_over or fold.tasks:
+        yield f"the run ends at its goal and is {_state(said)}"
+    elif not said.former and said.busy >= said.now:
+        yield "the run ends at its goal in the moment of what came before; nothing was sensed since"
+    elif not said.former and said.evidence.off:
+        yield f"the run ends at its goal; {min(said.evidence.off)} has other facts"
+    elif event.sentence != f"{', '.join(fold.goals)} {'hold' if fold.goals[1:] else 'holds'}.":
+        yield "the run ends at its goal, and its sentence says something else"
+
+
+def _held(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    held, phase = said.fold.held, said.fold.phase
+    if _was_asked(said, event) and event.sentence.startswith(WAITING):
+        return
+    if held is not None and (held.kind == "no_route" or held.reason != event.sentence):
+        yield f"the run held for another reason: {held.reason}"
+    elif held is None and phase not in _LEFT:
+        yield f"the run ends because it held; it is {_state(said)}"
+    elif held is None and event.sentence not in _LEFT[phase]:
+        yield f"the run ends where nobody goes on with it, and says otherwise: {event.sentence}"
+
+
+WAITING = "The run is waiting, and "
+GONE = "The goals do not hold any more, and nobody is there to decide."
+_LEFT: dict[str, tuple[str, ...]] = {
+    phase: (f"The run is {words}, and nobody is there to go on with it.", GONE)
+    for phase, words in (
+        ("ready", "waiting to be asked"),
+        ("paused", "paused"),
+        ("taken_over", "taken over"),
+    )
+}
+_LEFT["idle"] = sum(_LEFT.values(), ())
+"""Run states in which a run ends where whoever attended it has gone, and what it says then."""
+
+
+def _was_asked(said: Memory, event: run.RunFinished) -> bool:
+    """Whether people were asked until this moment."""
+    last = said.last
+    return isinstance(last, run.TaskClosed) and last.outcome == "withdrawn" and last.t == event.t
+
+
+def _no_route(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    held = said.fold.held
+    if held is None or held.kind != "no_route" or held.reason != event.sentence:
+        yield "the run ends without a route, and nothing before says so"
+
+
+def _refused(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    if said.fold.begun and not said.declined:
+        yield "a run that has begun is refused, and nobody has said no to its start"
+    elif said.fold.operations or said.begun:
+        yield "a run is refused that has carried out operations"
+
+
+def _is_by(by: str, sentence: str) -> bool:
+    """Whether the sentence says who stopped it; what became of the world may follow."""
+    said, _, rest = sentence.partition(f"Stopped by {by}.")
+    return not said and (not rest or rest.startswith(" "))
+
+
+def _stopped(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    by = said.fold.stopped
+    if event.sentence in (LET_GO, BROKEN_OFF) or (by and _is_by(by, event.sentence)):
+        return
+    if event.sentence == UNBEGUN and not said.fold.begun:
+        return
+    yield (
+        f"the run was stopped by {by}; its end says otherwise"
+        if by
+        else "the run ends as stopped, and nobody has stopped it"
+    )
+
+
+def _failed(said: Memory, event: run.RunFinished) -> Iterator[str]:
+    last = said.last
+    told = isinstance(last, run.Held) and last.kind == "held" and last.t == event.t
+    if not told or getattr(last, "reason", "") != event.sentence:
+        yield "the run fails without the hold that says why"
+
+
+_ENDS = {
+    "goal_reached": _reached,
+    "no_route": _no_route,
+    "held": _held,
+    "refused": _refused,
+    "stopped": _stopped,
+    "failed": _failed,
+}
+
+
+def _holds(said: Memory, goal: str) -> bool:
+    branch, state = parts(goal)
+    return said.fold.configuration.get(branch) == state
+
+
+def _state(said: Memory) -> str:
+    return said.fold.phase.replace("_", " ")
+
+
+def _where(configuration: Mapping[str, str]) -> str:
+    return ", ".join(f"{name}/{state}" for name, state in configuration.items())

@@ -1,0 +1,123 @@
+"""What the facts that were told say of the states: which check can be true, and which cannot.
+
+The header of a log says what each state wants of its facts, and which facts are sensed. Of an SB
+that it leaves out, a state wants what it had when its check was true for the first time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from smsl_studio.blueprint.address import split_fact
+
+Json = Any
+MOST = 256
+"""So many facts of an SB are judged, so that an event costs the same however many there are."""
+Wanted = Mapping[int, str]
+
+
+class Evidence:
+    """What was told of the facts up to now, and what states want of them.
+
+    ``off`` are the SBs whose facts are known, and are not those of the state where they stand;
+    ``open`` are those of which the facts do not say for sure what a check comes to, and ``differ``
+    is how many facts of the others are not known to be those of that state.
+    """
+
+    def __init__(self, grounds: Json) -> None:
+        said = grounds if isinstance(grounds, dict) else {}
+        self.off: set[str] = set()
+        self.open: set[str] = set()
+        self.differ = 0
+        self._differing: dict[str, int] = {}
+        self._wanted: dict[tuple[str, str], Wanted] = {}
+        self._whole: set[str] = set()
+        self._facts: dict[str, list[Json]] = {}
+        self._drawn: set[str] = set()
+        self._sensed: dict[str, set[int]] = {}
+        self._told: dict[str, dict[int, str | None]] = {}
+        self._known: set[tuple[str, int]] = set()
+        self._draw(said.get("states"))
+        self._sense(said.get("sensed"))
+
+    def _draw(self, states: Json) -> None:
+        """What the header says that states want; what it does not write so is left out."""
+        for branch, table in states.items() if isinstance(states, dict) else ():
+            if not isinstance(table, dict) or not all(isinstance(v, list) for v in table.values()):
+                continue
+            self._drawn.add(branch)
+            if all(len(v) <= MOST and None not in v for v in table.values()):
+                self._whole.add(branch)
+            longest: list[Json] = max(table.values(), key=len, default=[])
+            self._facts[branch] = longest
+            for state, values in table.items():
+                pairs = enumerate(values[:MOST])
+                self._wanted[branch, state] = {n: v for n, v in pairs if isinstance(v, str)}
+
+    def _sense(self, sensed: Json) -> None:
+        for text in sensed if isinstance(sensed, list) else ():
+            fact = split_fact(text) if isinstance(text, str) else None
+            if fact is not None and fact[1] < MOST:
+                self._sensed.setdefault(fact[0], set()).add(fact[1])
+
+    def tell(self, branch: str, digit: int, value: str | None) -> None:
+        """A fact was told."""
+        if digit < MOST:
+            self._told.setdefault(branch, {})[digit] = value
+            if value is not None:
+                self._known.add((branch, digit))
+
+    def stand(self, branch: str, state: str) -> None:
+        """An SB stands in a state, or a fact of it was told: whether the two go together."""
+        (self.off.add if self.misses(branch, state) else self.off.discard)(branch)
+        sure = self.decides(branch)
+        (self.open.discard if sure else self.open.add)(branch)
+        many = self.misses(branch, state) + self.unknown(branch) if sure else 0
+        self.differ += many - self._differing.get(branch, 0)
+        self._differing[branch] = many
+
+    def can_tell(self, branch: str, digit: int, value: str | None) -> bool:
+        """Whether the SB has such a fact, as far as the header says. What a sub-SB expands is never
+        known: it can only be told that it may have changed."""
+        facts = self._facts.get(branch)
+        if facts is None:
+            return True
+        return digit < len(facts) and (value is None or facts[digit] is not None)
+
+    def learn(self, branch: str, state: str) -> None:
+        """The check of a state was true."""
+        if branch not in self._drawn and (branch, state) not in self._wanted:
+            told = self._told.get(branch, {}).items()
+            self._wanted[branch, state] = {n: value for n, value in told if value is not None}
+
+    def is_drawn(self, branch: str, state: str) -> bool:
+        """Whether the blueprint has such a state, as far as the header says."""
+        return branch not in self._drawn or (branch, state) in self._wanted
+
+    def misses(self, branch: str, state: str) -> int:
+        """How many facts are known not to be as a state wants them."""
+        wanted, told = self._wanted.get((branch, state), {}), self._told.get(branch)
+        if not told:
+            return 0
+        return sum(told.get(n) not in (None, value) for n, value in wanted.items())
+
+    def unknown(self, branch: str) -> int:
+        """How many facts of an SB were known before, or are sensed, and are not known now."""
+        told = self._told.get(branch, {})
+        lost = [n for n, value in told.items() if value is None and (branch, n) in self._known]
+        silent = [n for n in self._sensed.get(branch, ()) if told.get(n) is None]
+        return len({*lost, *silent})
+
+    def holds(self, branch: str, state: str) -> bool:
+        """Whether a state's own facts may all be as it wants them."""
+        return not self.misses(branch, state) and not self.unknown(branch)
+
+    def decides(self, branch: str) -> bool:
+        """Whether the facts alone say what a check of an SB comes to: no sub-SB has a part in it,
+        and nothing was told as unknown of which nobody knows whether it is sensed."""
+        told = self._told.get(branch, {})
+        return branch in self._whole and all(
+            value is not None or (branch, n) in self._known or n in self._sensed.get(branch, ())
+            for n, value in told.items()
+        )

@@ -1,0 +1,51 @@
+"""What state checks rest on stands in the header of a log."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import smsl_studio as smsl
+from smsl_studio.runlog.grounds import grounds_of
+from smsl_studio.runlog.reading import read_log
+from smsl_studio.shipped import samples_dir
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+
+SILENT = LAMP_PLUGIN.replace('print("built")', "pass").replace('print("switching")', "pass")
+
+
+def _grounds(path: Path) -> Any:
+    return read_log(path).header["grounds"]
+
+
+def test_a_log_says_what_states_want_and_what_is_sensed(tmp_path: Path) -> None:
+    blueprint = smsl.read(samples_dir() / "registration-digitization.json")
+    smsl.run(blueprint, log=tmp_path / "log")
+    found = _grounds(tmp_path / "log")
+    assert found["states"]["REGISTRATION"]["State110"] == ["1", None, "0"]
+    assert found["states"]["DIGITIZATION"] == {"State0": ["0"], "State1": ["1"]}
+    assert found["subs"] == {"REGISTRATION": {"1": {
+        "sub": "DIGITIZATION", "activating": "State1", "initial": "State0",
+        "on": ["State110", "State111"]}}}  # fmt: skip
+    assert found["sensed"] == ["REGISTRATION/0", "REGISTRATION/2", "DIGITIZATION/0"]
+
+
+def test_sensors_of_a_plugin_are_named_before_its_world_is_built(tmp_path: Path) -> None:
+    write_plugin(tmp_path / "plugins", "lamp", SILENT)
+    for host in ("local", "process"):
+        path = tmp_path / host
+        smsl.run(blueprint_of(LAMP), "lamp", host=host, plugin_paths=[tmp_path / "plugins"],
+                 avoid=["LAMP/State_0/Op_spin"], log=path)  # fmt: skip
+        assert _grounds(path)["sensed"] == ["LAMP/0"]
+
+
+def test_a_header_stays_a_line_that_people_open() -> None:
+    """An SB with too many states is left out whole, and a smaller one behind it is not."""
+    many: dict[str, Any] = {f"State_{n:04}": {} for n in range(999)}
+    three: dict[str, Any] = {f"State_{n:04}": {} for n in range(3)}
+    blueprint = blueprint_of({"MANY": many, "THREE": three, "ONE": {"State_0": {}}})
+    found = grounds_of(blueprint, (("MANY", n) for n in range(1001)))
+    assert list(found["states"]) == ["MANY", "ONE"]
+    assert found["sensed"] == []
+    assert len(json.dumps(found)) < 100_000

@@ -1,0 +1,219 @@
+"""Logs of true runs: of random blueprints and samples, under scripts, people, faults and chance."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from random import Random
+from typing import Any
+
+import smsl_studio as smsl
+from smsl_studio import front
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.agents import RiskLimit
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.errors import RunRefused
+from smsl_studio.front.recording import Recording, start_log
+from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.script.reading import script_of
+from smsl_studio.shipped import samples_dir
+from tests.front.any_run import any_run
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+
+Json = Any
+SAMPLES = ("hfsm", "registration", "three-levels", "three-roots", "hanoi-failures",
+           "registration-digitization", "registration-failures", "registration-people")  # fmt: skip
+SCRIPTED = ("hanoi-chosen", "hanoi-faults", "hanoi-pruned", "hanoi-taken-over")
+KINDS = ("stuck", "dropout", "noise", "none", "delay")
+SILENT = LAMP_PLUGIN.replace('print("built")', "pass").replace('print("switching")', "pass")
+LEVELS: tuple[Mapping[str, str], ...] = (
+    {}, {}, {"supervision": "human"}, {"inspection": "human"}, {"supervision": "automatic"},
+)  # fmt: skip
+DYING = """
+import os
+
+
+def register(library):
+    @library.world("dying", engine="table")
+    def build(world, blueprint, seed):
+        world.set_facts({("LAMP", 0): "0"})
+
+    @library.sensor("bulb_{n}", fact="{n}", period=0.1)
+    def bulb(world, n: int):
+        return world.fact("LAMP", n - 1)
+
+    @library.operation("Op_{to}")
+    def switch(world, to: str):
+        yield
+        os._exit(3)
+"""
+
+
+def true_log(number: int, folder: Path) -> Path:
+    """The log of the run of this number; equal numbers give equal events."""
+    path = folder / f"{number}.jsonl"
+    kinds = (_random, _commanded, _sample, _commanded, _sample, _random, _lamp, _refused)
+    kinds[number % len(kinds)](number, path)
+    return path
+
+
+def log_of_a_dying_world(folder: Path) -> Path:
+    """A world whose process ends in the middle of an operation."""
+    write_plugin(folder / "plugins", "dying", DYING)
+    path = folder / "dying.jsonl"
+    lamp = blueprint_of(LAMP)
+    smsl.run(lamp, "dying", host="process", plugin_paths=[folder / "plugins"], log=path)
+    return path
+
+
+def log_of_physics(number: int, folder: Path) -> Path:
+    """Hanoi in PyBullet; every other one by a script of faults."""
+    path = folder / f"physics-{number}.jsonl"
+    blueprint = smsl.read(samples_dir() / "hanoi-2.json")
+    line = {"during": "SB1/State_aa/Op_1b", "after": 0.5, "do": "inject", "fault": "gripper_opens"}
+    script = script_of(json.dumps(line).encode(), "script", blueprint) if number % 2 else None
+    smsl.run(blueprint, "hanoi", seed=number, script=script, log=path)
+    return path
+
+
+def _random(number: int, path: Path) -> None:
+    """A random blueprint under a random script; in every third people let it begin."""
+    run = any_run(number)
+    levels = {"supervision": "human"} if number % 3 == 0 else None
+    smsl.run(run.blueprint, script=run.script, log=path, levels=levels, **run.asked)
+
+
+def _sample(number: int, path: Path) -> None:
+    """A sample, with its script where it has one, else from anywhere to anywhere."""
+    random = Random(number)
+    if random.random() < 0.3:
+        blueprint = smsl.read(samples_dir() / "hanoi-corrected.json")
+        acts = samples_dir() / "scripts" / f"{random.choice(SCRIPTED)}.jsonl"
+        smsl.run(blueprint, script=smsl.read_script(acts, blueprint), seed=number, log=path)
+        return
+    name = random.choice(SAMPLES)
+    blueprint = smsl.read(samples_dir() / f"{name}.json")
+    script = None
+    if name == "registration-people":
+        file = samples_dir() / "scripts" / "registration-answered.jsonl"
+        script = smsl.read_script(file, blueprint)
+    root = next(iter(blueprint))
+    goal = str(Address(root.name, random.choice(list(root.table))))
+    edges = [str(edge.address) for branch in blueprint for edge in branch.edges()]
+    avoid = random.sample(edges, random.randrange(3))
+    smsl.run(
+        blueprint,
+        goal=goal if random.random() < 0.6 else None,
+        avoid=avoid,
+        script=script,
+        seed=number,
+        supervisor=RiskLimit("low") if random.random() < 0.2 else None,
+        log=path,
+    )
+
+
+def _lamp(number: int, path: Path) -> None:
+    """A world of a plugin, whose functions fail, raise an error or take too long."""
+    folder = path.with_suffix("")
+    write_plugin(folder, "lamp", SILENT)
+    shut = Random(number).sample(["Op_on", "Op_break", "Op_spin"], number % 3)
+    avoid = [f"LAMP/State_0/{name}" for name in shut if name != "Op_spin"]
+    smsl.run(blueprint_of(LAMP), "lamp", avoid=[*avoid, "LAMP/State_0/Op_spin"], seed=number,
+             plugin_paths=[folder], log=path)  # fmt: skip
+
+
+def _refused(number: int, path: Path) -> None:
+    """A run that is refused at its start, or by nobody who answers."""
+    run = any_run(number)
+    if number % 3 == 0:
+        smsl.run(run.blueprint, log=path, levels={"BASE/1": "human"})
+        return
+    base = {"HEADER": {"INITIAL": "State_0", "NUM_FACTS": 1, "SUB_SBS": {"SUB": 0}},
+            "State_0": {"Op": "State_1"}, "State_1": {}}  # fmt: skip
+    sub = {"HEADER": {"INITIAL": "State_1", "ACTIVATING": "State_1"}, "State_1": {"Op": "State_1"}}
+    goals = ["BASE/State_0", "SUB/State_1"] if number % 3 == 1 else None
+    smsl.run(blueprint_of({"BASE": base, "SUB": sub}), goal=goals, log=path)
+
+
+def _commanded(number: int, path: Path) -> None:
+    """Somebody says anything at any tick, and answers anything; at last it is stopped, left or let
+    go of."""
+    random = Random(number)
+    name = random.choice(SAMPLES)
+    own = random.random() < 0.4
+    blueprint = any_run(number).blueprint if own else smsl.read(samples_dir() / f"{name}.json")
+    by_hand, levels = random.random() < 0.4, random.choice(LEVELS)
+    asked = asked_for(seed=number, host="local", by_hand=by_hand, levels=levels)
+    log = start_log(path, blueprint, "table", None, asked)
+    recording = Recording(lambda event: None, log)
+    try:
+        dispatcher = front.open_run(
+            blueprint, seed=number, host="local", automatic=not by_hand, attended=True,
+            levels=levels, on_mismatch=random.choice(["hold", "adopt"]),
+        )  # fmt: skip
+    except RunRefused as refused:
+        recording.end("refused", refused.sentence, None)
+        return
+    recording.tell(dispatcher.open())
+    for _ in range(random.randrange(10, 60)):
+        while random.random() < 0.4:
+            random.choice(_COMMANDS)(dispatcher, blueprint, random)
+        for task in dispatcher.status.tasks:
+            if random.random() < 0.4:
+                said = "SB" if random.random() < 0.1 else random.choice(task.options).value
+                dispatcher.answer(task.name, said, random.choice(["nurse", "surgeon", ""]),
+                                  by=random.choice(["Ada", "Bo"]))  # fmt: skip
+        recording.tell(dispatcher.tick())
+    _end(dispatcher, recording, random)
+    dispatcher.close()
+
+
+def _end(dispatcher: Dispatcher, recording: Recording, random: Random) -> None:
+    if random.random() < 0.2 and not dispatcher.finished:
+        recording.end("stopped", "The window let go of the run while it went on.", dispatcher)
+    elif random.random() < 0.5:
+        dispatcher.stop(by="Ada")
+        recording.tell(dispatcher.tick())
+        dispatcher.end(by="Ada")
+    else:
+        dispatcher.leave()
+    while not dispatcher.finished and recording.log is not None:
+        if recording.last is not None and recording.last.event == "run_finished":
+            return
+        recording.tell(dispatcher.tick())
+
+
+def _edge(blueprint: Blueprint, random: Random) -> Address:
+    branch = random.choice(list(blueprint))
+    return random.choice([edge.address for edge in branch.edges()])
+
+
+Say = Callable[[Dispatcher, Blueprint, Random], None]
+_COMMANDS: tuple[Say, ...] = (
+    *[lambda run, drawn, random: run.ask(_edge(drawn, random), by="Ada")] * 4,
+    lambda run, drawn, random: run.pause(by="Ada"),
+    *[lambda run, drawn, random: run.resume(by="Bo")] * 3,
+    lambda run, drawn, random: run.step(by="Ada"),
+    lambda run, drawn, random: run.set_automatic(random.random() < 0.7, by="Ada"),
+    lambda run, drawn, random: run.veto(reason="not now", by="Ada"),
+    lambda run, drawn, random: run.veto(_edge(drawn, random), by="Ada"),
+    lambda run, drawn, random: run.prune(_edge(drawn, random), "shut", by="Ada"),
+    lambda run, drawn, random: run.restore(_edge(drawn, random), by="Ada"),
+    lambda run, drawn, random: run.set_cost(_edge(drawn, random), 2.5, by="Ada"),
+    lambda run, drawn, random: run.stop(by="Ada"),
+    *[lambda run, drawn, random: run.reset(by="Bo")] * 3,
+    lambda run, drawn, random: run.take_over(by="Ada"),
+    *[lambda run, drawn, random: run.give_back(by="Ada")] * 2,
+    *[lambda run, drawn, random: run.accept(by="Ada")] * 2,
+    lambda run, drawn, random: run.adopt(by="Ada"),
+    lambda run, drawn, random: run.disturb(_fact(drawn, random), random.choice(KINDS), by="Ada"),
+    lambda run, drawn, random: run.inject(random.choice(["fail", "raise", "nothing"]), by="Ada"),
+    lambda run, drawn, random: run.full_map(random.random() < 0.5, by="Ada"),
+)
+
+
+def _fact(blueprint: Blueprint, random: Random) -> str:
+    branch = random.choice(list(blueprint))
+    return f"{branch.name}/{random.randrange(branch.num_facts)}"
