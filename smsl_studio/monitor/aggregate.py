@@ -12,13 +12,14 @@ from dataclasses import dataclass
 
 NOBODY = "nobody has answered yet"
 """Why a fact that only a person may answer is unknown."""
+NO_SENSOR = "no sensor reads it"
 
 
 @dataclass(frozen=True, slots=True)
 class Said:
     """What one source says of a fact now: its value, or None with the reason; ``age`` in s.
 
-    ``human`` says that a person answered.
+    ``human`` says that a person answered, ``contested`` that several programs speak for it.
     """
 
     source: str
@@ -26,6 +27,7 @@ class Said:
     reason: str = ""
     age: float = 0.0
     human: bool = False
+    contested: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +76,12 @@ def aggregate(rule: FactRule, said: Sequence[Said]) -> Verdict:
         return _first(rule, said) if said else Verdict(None, NOBODY)
     people = _valid([one for one in said if one.human])
     said = [one for one in said if not one.human]
-    verdict = MODES[rule.aggregation](rule, said) if said else Verdict(None, "no sensor reads it")
+    contested = next((one for one in said if one.contested), None)
+    if contested is not None:
+        # Somebody says what is not so. Under no rule may the others outvote or replace that.
+        verdict = Verdict(None, contested.reason, contested.age)
+    else:
+        verdict = MODES[rule.aggregation](rule, said) if said else Verdict(None, NO_SENSOR)
     if rule.shared and verdict.value is None and people:
         return Verdict(people[0].value, "", people[0].age)
     return verdict

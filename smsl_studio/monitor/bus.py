@@ -1,8 +1,8 @@
 """The fact bus: samples on their way from whoever senses to whoever believes, in this process.
 
-It needs no broker. It is bounded: of each source only the newest sample waits, so that one which
-floods costs its own older samples and nothing else; what was left out is counted. Any thread may
-publish. Whoever subscribes fetches what waits when it suits its clock.
+It needs no broker. It is bounded: of each speaker of a source only the newest sample waits, so that
+one which floods costs its own older samples and nothing else; what was left out is counted. Any
+thread may publish. Whoever subscribes fetches what waits when it suits its clock.
 """
 
 from __future__ import annotations
@@ -14,9 +14,13 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.monitor.speaker import same_word
 
 MOST_SOURCES = 4096
 """Sources of facts that may wait at once: far more than any site has."""
+
+MOST_SPEAKERS = 4
+"""Speakers of one source that may wait at once; two are enough to make it unknown."""
 
 LONGEST = 1000
 """Characters of a name, a value or a reason: far more than any of them needs."""
@@ -45,15 +49,16 @@ class Inbox:
 
     def __init__(self, bus: FactBus) -> None:
         self._bus = bus
-        self._waiting: dict[SourceKey, Sample] = {}
+        self._waiting: dict[SourceKey, list[Sample]] = {}
 
     def take(self) -> tuple[Sample, ...]:
-        """The newest sample of every source since the last time, in the order they first came."""
+        """The newest sample of every speaker of every source since the last time, in the order in
+        which the sources first spoke."""
         if not self._waiting:
             return ()
         with self._bus.lock:
             waiting, self._waiting = self._waiting, {}
-        return tuple(waiting.values())
+        return tuple([sample for samples in waiting.values() for sample in samples])
 
     def close(self) -> None:
         """Hear nothing more; twice is harmless."""
@@ -67,11 +72,10 @@ class Inbox:
             key = (sample.branch, sample.digit, sample.source)
             known = waiting.get(key)
             if known is not None:
-                left_out.append(("replaced", key))
-                if sample.order > known.order:
-                    waiting[key] = sample
+                if _beside(known, sample):
+                    left_out.append(("replaced", key))
             elif len(waiting) < MOST_SOURCES:
-                waiting[key] = sample
+                waiting[key] = [sample]
             else:
                 left_out.append(("refused", key))
         return left_out
@@ -137,11 +141,35 @@ class FactBus:
             self._floods[key] += 1
 
 
+def _beside(waiting: list[Sample], sample: Sample) -> bool:
+    """Let one more sample of a source wait; whether one was left out for it, or it was itself.
+
+    Samples of one speaker grow in sequence and clock together. Any other two wait side by side, so
+    that whoever fetches them sees that two speak.
+    """
+    for at, known in enumerate(waiting):
+        if (known.node, known.boot) != (sample.node, sample.boot):
+            continue
+        if sample.sequence > known.sequence and not sample.time < known.time:
+            waiting[at] = sample
+            return True
+        if sample.sequence < known.sequence and not sample.time > known.time:
+            return True
+        if same_word(sample, known):
+            return True
+    if len(waiting) < MOST_SPEAKERS:
+        waiting.append(sample)
+        return False
+    waiting[-1] = sample
+    return True
+
+
 def too_long(sample: Sample) -> bool:
     """Whether a bus refuses a sample for the length of what it says."""
     return (
         len(sample.branch) > LONGEST
         or len(sample.source) > LONGEST
         or len(sample.reason) > LONGEST
+        or len(sample.node) > LONGEST
         or (sample.value is not None and len(sample.value) > LONGEST)
     )

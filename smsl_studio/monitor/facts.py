@@ -3,7 +3,7 @@
 Ages are measured on the receiver's clock, from the moment a sample was accepted: that of the run
 (simulated time in simulation), and the monotonic one for samples that came from elsewhere. Only a
 growing (boot, sequence) of a source refreshes its fact: late, repeated and retained samples do not.
-How several sources become one value is ``aggregate``'s.
+How several sources become one value is ``aggregate``'s; who speaks for a source, ``ledger``'s.
 """
 
 from __future__ import annotations
@@ -18,8 +18,9 @@ from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
 from smsl_studio.errors import UsageError
 from smsl_studio.monitor.aggregate import NOBODY, FactRule, Said, Verdict, aggregate
-from smsl_studio.monitor.ledger import HAIR, Ledger
+from smsl_studio.monitor.ledger import Ledger
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.monitor.speaker import HAIR
 
 NO_RULES: Mapping[FactKey, FactRule] = MappingProxyType({})
 
@@ -46,7 +47,7 @@ class Source(Protocol):
 class SourceState:
     """One source of one fact, as a person wants to see it; times in seconds.
 
-    ``sample`` is the newest that counted. ``latency`` is beyond the quickest way of its boot.
+    ``sample`` is the newest that came. ``latency`` is beyond the quickest way of its boot.
     ``counted``, ``repeated`` and ``late`` say how many samples came; only the first refreshed.
     ``limit`` is how old it may be; None: what a person said holds until it is said anew.
     """
@@ -151,12 +152,13 @@ class FactMonitor:
         found = []
         for key, fact in self._facts.items():
             for ledger in fact.sources.values():
+                speaker = ledger.speaker(now, live)
                 found.append(
                     SourceState(
                         key,
                         ledger.said(now, live),
-                        ledger.sample,
-                        ledger.latency,
+                        speaker.sample if speaker is not None else None,
+                        speaker.latency if speaker is not None else 0.0,
                         ledger.counted,
                         ledger.repeated,
                         ledger.late,
@@ -199,8 +201,8 @@ def _answered(fact: _Fact, now: float) -> Said:
 def _reading(fact: _Fact, now: float, live: float) -> Reading:
     alone = fact.alone
     if alone is not None:
-        newest = alone.sample
-        if newest is not None and alone.says_now(now):
+        newest = alone.said_now(now)
+        if newest is not None:
             return _just_read(newest.value)
         only = alone.said(now, live)
         return Reading(only.value, only.reason, only.age)

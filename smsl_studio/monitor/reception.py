@@ -158,10 +158,11 @@ class Reception:
             self._refuse(RETAINED, _who(topic))
         else:
             try:
-                node, sample = read_fact(topic, payload, now)
+                node, said = read_fact(topic, payload, now)
             except UnreadableError as error:
                 self._refuse(PAYLOAD, f"{_who(topic)}: {error}")
                 return
+            sample = said._replace(node=node)
             if too_long(sample):
                 self._refuse(LONG, _who(topic))
                 return

@@ -17,6 +17,7 @@ class Sample(NamedTuple):
     source's clock in seconds, which never goes back; ``sequence`` grows with every sample of a
     (source, boot), ``boot`` with every start of the source. ``received`` is when a sample of a
     sensor that is elsewhere came in, on this computer's monotonic clock; None: it is the run's own.
+    ``node`` is the program elsewhere that says so; empty for those of this program.
     """
 
     branch: str
@@ -29,6 +30,7 @@ class Sample(NamedTuple):
     reason: str = ""
     quality: str = GOOD
     received: float | None = None
+    node: str = ""
 
     @property
     def fact(self) -> FactKey:

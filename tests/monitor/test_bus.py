@@ -60,13 +60,16 @@ def test_what_is_too_long_or_retained_is_only_counted() -> None:
 
 
 @given(st.lists(st.tuples(st.sampled_from("ab"), st.integers(0, 2), st.integers(0, 4)), max_size=9))
-def test_the_newest_of_each_source_waits(came: list[tuple[str, int, int]]) -> None:
+def test_the_newest_of_each_speaker_waits(came: list[tuple[str, int, int]]) -> None:
     bus = FactBus()
     inbox = bus.subscribe()
     for source, boot, sequence in came:
         bus.publish([_sample(source, sequence, boot)])
-    newest = {source: max(one[1:] for one in came if one[0] == source) for source, *_ in came}
-    assert {one.source: one.order for one in inbox.take()} == newest
+    newest = {one[:2]: max(two[2] for two in came if two[:2] == one[:2]) for one in came}
+    waiting = inbox.take()
+    assert {(one.source, one.boot): one.sequence for one in waiting} == newest
+    assert len(waiting) == len(newest)
+    assert bus.counts.replaced == len(came) - len(newest)
 
 
 class _WatchedLock:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import nan
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -51,22 +52,28 @@ def test_no_valid_reading_is_unknown_with_its_reason() -> None:
 def test_late_and_repeated_samples_refresh_nothing() -> None:
     monitor = FactMonitor([Sensor()])
     monitor.accept([_sample("a", 5, boot=1)], 1.0)
-    monitor.accept([_sample("b", 5, boot=1), _sample("c", 4, boot=1), _sample("d", 9)], 2.0)
-    assert _read(monitor, 2.0).value is None
-    monitor.accept([_sample("e", 1, boot=2)], 2.1)
-    assert _read(monitor, 2.1).value == "e"
+    monitor.accept([_sample("a", 5, boot=1), _sample("c", 4, boot=1)], 1.4)
+    assert _read(monitor, 1.4).reason == "no reading for 0.4 s"
+    monitor.accept([_sample("d", 9)], 2.0)
+    assert _read(monitor, 2.0).value is None, "a boot that is over"
+    monitor.accept([_sample("e", 1, boot=2)], 2.4)
+    assert _read(monitor, 2.4).value == "e"
 
 
-@given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 5)), min_size=1))
-def test_the_newest_is_what_counts_whatever_the_order(samples: list[tuple[int, int]]) -> None:
-    monitor = FactMonitor([Sensor()])
+@given(st.lists(st.tuples(st.integers(0, 3), st.integers(0, 5)), min_size=1, unique=True))
+def test_only_what_is_newer_counts_whatever_the_order(samples: list[tuple[int, int]]) -> None:
+    """Each comes when all before are too old; the source has no clock. A boot counts where no
+    higher one was heard before it, and then with a growing sequence."""
+    monitor, newest, highest = FactMonitor([Sensor()]), dict[int, int](), -1
     for now, (boot, sequence) in enumerate(samples):
         sample = _sample(f"{boot}.{sequence}", sequence, boot)
-        monitor.accept([sample._replace(time=float(now))], float(now))
-    boot, sequence = max(samples)
-    received = samples.index((boot, sequence))
-    reading = _read(monitor, received + 0.1)
-    assert reading.value == f"{boot}.{sequence}"
+        monitor.accept([sample._replace(time=nan)], float(now))
+        counts = sequence > newest[boot] if boot in newest else boot > highest
+        value = _read(monitor, now + 0.1).value
+        assert value == (f"{boot}.{sequence}" if counts else None)
+        if counts:
+            newest[boot] = sequence
+        highest = max(highest, boot)
 
 
 def test_strangers_are_not_heard() -> None:

@@ -194,8 +194,8 @@ def test_a_new_boot_has_a_clock_of_its_own() -> None:
 
 def test_every_source_is_seen_also_one_that_does_not_count() -> None:
     monitor = _monitor(FactRule("k_of_n", 2, sensors=("eye", "ear")), "eye")
-    _say(monitor, 0.0, 1, eye="1")
-    _say(monitor, 0.1, 1, eye="0")
+    for now in (0.0, 0.1):
+        monitor.accept([Sample(*FACT, "eye", "1", 0.0, 1)], now)
     eye, ear = monitor.sources(0.1)
     assert (eye.said.source, eye.said.value, eye.repeated) == ("eye", "1", 1)
     assert (ear.said.source, ear.said.value, ear.sample) == ("ear", None, None)

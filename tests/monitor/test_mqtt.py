@@ -261,8 +261,9 @@ def test_a_flood_is_counted_and_named_and_the_newest_counts(
     start: Open, node: Node, broker: Broker, speaker: Speaker
 ) -> None:
     run = start()
-    before = run.view.received.samples
     node.kill()
+    run.until_fact(None)
+    before = run.view.received.samples
     speaker.flood(str(EYE), [_said(n, boot=2**52, value="b") for n in range(1000)])
     speaker.flood(
         str(FactTopic("lab", "main", "SB1", 0, "x" * 300)), [_said(n) for n in range(1000)]
