@@ -1,33 +1,68 @@
 """The command line: one small file a command, loaded only when it is the one.
 
-Exit status: 0 good, 1 the answer is no, 2 wrong usage or an input that cannot be read.
+Exit status: 0 good, 1 the answer is no, 2 wrong usage or an input that cannot be read; 128 and the
+number of the signal (130 for Ctrl-C, 143 for SIGTERM) where the command was stopped.
 """
 
 from __future__ import annotations
 
-import contextlib
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from importlib import import_module
 
 from smsl_studio.cli.arguments import COMMANDS, Parser, overview
-from smsl_studio.cli.output import Output, claimed_stdout, note, report
+from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report
+from smsl_studio.cli.signals import Signals, heard
 from smsl_studio.errors import PlanningError, RunRefused, StudioError, UsageError, did_you_mean
+from smsl_studio.stop import let_garbage_be
 
-__all__ = ["main"]
+__all__ = ["main", "program"]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; its exit status. Expected errors are sentences, never tracebacks."""
     arguments = list(sys.argv[1:] if argv is None else argv)
-    name = "smsl-studio"
+    with heard() as signals:
+        return _stoppable(arguments, signals)
+
+
+def program(argv: Sequence[str]) -> int:
+    """``main`` for a process of its own: one that was stopped ends at once."""
+    let_garbage_be()
+    with heard() as signals:
+        return _stoppable(argv, signals, os._exit)
+
+
+def _stoppable(
+    arguments: Sequence[str], signals: Signals, leave: Callable[[int], object] | None = None
+) -> int:
+    """Run one command until it ends or is stopped; ``leave`` then ends this process.
+
+    It is called while the work that was called off still holds its memory: to free it all would
+    take longer than to stop.
+    """
+    name = _name(arguments)
+    try:
+        status = _told(arguments, name, signals)
+        signals.close()
+    except KeyboardInterrupt:
+        signals.close()
+        last_note(f"{name}: stopped")
+        status = signals.status
+        if leave is not None:
+            leave(status)
+    if leave is not None and signals.asked:
+        leave(status)
+    return status
+
+
+def _told(arguments: Sequence[str], name: str, signals: Signals) -> int:
+    """Run one command and tell its errors; the exit status."""
     try:
         with claimed_stdout() as stream:
             try:
-                if arguments and arguments[0] in COMMANDS:
-                    name = f"smsl-studio {arguments[0]}"
-                return _dispatch(arguments, Output(stream))
+                return _dispatch(arguments, Output(stream), signals)
             except SystemExit as end:  # argparse has printed its help
                 return end.code if isinstance(end.code, int) else 2
             except (RunRefused, PlanningError) as error:
@@ -37,14 +72,16 @@ def main(argv: Sequence[str] | None = None) -> int:
                 report(error, name)
                 return 2
     except BrokenPipeError:
-        _nobody_listens()
-        return 1
-    except KeyboardInterrupt:
-        note(f"{name}: interrupted")
+        lead_nowhere(sys.stdout)  # so that the interpreter does not fail at its last flush
         return 1
 
 
-def _dispatch(arguments: list[str], out: Output) -> int:
+def _name(arguments: Sequence[str]) -> str:
+    known = bool(arguments) and arguments[0] in COMMANDS
+    return f"smsl-studio {arguments[0]}" if known else "smsl-studio"
+
+
+def _dispatch(arguments: Sequence[str], out: Output, signals: Signals) -> int:
     if not arguments or arguments[0] in ("-h", "--help"):
         out.line(overview())
         return 0
@@ -63,11 +100,7 @@ def _dispatch(arguments: list[str], out: Output) -> int:
     module = import_module(f"smsl_studio.cli.{COMMANDS[name].module}")
     parser = Parser(name, out)
     module.add_arguments(parser)
-    status: int = module.execute(parser.parse_args(rest), out)
+    options = parser.parse_args(rest)
+    options.signals = signals
+    status: int = module.execute(options, out)
     return status
-
-
-def _nobody_listens() -> None:
-    """Whoever read our output has gone: keep the interpreter from failing at its last flush."""
-    with contextlib.suppress(OSError, ValueError, AttributeError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

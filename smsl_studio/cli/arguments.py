@@ -34,7 +34,7 @@ COMMANDS = {
     "sweep": Command("sweeping", "run every single edge in a world and check where it leads"),
     "replay": Command("replaying", "tell a run again from its log, or verify the log"),
     "worlds": Command("worlds", "list the worlds there are"),
-    "plugins": Command("plugins", "list the plugins there are, and those that do not load"),
+    "plugins": Command("plugins", "list the plugins there are; allow or forbid one"),
 }
 
 

@@ -7,10 +7,11 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.arguments import Parser, add_format, add_world
-from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.output import Output
 from smsl_studio.cli.reading import read_each
 from smsl_studio.front.reading import inspect
 from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: Parser) -> None:
@@ -79,8 +80,8 @@ def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> 
     for finding in findings:
         counts[finding.severity] += 1
         mark = paint[finding.severity](f"{finding.severity.value} {finding.rule}")
-        advice = f"; {finding.advice}" if finding.advice else ""
-        words = one_line(f"{finding.address}: {finding.message}{advice}")
+        said = "; ".join(filter(None, (finding.message, finding.advice, finding.also)))
+        words = one_line(f"{finding.address}: {said}")
         out.line(f"{one_line(str(finding.place))}: {mark} {words}")
     said = ", ".join(
         f"{counts[severity]} {word}{'' if counts[severity] == 1 else 's'}"

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from smsl_studio.blueprint.relocating import relocated
 from smsl_studio.cli.arguments import Parser
-from smsl_studio.cli.output import Output, note, one_line
-from smsl_studio.cli.reading import read_argument
+from smsl_studio.cli.output import Output, note, note_losses
+from smsl_studio.cli.reading import inputs_of, read_argument
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.converting import convert
 from smsl_studio.smsl.files import save_document
@@ -33,13 +33,15 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             f"the suffix of {options.output} names no written form",
             advice=f"End it with {', '.join(SUFFIXES)}.",
         )
-    document = read_argument(options.file).document
+    blueprint = read_argument(options.file)
+    document = blueprint.document
     moved = relocated(document, options.output)
     converted = convert(moved, form, options.output)
-    save_document(converted.document, options.output)
+    note_losses(options.output)
+    save_document(converted.document, options.output, made_of=inputs_of(blueprint))
     if left := converted.comments_left:
         words = "1 comment was" if left == 1 else f"{left} comments were"
         note(f"{words} left behind: {WORDS[form]} has no place for comments.")
     if moved is not document:
-        note(f"_imports are named from the folder of {one_line(options.output)}.")
+        note(f"_imports are named from the folder of {options.output}.")
     return 0

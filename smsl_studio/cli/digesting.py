@@ -6,8 +6,9 @@ import argparse
 
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.cli.arguments import Parser, add_format
-from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.output import Output
 from smsl_studio.cli.reading import read_each
+from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: Parser) -> None:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 
+from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.cli.arguments import Parser, add_format
-from smsl_studio.cli.output import Output, note, one_line, report
-from smsl_studio.cli.reading import read_argument
+from smsl_studio.cli.output import Output, note, note_losses, report
+from smsl_studio.cli.reading import note_stand_in, read_argument
 from smsl_studio.errors import StudioError, UsageError
+from smsl_studio.legible import one_line
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.files import save_document
+from smsl_studio.smsl.files import document_of, read_content, save_document
 from smsl_studio.smsl.forms import form_named
+from smsl_studio.smsl.inputs import Seen
 
 STDIN = "-"
 
@@ -39,11 +42,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     reports = []
     for file in options.files:
         try:
-            document = read_argument(file).document
+            document, over = _read(file)
             tidied = form_named(document.form).tidy(document)
             changed = tidied.text != document.text
             if not options.check:
-                _write(file, document, tidied, out)
+                _write(document, tidied, over, out)
         except StudioError as error:
             report(error, "smsl-studio fmt")
             status = 2
@@ -58,10 +61,23 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     return status
 
 
-def _write(file: str, document: Document, tidied: Document, out: Output) -> None:
-    """Standard input goes on to standard output; a file is saved where it changes."""
+def _read(file: str) -> tuple[Document, Seen | None]:
+    """The document in a file, and what a save is to replace; None on standard input."""
     if file == STDIN:
+        return read_argument(file).document, None
+    content = read_content(file)
+    document = document_of(content, file)
+    read_blueprint(document)
+    if content.stands_in:
+        note_stand_in(file, content.stands_in)
+    return document, content.seen
+
+
+def _write(document: Document, tidied: Document, over: Seen | None, out: Output) -> None:
+    """Standard input goes on to standard output; a file is saved where it changes."""
+    if over is None:
         out.text(tidied.text)
     elif tidied.text != document.text:
-        save_document(tidied, file)
-        note(f"{one_line(file)}: laid out anew")
+        note_losses(document.file)
+        save_document(tidied, document.file, over)
+        note(f"{document.file}: laid out anew")

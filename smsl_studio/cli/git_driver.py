@@ -9,13 +9,17 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from difflib import unified_diff
-from pathlib import Path
 
 from smsl_studio.blueprint.comparing import Difference, compare
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.cli.output import Output, one_line
+from smsl_studio.cli.output import Output
+from smsl_studio.cli.reading import note_stand_ins
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.reading import read_bytes
+from smsl_studio.legible import one_line
+from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.smsl.inputs import read_ordinary
+from smsl_studio.smsl.limits import LARGEST_FILE
 
 _MOST_LINES = 3000
 """Longer texts that cannot be read are told to differ and not compared line by line."""
@@ -46,7 +50,7 @@ def show_for_git(
         except ReadError as error:
             out.line(out.yellow(one_line(f"the {word} version cannot be read: {error}")))
     if len(sides) == 2:
-        show(compare(*sides), out)
+        show(as_drawn(compare(*sides)), out)
     else:
         _show_lines(raws, (path, renamed), out)
 
@@ -55,7 +59,7 @@ def _bytes_of(file: str) -> bytes | OSError | None:
     if file in ("/dev/null", os.devnull, "nul"):
         return None
     try:
-        return Path(file).read_bytes()
+        return read_ordinary(file, LARGEST_FILE).raw
     except OSError as error:
         return error
 
@@ -64,7 +68,9 @@ def _read(raw: bytes | OSError | None, name: str) -> Blueprint:
     """What a side means; its imports are looked for beside ``name``, where the work tree is."""
     if isinstance(raw, OSError):
         raise ReadError(raw.strerror or str(raw), Place(name, 1, 1))
-    return read_bytes(raw, name) if raw is not None else read_bytes(b"{}", "nothing.json")
+    blueprint = read_bytes(b"{}", "nothing.json") if raw is None else read_bytes(raw, name)
+    note_stand_ins(blueprint)
+    return blueprint
 
 
 def _show_lines(raws: Sequence[bytes | OSError | None], names: Sequence[str], out: Output) -> None:

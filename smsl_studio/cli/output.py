@@ -5,12 +5,16 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import select
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, TextIO
-from unicodedata import category
 
 from smsl_studio.errors import ReadError, SaveError, StudioError
+from smsl_studio.legible import json_text, one_line
+from smsl_studio.smsl.traits import losses
+from smsl_studio.stop import BrokenOff
 
 _RED, _GREEN, _YELLOW, _PLAIN = "\x1b[31m", "\x1b[32m", "\x1b[33m", "\x1b[0m"
 
@@ -29,20 +33,24 @@ class Output:
     def text(self, text: str) -> None:
         """A text as it is.
 
-        SaveError where it cannot be written; BrokenPipeError where nobody reads it any more.
+        SaveError where it cannot be written; BrokenPipeError where nobody reads it any more. Where
+        it is broken off, because its reader takes nothing in, the rest of it goes nowhere.
         """
         try:
             self._stream.write(text)
             self._stream.flush()
         except BrokenPipeError:
             raise
+        except BrokenOff:
+            lead_nowhere(self._stream)
+            raise
         except OSError as error:
             words = f"standard output cannot be written: {error.strerror or error}"
             raise SaveError(words, advice="Free some room, or send it elsewhere.") from None
 
     def json(self, value: Any) -> None:
-        """One JSON object on a line of its own."""
-        self.line(json.dumps(value, ensure_ascii=False))
+        """One JSON object on a line of its own; its values are exact, whatever they hold."""
+        self.line(json_text(json.dumps(value, ensure_ascii=False)))
 
     def plain(self, text: str) -> str:
         return text
@@ -60,24 +68,37 @@ class Output:
         return f"{colour}{text}{_PLAIN}" if self._colours else text
 
 
-def one_line(text: str) -> str:
-    """A text for people with what would break its line, or turn it round, written as escapes."""
-    if text.isprintable():
-        return text
-    return "".join(
-        char if char.isprintable() or category(char) == "Zs" else _escaped(char) for char in text
-    )
-
-
-def _escaped(char: str) -> str:
-    return char.encode("unicode_escape").decode("ascii")
+def lead_nowhere(stream: TextIO) -> None:
+    """What is still to be written to a stream is lost; nobody waits for it to be read."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
 
 
 def note(text: str) -> None:
-    """A note for people, on standard error; lost where that is closed or full."""
+    """A note for people, one line on standard error; lost where that is closed or full."""
     if sys.stderr is not None:
         with contextlib.suppress(OSError):
-            print(text, file=sys.stderr, flush=True)
+            print(one_line(text), file=sys.stderr, flush=True)
+
+
+def note_losses(file: str) -> None:
+    """Tell before a file is replaced what it loses by that: its owner, rights, further names."""
+    with contextlib.suppress(OSError):  # where it cannot be tried, the save itself will say why
+        lost = losses(Path(os.path.realpath(file)))
+        if lost:
+            note(f"{file}: saved, it loses {', '.join(lost)}.")
+
+
+def last_note(text: str) -> None:
+    """The note of a command that was stopped: lost also where nobody takes it in."""
+    try:
+        taken_in = select.select([], [sys.stderr.fileno()], [], 0.0)[1]
+    except (OSError, ValueError, AttributeError):  # it is closed, or replaced in Python
+        taken_in = [2]
+    if taken_in:
+        note(text)
 
 
 def report(error: StudioError, name: str) -> None:
@@ -86,9 +107,9 @@ def report(error: StudioError, name: str) -> None:
     Of a text that cannot be read, every fault.
     """
     for one in error.faults if isinstance(error, ReadError) else (error,):
-        note(one_line(str(one) if one.place else f"{name}: {one}"))
+        note(str(one) if one.place else f"{name}: {one}")
         if one.advice:
-            note(one_line(one.advice))
+            note(one.advice)
 
 
 @contextlib.contextmanager

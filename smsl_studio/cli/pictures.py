@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.cli.arguments import Parser
 from smsl_studio.errors import UsageError
-from smsl_studio.smsl.files import save_document
 
 if TYPE_CHECKING:
     from smsl_studio.picture.colours import Colours
@@ -38,15 +37,13 @@ def picture_form(output: str) -> str:
     return suffix
 
 
-def write_picture(panels: Sequence[Panel], title: str, output: str, colours: Colours) -> None:
-    """Write panels one below another, or in a PDF one a page; SaveError where that fails."""
+def draw_picture(panels: Sequence[Panel], title: str, output: str, colours: Colours) -> bytes:
+    """The bytes of a picture for this file: panels one below another, or in a PDF one a page."""
     from smsl_studio.picture.paper import as_pdf, as_png
     from smsl_studio.picture.svg import as_svg, one_below_another
 
     form = picture_form(output)
     if form == ".pdf":
-        raw = as_pdf([as_svg(panel, title, colours) for panel in panels], title)
-    else:
-        svg = as_svg(one_below_another(panels, colours), title, colours)
-        raw = as_png(svg, title) if form == ".png" else svg.encode("utf-8")
-    save_document(raw, output)
+        return as_pdf([as_svg(panel, title, colours) for panel in panels], title)
+    svg = as_svg(one_below_another(panels, colours), title, colours)
+    return as_png(svg, title) if form == ".png" else svg.encode("utf-8")

@@ -1,36 +1,90 @@
-"""``plugins``: what is installed, from where, and what failed to load and why."""
+"""``plugins``: what is installed, from where, and what does not load and why; allow and forbid."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.output import Output
+from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.host.describing import describe
+from smsl_studio.legible import one_line
 from smsl_studio.library.loading import Plugin, PluginFault
 from smsl_studio.library.operation_library import FaultEntry
+from smsl_studio.library.permission import allow, forbid
+from smsl_studio.library.survey import FoundPlugin, survey
+
+VERBS = ("allow", "forbid")
 
 
 def add_arguments(parser: Parser) -> None:
+    parser.add_argument(
+        "verb",
+        nargs="?",
+        choices=VERBS,
+        help="allow a plugin, so that its code is loaded as long as its files stay as they are, or "
+        "forbid it; without either, list them all",
+    )
+    parser.add_argument("name", nargs="?", metavar="NAME", help="the plugin's name, or its folder")
     add_format(parser)
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    loaded = describe()
-    if options.format == "json":
-        out.json(
-            {
-                "plugins": [_as_json(plugin) for plugin in loaded.plugins],
-                "faults": [fault_as_json(fault) for fault in loaded.faults],
-            }
+    if options.verb is None:
+        return _list(options.format == "json", out)
+    if options.name is None:
+        raise UsageError(
+            f"plugins {options.verb} takes the name of a plugin",
+            advice="smsl-studio plugins lists them.",
         )
+    found = _named(options.name)
+    done = (allow if options.verb == "allow" else forbid)(found)
+    if options.format == "json":
+        out.json(waiting_as_json(done))
+        return 0
+    out.line(one_line(f"{done.name}: {done.state.value} ({done.source}, {done.location})"))
+    if done.digest:
+        out.line(f"    files: SHA-256 {done.digest}")
+    return 0
+
+
+def _named(name: str) -> FoundPlugin:
+    """The plugin that is called so, or stands there; UsageError where that is none, or several."""
+    every = [found for found in survey() if found.name]
+    fitting = [found for found in every if name in (found.name, found.location)]
+    if len(fitting) == 1:
+        return fitting[0]
+    if not fitting:
+        names = sorted({found.name for found in every})
+        near = did_you_mean(name, names)
+        raise UsageError(
+            f"there is no plugin {name!r}",
+            advice=near or f"There are {', '.join(names)}.",
+        )
+    places = ", ".join(found.location for found in fitting)
+    raise UsageError(
+        f"there are {len(fitting)} plugins {name!r}: {places}",
+        advice="Say which by its place instead of its name.",
+    )
+
+
+def _list(as_json: bool, out: Output) -> int:
+    loaded = describe()
+    if as_json:
+        plugins = [_as_json(plugin) for plugin in loaded.plugins]
+        plugins += [waiting_as_json(found) for found in loaded.waiting]
+        faults = [fault_as_json(fault) for fault in loaded.faults]
+        out.json({"plugins": plugins, "faults": faults})
         return 0
     for plugin in loaded.plugins:
         _print(plugin, out)
+    for found in loaded.waiting:
+        print_waiting(found, out)
     for fault in loaded.faults:
-        out.line(out.red(str(fault)))
-    if not loaded.plugins and not loaded.faults:
+        out.line(out.red(one_line(str(fault))))
+    if loaded == type(loaded)():
         out.line("no plugins")
     return 0
 
@@ -40,6 +94,7 @@ def fault_as_json(fault: PluginFault) -> dict[str, Any]:
     place = fault.place
     return {
         "plugin": fault.plugin,
+        "state": "fault",
         "location": fault.location,
         "file": place.file if place else None,
         "line": place.line if place else None,
@@ -47,10 +102,39 @@ def fault_as_json(fault: PluginFault) -> dict[str, Any]:
     }
 
 
+def waiting_as_json(found: FoundPlugin) -> dict[str, Any]:
+    """A plugin of which nothing was loaded, as plain values: its own words, and why."""
+    words = found.manifest
+    return {
+        "name": found.name,
+        "state": found.state.value,
+        "version": words.version if words else "",
+        "description": words.description if words else "",
+        "source": found.source,
+        "location": found.location,
+        "digest": found.digest or None,
+        "message": found.reason,
+        "manifest": {kind: list(names) for kind, names in words.registers.items()} if words else {},
+    }
+
+
+def print_waiting(found: FoundPlugin, out: Output) -> None:
+    """A plugin of which nothing was loaded, for people."""
+    words = found.manifest
+    version = f" {words.version}" if words else ""
+    state = out.yellow(found.state.value)
+    out.line(f"{one_line(f'{found.name}{version} ({found.source}, {found.location})')}: {state}")
+    if words and words.description:
+        out.line(f"    {one_line(words.description)}")
+    out.line(f"    {one_line(found.reason)}")
+    _print_parts(words.registers if words else {}, out)
+
+
 def _as_json(plugin: Plugin) -> dict[str, Any]:
     library = plugin.library
     return {
         "name": plugin.name,
+        "state": "allowed",
         "version": plugin.version,
         "description": plugin.description,
         "source": plugin.source,
@@ -70,18 +154,24 @@ def _as_json(plugin: Plugin) -> dict[str, Any]:
 
 def _print(plugin: Plugin, out: Output) -> None:
     library = plugin.library
-    out.line(f"{plugin.name} {plugin.version} ({plugin.source}, {plugin.location})")
+    where = f"{plugin.source}, {plugin.location}"
+    out.line(f"{one_line(f'{plugin.name} {plugin.version} ({where})')}: allowed")
     if plugin.description:
-        out.line(f"    {plugin.description}")
+        out.line(f"    {one_line(plugin.description)}")
     parts = {
         "worlds": list(library.worlds),
         "operations": [e.pattern.text if e.pattern else e.name for e in library.operations],
         "sensors": [e.pattern.text for e in library.sensors],
         "faults": [_called(entry) for entry in library.faults.values()],
     }
+    _print_parts(parts, out)
+
+
+def _print_parts(parts: Mapping[str, Iterable[str]], out: Output) -> None:
     for what, names in parts.items():
-        if names:
-            out.line(f"    {what}: {', '.join(names)}")
+        words = ", ".join(names)
+        if words:
+            out.line(f"    {what}: {one_line(words)}")
 
 
 def _called(fault: FaultEntry) -> str:

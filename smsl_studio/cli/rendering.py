@@ -6,9 +6,10 @@ import argparse
 
 from smsl_studio.cli.arguments import Parser
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.pictures import add_picture, picture_form, write_picture
-from smsl_studio.cli.reading import read_argument
+from smsl_studio.cli.pictures import add_picture, draw_picture, picture_form
+from smsl_studio.cli.reading import inputs_of, read_argument
 from smsl_studio.errors import UsageError
+from smsl_studio.smsl.files import save_document
 
 
 def add_arguments(parser: Parser) -> None:
@@ -35,5 +36,6 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         )
     colours = DARK if options.theme == "dark" else LIGHT
     panels = draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
-    write_picture(panels, blueprint.file, options.output, colours)
+    picture = draw_picture(panels, blueprint.file, options.output, colours)
+    save_document(picture, options.output, made_of=inputs_of(blueprint))
     return 0

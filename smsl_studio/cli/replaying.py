@@ -11,12 +11,19 @@ from pathlib import Path
 from typing import BinaryIO
 
 from smsl_studio.cli.arguments import Parser, add_format
-from smsl_studio.cli.output import Output, note, one_line
+from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.reading import STDIN
 from smsl_studio.cli.story import line_of
 from smsl_studio.errors import Place, ReadError, UsageError
+from smsl_studio.legible import json_text, one_line
+from smsl_studio.runlog.log import FORMER
 from smsl_studio.runlog.reading import LogReader, Verdict, open_log, read_records, verify
 from smsl_studio.smsl.files import save_document
+
+BEFORE = (
+    f"a log of version {FORMER}: its goals were told without a fresh check, "
+    "and it does not say what its states want of their facts"
+)
 
 
 def add_arguments(parser: Parser) -> None:
@@ -35,7 +42,7 @@ def add_arguments(parser: Parser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     if options.output is not None:
-        _check_output(options.output, options.log)
+        _check_output(options.output)
     with _log(options.log) as (stream, file):
         if options.verify:
             return _verify(stream, file, options.format, out)
@@ -47,9 +54,9 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 def _tell(stream: BinaryIO, file: str, form: str, out: Output) -> int:
     reader = LogReader(stream, file)
     for record in reader.records():
-        out.line(record.text if form == "json" else one_line(line_of(record.event)))
+        out.line(json_text(record.text) if form == "json" else one_line(line_of(record.event)))
     if reader.doubt is not None:
-        note(one_line(str(reader.doubt)))
+        note(str(reader.doubt))
     return 0
 
 
@@ -62,7 +69,8 @@ def _verify(stream: BinaryIO, file: str, form: str, out: Output) -> int:
     else:
         assert verdict.head is not None
         many = f"{verdict.events} event{'' if verdict.events == 1 else 's'}"
-        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}"))
+        former = f" ({BEFORE})" if verdict.version == FORMER else ""
+        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}{former}"))
     return 0 if verdict.doubt is None else 1
 
 
@@ -72,6 +80,7 @@ def _as_json(verdict: Verdict, file: str) -> dict[str, object]:
         "file": file,
         "verified": doubt is None,
         "events": verdict.events,
+        "version": verdict.version,
         "head": {"count": head.count, "hash": head.hash} if head else None,
         "line": doubt.place.line if doubt else None,
         "column": doubt.place.column if doubt else None,
@@ -83,18 +92,15 @@ def _account(stream: BinaryIO, file: str, output: str) -> int:
     from smsl_studio.picture.account import account
 
     run = read_records(stream, file)
-    save_document(account(run), output)
+    save_document(account(run), output, made_of=[0 if file == STDIN else file])
     if run.doubt is not None:
-        note(one_line(str(run.doubt)))
+        note(str(run.doubt))
     return 0
 
 
-def _check_output(output: str, log: str) -> None:
+def _check_output(output: str) -> None:
     if Path(output).suffix.lower() not in (".html", ".htm"):
         raise UsageError(f"{output!r} is no name of a page", advice="Let it end in .html.")
-    with contextlib.suppress(OSError, ValueError):
-        if Path(output).samefile(log):
-            raise UsageError("the account would overwrite its log", advice="Name another file.")
 
 
 @contextlib.contextmanager

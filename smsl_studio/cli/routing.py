@@ -5,9 +5,10 @@ from __future__ import annotations
 import argparse
 
 from smsl_studio.cli.arguments import Parser, add_format
-from smsl_studio.cli.output import Output, note, one_line
+from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.reading import read_argument
 from smsl_studio.front.routes import plan_route
+from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: Parser) -> None:
@@ -29,7 +30,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     blueprint = read_argument(options.file)
     route = plan_route(blueprint, options.start, options.goal, options.avoid, options.sb)
     if route is None:
-        note(one_line(f"no route leads from {options.start} to {options.goal}"))
+        note(f"no route leads from {options.start} to {options.goal}")
         if options.format == "json":
             out.json({"operations": [], "states": [], "cost": None})
         return 1

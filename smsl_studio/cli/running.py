@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
-import signal
-import threading
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,12 +13,16 @@ from smsl_studio.cli.arguments import (
     add_world,
     host_of,
 )
-from smsl_studio.cli.output import Output, note, one_line
+from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.reading import STDIN, read_argument, standard_input
+from smsl_studio.cli.signals import Signals
 from smsl_studio.cli.story import line_of
 from smsl_studio.errors import UsageError
-from smsl_studio.runlog.events import Event, Held
+from smsl_studio.legible import one_line
+from smsl_studio.runlog.ends import UNBEGUN
+from smsl_studio.runlog.events import Event, Held, RunFinished
 from smsl_studio.runlog.regulating import Commanded
+from smsl_studio.stop import Stopped, look_for_garbage
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint
@@ -62,49 +62,80 @@ def add_arguments(parser: Parser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    told = _Told(out, options.format, options.signals)
+    try:
+        return _execute(options, told)
+    except Stopped:
+        if told.finished or not options.signals.asked:
+            raise
+        # So early that there was no run which could tell it.
+        finished = RunFinished(
+            t=0.0, reason="stopped", sentence=UNBEGUN, operations=0, configuration={}
+        )
+        told.tell(finished)
+        return 1
+
+
+class _Told:
+    """The events of a run, as they are told on standard output."""
+
+    def __init__(self, out: Output, form: str, signals: Signals) -> None:
+        self.finished = False
+        self._out, self._form, self._signals = out, form, signals
+        self._begun = False
+
+    def tell(self, event: Event) -> None:
+        """One line; the last one says that the run is over, and a stop of it carried out."""
+        if not self._begun:
+            self._begun = True
+            note(UNINSPECTED)
+        self._out.line(event.line() if self._form == "json" else one_line(line_of(event)))
+        if isinstance(event, RunFinished):
+            self.finished = True
+            self._signals.take()
+
+
+def _execute(options: argparse.Namespace, told: _Told) -> int:
     from smsl_studio.front.reading import inspect
     from smsl_studio.front.running import run
 
     speed = _speed(options.speed)
+    if options.log == "-":
+        raise UsageError(
+            "a log is a file; the events go to standard output anyway",
+            advice="Name a new file, or leave out --log.",
+        )
     blueprint = read_argument(options.file)
     script = _script(options.script, options.file, blueprint)
     # What guards a run and is misspelt guards nothing: this is said, whoever inspected it or not.
     for finding in inspect(blueprint, ("R29",)):
-        note(one_line(f"{finding.place}: {finding.message}"))
-    told: list[str] = []
-
-    def tell(event: Event) -> None:
-        if not told:
-            told.append(UNINSPECTED)
-            note(UNINSPECTED)
-        out.line(event.line() if options.format == "json" else one_line(line_of(event)))
-
-    with stop_asked() as stop:
-        done = run(
-            blueprint,
-            options.world,
-            options.goal,
-            options.start,
-            seed=options.seed,
-            host=host_of(options),
-            speed=speed,
-            avoid=options.avoid,
-            on_mismatch=options.on_mismatch,
-            script=script,
-            log=options.log,
-            on_event=tell,
-            stop_when=stop,
-            broker=options.broker,
-            site=options.site,
-        )
+        note(f"{finding.place}: {finding.message}")
+    look_for_garbage()
+    done = run(
+        blueprint,
+        options.world,
+        options.goal,
+        options.start,
+        seed=options.seed,
+        host=host_of(options),
+        speed=speed,
+        avoid=options.avoid,
+        on_mismatch=options.on_mismatch,
+        script=script,
+        log=options.log,
+        on_event=told.tell,
+        stop_when=options.signals.is_asked,
+        broker=options.broker,
+        site=options.site,
+    )
     for words in done.unbound:
-        note(one_line(words))
+        note(words)
     if script is not None:
         for event in done.events:
             if isinstance(event, Commanded) and event.refused:
-                note(one_line(f"{script.file}: {_refused(event)}"))
+                note(f"{script.file}: {_refused(event)}")
     for act in done.left:
-        note(one_line(f"{act.place}: its moment never came: {act}"))
+        note(f"{act.place}: its moment never came: {act}")
     if done.reason != "goal_reached":
         _explain(done, options.format == "json")
     return 0 if done.reason == "goal_reached" else 1
@@ -118,36 +149,12 @@ def _refused(event: Commanded) -> str:
 def _explain(done: Run, also_why: bool) -> None:
     """Why the goal was not reached, and what stood in the way, one thing a line."""
     if also_why:
-        note(one_line(f"{done.reason}: {done.sentence}"))
+        note(f"{done.reason}: {done.sentence}")
     holds = [event for event in done.events if isinstance(event, Held)]
     for line in holds[-1].details if holds else ():
         edge, _, reason = line.partition(": ")
         # Most reasons name their edge themselves; it is said once.
-        note(one_line(f"    {reason if reason.startswith(f'{edge} ') else line}"))
-
-
-@contextlib.contextmanager
-def stop_asked() -> Iterator[Callable[[], bool]]:
-    """Whether Ctrl-C or a termination was asked for: the run then ends in order, braked.
-
-    A second Ctrl-C ends the program at once.
-    """
-    if threading.current_thread() is not threading.main_thread():
-        yield lambda: False
-        return
-    asked: list[int] = []
-
-    def hear(number: int, frame: object) -> None:
-        if asked:
-            raise KeyboardInterrupt
-        asked.append(number)
-
-    kept = {number: signal.signal(number, hear) for number in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        yield lambda: bool(asked)
-    finally:
-        for number, handler in kept.items():
-            signal.signal(number, handler)
+        note(f"    {reason if reason.startswith(f'{edge} ') else line}")
 
 
 def _script(file: str | None, blueprint_file: str, blueprint: Blueprint) -> Script | None:

@@ -6,8 +6,9 @@ import argparse
 
 from smsl_studio.cli.arguments import Parser, add_format
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.plugins import fault_as_json
+from smsl_studio.cli.plugins import fault_as_json, print_waiting, waiting_as_json
 from smsl_studio.host.describing import describe
+from smsl_studio.legible import one_line
 from smsl_studio.library.operation_library import TABLE
 
 
@@ -33,12 +34,15 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             )
     if options.format == "json":
         faults = [fault_as_json(fault) for fault in loaded.faults]
-        out.json({"worlds": worlds, "faults": faults})
+        waiting = [waiting_as_json(found) for found in loaded.waiting]
+        out.json({"worlds": worlds, "faults": faults, "waiting": waiting})
         return 0
     for world in worlds:
         origin = f"{world['plugin']}, {world['location']}" if world["plugin"] else "built in"
         hardware = ", hardware" if world["hardware"] else ""
-        out.line(f"{world['name']}: engine {world['engine']}{hardware} ({origin})")
+        out.line(one_line(f"{world['name']}: engine {world['engine']}{hardware} ({origin})"))
+    for found in loaded.waiting:
+        print_waiting(found, out)
     for fault in loaded.faults:
-        out.line(str(fault))
+        out.line(one_line(str(fault)))
     return 0

@@ -26,22 +26,38 @@ def make_host(
     loaded: Loaded | None = None,
     spare: Spare | None = None,
 ) -> Host:
-    """A local or a process host; ``loaded`` spares the local one looking for plugins again,
-    ``spare`` has a child in waiting for the other."""
+    """A local or a process host.
+
+    ``loaded`` are plugins that were found already. A local host uses them as they are; the child of
+    a process host loads those anew that serve the world, and no others. ``spare`` has a child in
+    waiting for a process host.
+    """
     if host == "local":
         from smsl_studio.host.local import LocalHost
 
         return LocalHost(blueprint, world, seed, plugin_paths, loaded)
     from smsl_studio.host.process import ProcessHost
 
-    return ProcessHost(blueprint, world, seed, plugin_paths, spare=spare)
+    only = _locations(loaded, world)
+    return ProcessHost(blueprint, world, seed, plugin_paths, only=only, spare=spare)
 
 
-def make_ready(spare: Spare, blueprint: Blueprint, world: str, seed: int) -> None:
-    """Have a child of ``spare`` build this world, ready for a run that may come; does not wait."""
+def make_ready(
+    spare: Spare, blueprint: Blueprint, world: str, seed: int, loaded: Loaded | None = None
+) -> None:
+    """Have a child of ``spare`` build this world, ready for a run that may come; does not wait.
+
+    It is ready for a run that is given the same ``loaded``.
+    """
     from smsl_studio.host.process import ProcessHost
 
-    spare.warm(ProcessHost(blueprint, world, seed).recipe)
+    spare.warm(ProcessHost(blueprint, world, seed, only=_locations(loaded, world)).recipe)
+
+
+def _locations(loaded: Loaded | None, world: str) -> tuple[str, ...] | None:
+    """Where the plugins stand that a run needs; None: nobody knows."""
+    known = loaded is not None and world in loaded.worlds
+    return loaded.locations(world) if loaded is not None and known else None
 
 
 def known_world(
@@ -59,5 +75,5 @@ def known_world(
 
 
 def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
-    """The names of the worlds there are, ``table`` first."""
-    return discover(plugin_paths).worlds
+    """The names of the worlds there are, ``table`` first; no plugin's code runs here."""
+    return describe(plugin_paths).worlds

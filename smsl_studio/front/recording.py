@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime
 from itertools import count
 from pathlib import Path
@@ -13,8 +14,10 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import SaveError
 from smsl_studio.front.run_header import log_header
 from smsl_studio.library.loading import Loaded
+from smsl_studio.runlog.ends import UNBEGUN
 from smsl_studio.runlog.events import Event, Held, RunFinished
 from smsl_studio.runlog.log import RunLog
+from smsl_studio.stop import unheeding, whole
 
 Json = Any
 
@@ -37,31 +40,59 @@ class Recording:
 
         SaveError where the log cannot be written: it is then closed, and the event unheard.
         """
-        for event in events:
-            if self.log is not None:
-                try:
-                    self.log.write([event])
-                    if isinstance(event, RunFinished):
-                        self.log.finish()
-                except SaveError:
-                    self.close()
-                    raise
+        told, failed = tuple(events), None
+        if self.log is not None:
+            told, failed = self._logged(self.log, told)
+        for event in told:
             self.told += 1
             self.last = event
             self._hear(event)
+        if failed is not None:
+            raise failed
+
+    def _logged(
+        self, log: RunLog, events: tuple[Event, ...]
+    ) -> tuple[tuple[Event, ...], SaveError | None]:
+        """Write events to the log; those that it has, and why it has no more."""
+        with whole():
+            for index, event in enumerate(events):
+                try:
+                    log.write([event])
+                    if isinstance(event, RunFinished):
+                        log.finish()
+                except SaveError as error:
+                    self.close()
+                    return events[:index], error
+        return events, None
 
     def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
         """The end of a run that its dispatcher cannot tell; before a failure, that it holds."""
-        status = dispatcher.status if dispatcher is not None else None
-        time = status.time if status else 0.0
-        finished = RunFinished(
-            t=time,
-            reason=reason,
-            sentence=sentence,
-            operations=status.operations if status else 0,
-            configuration=dict(status.configuration) if status else {},
+        finished = (
+            RunFinished(t=0.0, reason=reason, sentence=sentence, operations=0, configuration={})
+            if dispatcher is None
+            else dispatcher.end_for(reason, sentence)
         )
-        last = [Held(t=time, reason=sentence), finished] if reason == "failed" else [finished]
+        held = Held(t=finished.t, reason=sentence)
+        self._end([held, finished] if reason == "failed" else [finished])
+
+    def begin_late(self, begin: Callable[[], RunLog]) -> None:
+        """Have a log, from ``begin``, for a run that was called off before it had one; SaveError
+        and UsageError as of ``start_log``."""
+        if self.log is None and not self.told:
+            with unheeding(), whole():
+                self.log = begin()
+
+    def stop(self, dispatcher: Dispatcher | None) -> None:
+        """The end of a run that was called off where its dispatcher could not be told."""
+        if isinstance(self.last, RunFinished):
+            return
+        with unheeding():
+            if dispatcher is None:
+                self.end("stopped", UNBEGUN, None)
+            else:
+                self._end(dispatcher.break_off())
+
+    def _end(self, last: Sequence[Event]) -> None:
         before = self.told
         try:
             self.tell(last)
@@ -105,4 +136,4 @@ def new_recording(folder: Path, file: str, now: datetime) -> Path:
         ) from None
     stem = f"{Path(file).stem}-{now:%Y-%m-%d-%H%M%S}"
     names = (f"{stem}{f'-{n}' if n else ''}.jsonl" for n in count())
-    return next(path for name in names if not (path := folder / name).exists())
+    return next(path for name in names if not os.path.lexists(path := folder / name))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.files import LARGEST
+from smsl_studio.smsl.limits import LARGEST_FILE
 
 MOST = 500
 """So many commits are listed at most, the latest ones."""
@@ -61,9 +61,9 @@ def bytes_at(file: Path, revision: Revision) -> bytes:
     """What stood in a file at a revision; ReadError where it was not there."""
     thing = f"{revision.commit}:{revision.name}"
     size = _git(file, "cat-file", "-s", thing)
-    if not size.strip().isdigit() or int(size) > LARGEST:
+    if not size.strip().isdigit() or int(size) > LARGEST_FILE:
         raise ReadError(
-            f"{file.name} is larger than {LARGEST >> 20} MB in {revision.short}",
+            f"{file.name} is larger than {LARGEST_FILE >> 20} MB in {revision.short}",
             advice="Compare with another commit.",
         )
     return _git(file, "cat-file", "blob", thing)

@@ -44,10 +44,12 @@ def _joint_route(
 ) -> Route | None:
     from smsl_studio.blueprint.configuration import Hierarchy
     from smsl_studio.blueprint.stepper import Terms
+    from smsl_studio.dispatch.effort import refuse_too_large
     from smsl_studio.dispatch.planner import Planner
     from smsl_studio.front.starts import starts_for
 
     hierarchy = Hierarchy(blueprint)
+    refuse_too_large(hierarchy)
     configuration = next(starts_for(hierarchy, start.branch, start.state), None)
     if configuration is None:
         raise RunRefused(f"no configuration agrees with {start}")

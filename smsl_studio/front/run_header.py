@@ -10,13 +10,16 @@ from os import getpid
 from pathlib import Path
 from typing import Any
 
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.version import version
+from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.loading import Loaded
+from smsl_studio.runlog.grounds import grounds_of
 from smsl_studio.runlog.names import names_of
 from smsl_studio.seal.digest import sha256_hex
 
@@ -59,6 +62,7 @@ def log_header(
             **{f"plugin {plugin.name}": plugin.version for plugin in plugins},
         },
         "names": names_of(blueprint),
+        "grounds": grounds_of(blueprint, _sensed(blueprint, world, loaded)),
     }
 
 
@@ -109,6 +113,16 @@ def _elsewhere(blueprint: Blueprint, broker: str, site: str) -> Mapping[str, Jso
         "run": table.run,
         "facts": {key: list(table.sources(key)) for key in table.facts},
     }
+
+
+def _sensed(blueprint: Blueprint, world: str, loaded: Loaded | None) -> Iterable[FactKey]:
+    """The facts that the world's sensors read; none where that is not known before the run."""
+    try:
+        file = bindings_beside(blueprint.file)
+        sensors = bind(blueprint, loaded or Loaded(()), world, file).sensors
+    except StudioError:
+        return ()
+    return ((one.branch, one.digit) for one in sensors)
 
 
 def _imported(blueprint: Blueprint) -> Mapping[str, Json]:

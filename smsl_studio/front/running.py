@@ -7,15 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.effort import refuse_too_large
 from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.accepting import to_accept
 from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.elsewhere import with_remote
-from smsl_studio.front.headless import to_its_end
+from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosting import known_world, make_host
 from smsl_studio.front.reading import refusals
 from smsl_studio.front.recording import Recording, start_log
@@ -28,6 +31,7 @@ from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import Event, RunFinished
+from smsl_studio.stop import Stopped, heeding, whole
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
@@ -85,6 +89,7 @@ def open_run(
     shut = operations_at(blueprint, avoid)
     chosen = Levels(blueprint, levels or {})
     _refuse_nonsense(blueprint)
+    refuse_too_large(Hierarchy(blueprint))
     made = make_host(
         blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded, spare=spare
     )
@@ -137,12 +142,6 @@ def run(
     UsageError, PluginError and WorldError for what does not exist, ReadError where the script
     injects what this world has not; whatever else goes wrong is the reason of the run.
     """
-    loaded = known_world(world, plugin_paths, host)
-    goals = states_at(blueprint, goal, "goal")
-    starts = states_at(blueprint, start, "start")
-    shut = operations_at(blueprint, avoid)
-    if script is not None:
-        check_faults(script, world, loaded.faults_of(world) if loaded else table_faults(blueprint))
     events: list[Event] = []
 
     def hear(event: Event) -> None:
@@ -150,56 +149,100 @@ def run(
         if on_event is not None:
             on_event(event)
 
-    chosen = {**(levels or {}), **(script.levels if script else {})}
-    supervisor = supervisor_of(Levels(blueprint, chosen), supervisor)
-    recording, acting = Recording(hear), Acting(script) if script and script.acts else None
+    recording, asked = Recording(hear), StopAsked(stop_when)
+    acting = Acting(script) if script and script.acts else None
     dispatcher: Dispatcher | None = None
-    refusal: RunRefused | None = None
+    loaded: Loaded | None = None
     try:
-        dispatcher = open_run(
-            blueprint,
-            world,
-            goal=goals,
-            start=starts,
-            seed=seed,
-            host=host,
-            avoid=shut,
-            on_mismatch=on_mismatch,
-            attended=True if acting else None,
-            levels=chosen,
-            supervisor=supervisor,
-            plugin_paths=plugin_paths,
-            loaded=loaded,
-            broker=broker,
-            site=site,
-        )
-    except RunRefused as refused:
-        refusal = refused
-    try:
+        with heeding(asked.heed):
+            loaded = known_world(world, plugin_paths, host)
+            goals = states_at(blueprint, goal, "goal")
+            starts = states_at(blueprint, start, "start")
+            shut = operations_at(blueprint, avoid)
+            if script is not None:
+                check_faults(
+                    script, world, loaded.faults_of(world) if loaded else table_faults(blueprint)
+                )
+            chosen = {**(levels or {}), **(script.levels if script else {})}
+            supervisor = supervisor_of(Levels(blueprint, chosen), supervisor)
+            refusal: RunRefused | None = None
+            try:
+                dispatcher = open_run(
+                    blueprint,
+                    world,
+                    goal=goals,
+                    start=starts,
+                    seed=seed,
+                    host=host,
+                    avoid=shut,
+                    on_mismatch=on_mismatch,
+                    attended=True if acting else None,
+                    levels=chosen,
+                    supervisor=supervisor,
+                    plugin_paths=plugin_paths,
+                    loaded=loaded,
+                    broker=broker,
+                    site=site,
+                )
+            except RunRefused as refused:
+                refusal = refused
+            try:
+                if log is not None:
+                    how = asked_for(
+                        seed=seed,
+                        host=host,
+                        start=starts,
+                        goals=goals,
+                        avoid=shut,
+                        on_mismatch=on_mismatch,
+                        script=script,
+                        levels=chosen,
+                        supervisor=supervisor.name if supervisor else "",
+                    )
+                    with whole():
+                        recording.log = start_log(
+                            Path(log), blueprint, world, loaded, how, broker, site
+                        )
+                if refusal is not None:
+                    recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
+                if dispatcher is not None:
+                    to_its_end(dispatcher, recording, speed, asked, acting)
+            except (SaveError, WorldError) as error:
+                failed = "failed" if recording.told else "refused"
+                recording.end(failed, str(error), dispatcher)
+    except Stopped:
         if log is not None:
-            asked = asked_for(
+            how = asked_for(
                 seed=seed,
                 host=host,
-                start=starts,
-                goals=goals,
-                avoid=shut,
+                start=_written(start),
+                goals=_written(goal),
+                avoid=_written(avoid),
                 on_mismatch=on_mismatch,
                 script=script,
-                levels=chosen,
-                supervisor=supervisor.name if supervisor else "",
+                levels=levels,
             )
-            recording.log = start_log(Path(log), blueprint, world, loaded, asked, broker, site)
-        if refusal is not None:
-            recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
-        if dispatcher is not None:
-            to_its_end(dispatcher, recording, speed, stop_when, acting)
-    except (SaveError, WorldError) as error:
-        failed = "failed" if recording.told else "refused"
-        recording.end(failed, str(error), dispatcher)
+            recording.begin_late(
+                lambda: start_log(Path(log), blueprint, world, loaded, how, broker, site)
+            )
+        recording.stop(dispatcher)
     finally:
-        if dispatcher is not None:
-            dispatcher.close()
-        recording.close()
+        try:
+            if dispatcher is not None:
+                dispatcher.close()
+        finally:
+            recording.close()
+    return _over(events, acting, dispatcher)
+
+
+def _written(asked: Several | Iterable[Written]) -> tuple[str, ...]:
+    """What was asked for, as it was written: nobody has looked yet whether it is there."""
+    if asked is None:
+        return ()
+    return (str(asked),) if isinstance(asked, str | Address) else tuple(map(str, asked))
+
+
+def _over(events: Sequence[Event], acting: Acting | None, dispatcher: Dispatcher | None) -> Run:
     last = events[-1]
     assert isinstance(last, RunFinished), "the last event of a run is run_finished"
     left = acting.left if acting else ()

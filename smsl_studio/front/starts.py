@@ -9,7 +9,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.stepper import Stepper, Terms
-from smsl_studio.errors import RunRefused
+from smsl_studio.errors import PlanningError, RunRefused
 
 TRIES = 2000
 """Shared sub-SBs can make a start hard to find: after so many tries there is none."""
@@ -42,7 +42,8 @@ def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | N
     """A configuration from which an edge can be asked, else one in its source, else None.
 
     An operation of a sub that enters or leaves ACTIVATING can only be asked where each base has a
-    rise or fall to go along (clause 10); one that requires facts only where they hold.
+    rise or fall to go along (clause 10); one that requires facts only where they hold. Where that
+    takes too much work to say, it is the configuration at which the work was given up.
     """
     stepper = Stepper(hierarchy, Terms(failing=None))
     known = stepper.edges.get(edge)
@@ -51,7 +52,11 @@ def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | N
     starts = starts_for(hierarchy, edge.branch, edge.state, required)
     for configuration in islice(starts, TRIES):
         first = first or configuration
-        if known is None or isinstance(stepper.step(configuration, known), JointStep):
+        try:
+            # All starts together have the allowance of one plan.
+            if known is None or isinstance(stepper.written(configuration, known), JointStep):
+                return configuration
+        except PlanningError:
             return configuration
     return first
 

@@ -10,10 +10,11 @@ from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.levels import HUMAN, Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
+from smsl_studio.host.describing import describe
 from smsl_studio.library.binding import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.bound import leaf_facts
-from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
 
 
@@ -24,9 +25,9 @@ def worlds_for(
     in the place of either.
 
     Worlds of plugins come first, in their order; ``table``, which runs anything, comes last.
-    ``loaded`` spares looking for plugins again.
+    ``loaded`` spares looking for plugins again; no plugin's code runs here.
     """
-    known = loaded if loaded is not None else discover(plugin_paths)
+    known = loaded if loaded is not None else describe(plugin_paths)
     names = [name for name in known.worlds if name != TABLE]
     return (*(name for name in names if _suits(blueprint, known, name)), TABLE)
 

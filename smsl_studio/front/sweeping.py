@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.effort import refuse_too_large, refuse_too_many_edges
 from smsl_studio.front.hosting import known_world, make_host
 from smsl_studio.front.trying import edge_alone
 from smsl_studio.host.protocol import Host
@@ -24,16 +25,23 @@ def sweep(
     seed: int = 0,
     host: str = "local",
     plugin_paths: Sequence[Path] = (),
+    branches: Collection[str] = (),
+    most: int | None = None,
 ) -> Iterator[EdgeSwept | SweepFinished]:
     """One event an edge as it is done, in written order, and a summary last.
 
     Each edge starts in its source state (its subs as clause 3 says, its bases where they agree) and
     is asked by hand. It passes when it is committed. Findings refuse nothing here: a sweep is how
-    one looks at them. RunRefused where the SUB_SBS go round in a circle; WorldError for a world
-    that does not exist or does not suit the blueprint.
+    one looks at them. ``branches`` are those to be swept (all where none is named), ``most`` is how
+    many edges one waits for (see ``dispatch.effort``). RunRefused where there are more, or the
+    SUB_SBS go round in a circle; WorldError for a world that does not exist or does not suit the
+    blueprint.
     """
-    loaded = known_world(world, plugin_paths, host)
+    chosen = [blueprint[name] for name in dict.fromkeys(branches)] or list(blueprint)
     hierarchy = Hierarchy(blueprint)
+    refuse_too_large(hierarchy)
+    refuse_too_many_edges(hierarchy, chosen, most)
+    loaded = known_world(world, plugin_paths, host)
 
     def fresh() -> Host:
         return make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded)
@@ -41,7 +49,7 @@ def sweep(
     place = fresh()
     time, passed, failed = 0.0, 0, []
     try:
-        for branch in blueprint:
+        for branch in chosen:
             for edge in branch.edges():
                 swept, lost = edge_alone(hierarchy, place, edge.address, edge.target, seed)
                 time += swept.t

@@ -9,10 +9,12 @@ from smsl_studio.blueprint.check import Scene, state_check
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.effort import refuse_too_large
 from smsl_studio.dispatch.words import truth_word
 from smsl_studio.front.hosting import make_host
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.host.protocol import Host
+from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import (
     Committed,
@@ -33,16 +35,19 @@ def try_edge(
     seed: int = 0,
     host: str = "process",
     stop_when: Callable[[], bool] | None = None,
+    loaded: Loaded | None = None,
 ) -> EdgeSwept:
     """Carry out one edge alone, as a sweep would, and say how it went; nothing of it is kept.
 
     ``stop_when`` is asked before every tick: a stop brakes the world, and the edge has not passed.
+    ``loaded`` are plugins that were found already (see ``make_host``).
     WorldError for a world that does not exist or does not suit the blueprint, RunRefused where the
-    SUB_SBS go round in a circle.
+    SUB_SBS go round in a circle, or the blueprint is too large to run.
     """
-    place = make_host(blueprint, world, seed, host)
+    hierarchy = Hierarchy(blueprint)
+    refuse_too_large(hierarchy)
+    place = make_host(blueprint, world, seed, host, loaded=loaded)
     try:
-        hierarchy = Hierarchy(blueprint)
         target = blueprint[edge.branch].table[edge.state][edge.operation]
         return edge_alone(hierarchy, place, edge, target, seed, stop_when)[0]
     finally:
@@ -68,26 +73,26 @@ def edge_alone(
     events = list(dispatcher.open())
     source = "unknown"
     if not dispatcher.finished:
-        source = _truth(hierarchy, dispatcher.status.scene, start, edge.branch, edge.state)
+        source = _truth(hierarchy, dispatcher.standing.scene, start, edge.branch, edge.state)
         dispatcher.ask(edge)
         events += dispatcher.tick()
         while dispatcher.phase == "running":
             if stop_when is not None and stop_when():
                 dispatcher.stop()
             events += dispatcher.tick()
-    status = dispatcher.status
+    at_end = dispatcher.standing
     done = any(isinstance(e, Committed) and str(edge) in e.operations for e in events)
-    believed = {**start, **status.configuration}
-    passed = done and status.phase == "ready"
+    believed = {**start, **at_end.configuration}
+    passed = done and dispatcher.phase == "ready"
     swept = EdgeSwept(
-        t=status.time,
+        t=at_end.time,
         address=str(edge),
         passed=passed,
         source=source,
-        target=_truth(hierarchy, status.scene, believed, edge.branch, target),
-        sentence="" if passed else _why(events, status.sentence),
+        target=_truth(hierarchy, at_end.scene, believed, edge.branch, target),
+        sentence="" if passed else _why(events, at_end.sentence),
     )
-    return swept, status.reason == "failed"
+    return swept, at_end.reason == "failed"
 
 
 def _truth(

@@ -105,6 +105,7 @@ def test_imports_lead_to_the_same_files_from_another_folder(
     shell: Shell, tmp_path: Path, name: str
 ) -> None:
     (tmp_path / "inner").mkdir()
+    (tmp_path / "smsl.toml").touch()
     (tmp_path / "sub.json").write_text('{"B": {"State0": {}, "State1": {}}}', "utf-8")
     source, target = tmp_path / "a.json", tmp_path / "inner" / name
     outside = tmp_path / "inner" / "no.json"

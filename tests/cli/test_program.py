@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.shell import Shell, sample
-from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_allowed
 
 COMMANDS = (
     *("check", "fmt", "convert", "diff", "render", "digest"),
@@ -72,8 +72,8 @@ def test_wrong_words_are_two_sentences(shell: Shell, argv: list[str], advice: st
 
 
 def test_worlds_and_plugins_say_what_there_is_and_what_is_broken(shell: Shell, home: Path) -> None:
-    write_plugin(home / "plugins", "lamp", LAMP_PLUGIN)
-    broken = write_plugin(home / "plugins", "broken", "def register(library):\n    1 / 0\n")
+    write_allowed(home, "lamp", LAMP_PLUGIN)
+    broken = write_allowed(home, "broken", "def register(library):\n    1 / 0\n")
     worlds = shell("worlds", "--format", "json")
     assert worlds.status == 0
     assert {"table", "lamp", "hanoi"} <= {world["name"] for world in worlds.json["worlds"]}
@@ -105,7 +105,7 @@ def test_a_reader_that_goes_away_is_no_traceback() -> None:
 
 def test_what_library_code_writes_below_python_is_no_data(home: Path, tmp_path: Path) -> None:
     loud = LAMP_PLUGIN.replace('print("switching")', '__import__("os").write(1, b"from below\\n")')
-    write_plugin(home / "plugins", "lamp", loud)
+    write_allowed(home, "lamp", loud)
     file = tmp_path / "lamp.json"
     file.write_text(blueprint_of(LAMP).document.text, "utf-8")
     avoid = ("--avoid=State_0/Op_break", "--avoid=State_0/Op_spin")

@@ -11,9 +11,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from smsl_studio.runlog.events import Held, RunStarted
+from smsl_studio.runlog.events import Held
 from tests.cli.shell import Shell, sample
-from tests.runlog.logs import CHANGES, EVENTS, tampered, write_log
+from tests.runlog.logs import CHANGES, EVENTS, OTHER, tampered, write_log
 
 BOTH = pytest.mark.parametrize("form", ["text", "json"])
 
@@ -60,7 +60,7 @@ def log(tmp_path: Path) -> Path:
 
 def test_standard_input_is_read(shell: Shell, log: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     told = shell("replay", str(log)).out
-    for argv, words in ((("-",), told), (("-", "--verify"), "<stdin>: verified: 9 events, ")):
+    for argv, words in ((("-",), told), (("-", "--verify"), "<stdin>: verified: 17 events, ")):
         stream = SimpleNamespace(buffer=io.BytesIO(log.read_bytes()))
         monkeypatch.setattr(sys, "stdin", stream)
         answer = shell("replay", *argv)
@@ -73,14 +73,15 @@ def test_standard_input_is_read(shell: Shell, log: Path, monkeypatch: pytest.Mon
 def test_a_good_log_is_verified(shell: Shell, log: Path) -> None:
     head = json.loads(log.read_bytes().splitlines()[-1])["head"]
     answer = shell("replay", str(log), "--verify")
-    assert (answer.status, answer.out) == (0, f"{log}: verified: 9 events, {head['hash']}\n")
+    assert (answer.status, answer.out) == (0, f"{log}: verified: 17 events, {head['hash']}\n")
     assert shell("replay", str(log), "--verify", "--format", "json").json == {
         "file": str(log),
         "verified": True,
-        "events": 9,
+        "events": 17,
         "head": head,
         "line": None,
         "column": None,
+        "version": 3,
         "message": "",
     }
 
@@ -90,13 +91,13 @@ def test_a_changed_line_is_named(shell: Shell, log: Path) -> None:
     log.write_bytes(raw.replace(b'"cost":1.5', b'"cost":1.4'))
     words = "not verified: the chain does not hold: this line, or one before it, was changed"
     answer = shell("replay", str(log), "--verify")
-    assert (answer.status, answer.out, answer.err) == (1, f"{log}:4:1: {words}\n", "")
+    assert (answer.status, answer.out, answer.err) == (1, f"{log}:5:1: {words}\n", "")
     verdict = shell("replay", str(log), "--verify", "--format", "json")
     assert verdict.status == 1
     found = verdict.json
-    assert (found["verified"], found["line"], found["column"]) == (False, 4, 1)
+    assert (found["verified"], found["line"], found["column"]) == (False, 5, 1)
     told = shell("replay", str(log), "--format", "json")
-    assert (told.status, told.err) == (0, f"{log}:4:1: {words}\n")
+    assert (told.status, told.err) == (0, f"{log}:5:1: {words}\n")
     assert len(told.lines) == len(EVENTS)
 
 
@@ -109,7 +110,7 @@ def test_a_cut_log_is_told_up_to_there_and_not_verified(shell: Shell, log: Path)
 
 
 def test_changed_logs_are_answered_with_no(shell: Shell, log: Path, tmp_path: Path) -> None:
-    raw, other = log.read_bytes(), write_log(tmp_path / "other", EVENTS[:4], 9)
+    raw, other = log.read_bytes(), write_log(tmp_path / "other", OTHER, 9)
     random = Random(11)
     for _ in range(40):
         how, changed = tampered(raw, other, random)
@@ -170,12 +171,3 @@ def test_wrong_usage_is_told(shell: Shell, log: Path, more: tuple[str, ...], wor
     answer = shell("replay", str(log), *more)
     assert (answer.status, answer.out) == (2, "")
     assert words in answer.err
-
-
-def test_an_account_never_takes_the_place_of_its_log(shell: Shell, tmp_path: Path) -> None:
-    log = tmp_path / "log.html"
-    raw = write_log(log, [RunStarted(t=0.0, world="w", seed=0, start={}, goals=())])
-    answer = shell("replay", str(log), "-o", str(log))
-    assert answer.status == 2
-    assert "overwrite" in answer.err
-    assert log.read_bytes() == raw

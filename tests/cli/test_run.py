@@ -12,7 +12,7 @@ import pytest
 
 from smsl_studio.runlog.reading import read_log
 from tests.cli.shell import Answer, Shell, sample
-from tests.plugin_folder import LAMP, LAMP_PLUGIN, write_plugin
+from tests.plugin_folder import LAMP, LAMP_PLUGIN, write_allowed
 
 TABLE = ("--world", "table", "--format", "json")
 
@@ -173,7 +173,7 @@ def test_a_record_is_never_written_over(shell: Shell, tmp_path: Path) -> None:
     first = log.read_bytes()
     answer = shell("run", sample("hfsm"), *TABLE, "--log", str(log))
     assert (answer.status, answer.out) == (2, "")
-    assert "Give the log a new file" in answer.err
+    assert "Name a new file" in answer.err
     assert log.read_bytes() == first
 
 
@@ -231,7 +231,7 @@ def test_the_text_tells_the_same_story(shell: Shell) -> None:
     lines = answer.out.splitlines()
     assert lines[0].endswith("goals SB1/State111, behaviour " + lines[0].rpartition(" ")[2])
     assert lines[-1] == (
-        "    0.150 s  run finished: goal_reached, 3 operations. SB1/State111 holds."
+        "    0.200 s  run finished: goal_reached, 3 operations. SB1/State111 holds."
     )
     assert answer.err == (
         "UNINSPECTED: no inspection record stands behind this blueprint; simulation only\n"
@@ -327,7 +327,7 @@ def test_wrong_usage_is_told_and_runs_nothing(shell: Shell, argv: list[str], wor
 
 @pytest.fixture
 def lamp(tmp_path: Path, home: Path) -> str:
-    write_plugin(home / "plugins", "lamp", LAMP_PLUGIN)
+    write_allowed(home, "lamp", LAMP_PLUGIN)
     return _write(tmp_path, LAMP)
 
 
@@ -345,7 +345,7 @@ def test_library_code_that_crashes_its_process_ends_the_run_and_not_the_program(
 ) -> None:
     crash = LAMP_PLUGIN.replace('print("switching")', "import ctypes; ctypes.string_at(0)")
     assert crash != LAMP_PLUGIN
-    write_plugin(home / "plugins", "lamp", crash)
+    write_allowed(home, "lamp", crash)
     others = [f"--avoid=State_0/{name}" for name in ("Op_break", "Op_spin")]
     run = (_write(tmp_path, LAMP), "--world", "lamp", "--format", "json", *others)
     answer = shell("run", *run)

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from smsl_studio.cli.output import one_line
 from tests.cli.shell import Shell, sample
 
 ROOT = Path(__file__).parents[2]
@@ -48,11 +47,6 @@ def test_a_closed_standard_input_cannot_be_read() -> None:
     assert done.stderr.startswith("<stdin>:1:1: standard input cannot be read")
 
 
-def test_a_line_stays_one_line_whatever_the_names() -> None:
-    assert one_line("Zürich 中\u00a0\U0001f600") == "Zürich 中\u00a0\U0001f600"
-    assert one_line("a\nb\x1b[31m\u202ec\r\u2028") == r"a\nb\x1b[31m\u202ec\r\u2028"
-
-
 def test_a_finding_on_a_name_with_a_line_break_is_one_line(shell: Shell, tmp_path: Path) -> None:
     file = tmp_path / "odd.json"
     file.write_text(r'{"SB": {"State_0": {"go\nto": "State_9"}}}', "utf-8")
@@ -76,8 +70,19 @@ def test_a_log_does_not_take_the_place_of_the_blueprint(shell: Shell, tmp_path: 
     raw = Path(sample("hfsm")).read_bytes()
     file.write_bytes(raw)
     (tmp_path / "link.json").symlink_to(file)
-    for log in (file, tmp_path / "link.json"):
+    (tmp_path / "other.json").hardlink_to(file)
+    os.mkfifo(tmp_path / "pipe")
+    for log, words in (
+        (file, "never written over"),
+        (tmp_path / "other.json", "never written over"),
+        (tmp_path / "link.json", "is a link"),
+        (tmp_path / "pipe", "is no ordinary file"),
+        (Path("/dev/null"), "is no ordinary file"),
+        (Path("/dev/stdout"), "is "),
+        (Path("-"), "a log is a file"),
+    ):
         answer = shell("run", str(file), "--world", "table", "--log", os.fspath(log))
         assert (answer.status, answer.out) == (2, "")
-        assert "never written over" in answer.err
+        assert words in answer.err
+        assert "Name a new file" in answer.err
         assert file.read_bytes() == raw

@@ -240,14 +240,15 @@ def test_a_value_that_comes_from_elsewhere_decides(broker: Broker, declare: Decl
         dispatcher.ask(blueprint.resolve("SB1/State_aa/Op_1b"))
         dispatcher.tick()
         assert dispatcher.status.running is not None
-        node.kill()
-        topic = str(FactTopic("lab", "main", "SB1", 0, "eye"))
-        said = {"version": 1, "node": "n", "boot": 2**52, "sequence": 1, "time": 0, "value": "b"}
-        speaker.send(topic, said)
         opened = dispatcher.opened
         assert opened is not None
         assert opened.remote is not None
         remote = opened.remote
+        node.kill()
+        until(lambda: (remote.view().nodes[0].heard or 0.0) > MAX_AGE, "the first node is silent")
+        topic = str(FactTopic("lab", "main", "SB1", 0, "eye"))
+        said = {"version": 1, "node": "n", "boot": 2**52, "sequence": 1, "time": 0, "value": "b"}
+        speaker.send(topic, said)
         until(lambda: any(one.name == "n" for one in remote.view().nodes), "b is heard")
         while dispatcher.status.running is not None:
             dispatcher.tick()

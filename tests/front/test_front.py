@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import os
 import signal
 from pathlib import Path
@@ -18,6 +17,7 @@ from smsl_studio.runlog.events import EdgeSwept, Event, OperationStarted, RunFin
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
+from tests.processes import child_processes
 
 ONLY_ON = ("State_0/Op_break", "State_0/Op_spin")
 
@@ -129,20 +129,19 @@ def test_a_speed_paces_the_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 def test_a_child_that_is_killed_fails_the_run(tmp_path: Path) -> None:
     def kill(event: Event) -> None:
         if isinstance(event, OperationStarted):
-            (child,) = multiprocessing.active_children()
-            assert child.pid is not None
-            os.kill(child.pid, signal.SIGKILL)
+            (child,) = child_processes()
+            os.kill(child, signal.SIGKILL)
 
     run = _lamp(tmp_path, host="process", on_event=kill)
     assert run.reason == "failed"
     assert "was killed by signal 9 (SIGKILL)" in run.sentence
     assert run.events[-2].event == "held"
-    assert multiprocessing.active_children() == []
+    assert child_processes() == []
 
 
 def test_a_run_leaves_no_child_behind(tmp_path: Path) -> None:
     assert _lamp(tmp_path, host="process").reason == "goal_reached"
-    assert multiprocessing.active_children() == []
+    assert child_processes() == []
 
 
 def test_a_sweep_goes_on_after_a_child_has_died(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.front.script.moments import Moments
-from smsl_studio.front.script.script import AT, Act, Script
+from smsl_studio.front.script.script import AT, EVERY, Act, Script
 from smsl_studio.runlog.events import Event
 
 HAIR = 1e-9
@@ -65,7 +65,7 @@ class Acting:
         """Command what is due now."""
         if self._asking is not None:
             act, self._asking = self._asking, None
-            dispatcher.ask(_address(act), by=act.by)
+            _ask(dispatcher, act)
             return
         ready = self._ready(dispatcher)
         if any(due.act.do == "pause" for due in ready):
@@ -128,6 +128,10 @@ def _address(act: Act) -> Address:
     return Address(*Address.split(act.given["address"]))
 
 
+def _ask(dispatcher: Dispatcher, act: Act) -> None:
+    dispatcher.ask(_address(act), by=act.by, every_time=act.trigger.times == EVERY)
+
+
 def _veto(dispatcher: Dispatcher, act: Act) -> None:
     dispatcher.veto(_address(act) if "address" in act.given else None, by=act.by)
 
@@ -143,7 +147,7 @@ def _disturb(dispatcher: Dispatcher, act: Act) -> None:
 
 _COMMANDS: Mapping[str, Callable[[Dispatcher, Act], None]] = MappingProxyType(
     {
-        "ask": lambda d, act: d.ask(_address(act), by=act.by),
+        "ask": _ask,
         "pause": lambda d, act: d.pause(by=act.by),
         "resume": lambda d, act: d.resume(by=act.by),
         "step": lambda d, act: d.step(by=act.by),

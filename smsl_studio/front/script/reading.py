@@ -21,6 +21,7 @@ from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Act,
 from smsl_studio.front.script.words import COMMANDS, checked, operation, seconds, state, text
 from smsl_studio.monitor.disturbance import checked as checked_disturbance
 from smsl_studio.seal.digest import sha256_hex
+from smsl_studio.smsl.inputs import read_ordinary
 
 Json = Any
 LONGEST, MOST, LARGEST = 1 << 16, 10_000, 1 << 24
@@ -36,8 +37,7 @@ BY = "script"
 def read_script(path: Path, blueprint: Blueprint) -> Script:
     """A script from a file; ReadError where it cannot be had or does not fit the blueprint."""
     try:
-        with path.open("rb") as stream:
-            raw = stream.read(LARGEST + 1)
+        raw = read_ordinary(path, LARGEST).raw
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise ReadError(
@@ -232,8 +232,8 @@ def _set_level(
         raise line.wrong(line.key_at(late), words, f"Leave {late!r} out.")
     fault = fault_of(blueprint, given["of"], given["level"])
     if fault is not None:
-        key = "level" if "no level of" in fault[0] else "of"
-        raise line.wrong(line.value_at(key), *fault)
+        key = "level" if "no level of" in fault.sentence else "of"
+        raise line.wrong(line.value_at(key), fault.sentence, fault.advice())
     levels[given["of"]] = given["level"]
 
 
