@@ -14,6 +14,9 @@ from hypothesis import HealthCheck, settings
 # Before anything imports Qt.
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 
+# Plugins are loaded from folders only that others may not write, whoever runs the tests.
+os.umask(0o022)
+
 settings.register_profile(
     "house",
     derandomize=True,

@@ -16,6 +16,7 @@ from shiboken6 import isValid
 
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 
 def always() -> bool:
@@ -88,8 +89,8 @@ class Actions(QObject):
                 # The canvas answers these keys itself; a menu only says them.
                 made.setText(f"{action.words}\t{key_words(action.keys[0])}")
             made.setIconText(f" {action.short or action.words.rstrip('…')}")
-            made.setToolTip(action.hint)
-            made.setStatusTip(action.tip)
+            made.setToolTip(tip_text(action.hint))
+            made.setStatusTip(tip_text(action.tip))
             made.triggered.connect(self._caller(action))
             if action.scope == "window":
                 window.addAction(made)

@@ -88,8 +88,7 @@ def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
         return None
 
     def recover(one: Left) -> bool:
-        (window if window.safety.untouched else make_window(windows)).safety.recover(one)
-        return True
+        return (window if window.safety.untouched else make_window(windows)).safety.recover(one)
 
     def show_difference(one: Left) -> bool:
         return difference_dialog(one.entry, window.tokens, offer)

@@ -8,6 +8,8 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
+from smsl_studio.stop import Stopped, heeding
+
 Came = TypeVar("Came")
 
 
@@ -22,6 +24,7 @@ class Beside(QObject):
         super().__init__(parent)
         self._thread = ThreadPoolExecutor(1)
         self._waiting: list[Future[None]] = []
+        self._wanted = _Wanted()
         self._stopped = False
         # Without a parent: work that outlives this object still has somebody to tell.
         self._told = _Told()
@@ -36,10 +39,13 @@ class Beside(QObject):
         if self._stopped:
             return
         self._waiting = [one for one in self._waiting if not one.done()]
-        self._waiting.append(self._thread.submit(_do, work, then, self._told))
+        self._waiting.append(self._thread.submit(_do, work, then, self._told, self._wanted))
 
     def drop(self) -> None:
-        """Forget what has not begun."""
+        """Forget what has not begun, and call off what is being done, where that heeds it (see
+        ``stop.heed``)."""
+        self._wanted.ends = True
+        self._wanted = _Wanted()
         for one in self._waiting:
             one.cancel()
 
@@ -48,8 +54,9 @@ class Beside(QObject):
         wait(self._waiting)
 
     def stop(self) -> None:
-        """Hand nothing over any more. What is being done ends by itself; nobody waits for it."""
-        self._stopped = True
+        """Hand nothing over any more. What is being done is called off where that heeds it, and
+        else ends by itself; nobody waits for it."""
+        self._stopped = self._wanted.ends = True
         self._thread.shutdown(wait=False, cancel_futures=True)
 
     def _hand_over(self, then: Callable[[Came], object], came: Came) -> None:
@@ -65,9 +72,25 @@ class _Told(QObject):
     failed = Signal(object)
 
 
-def _do(work: Callable[[], Came], then: Callable[[Came], object], told: _Told) -> None:
+class _Wanted:
+    """Whether a piece of work is wanted; set by one thread, asked by another."""
+
+    def __init__(self) -> None:
+        self.ends = False
+
+    def heed(self) -> None:
+        if self.ends:
+            raise Stopped
+
+
+def _do(
+    work: Callable[[], Came], then: Callable[[Came], object], told: _Told, wanted: _Wanted
+) -> None:
     try:
-        came = work()
+        with heeding(wanted.heed):
+            came = work()
+    except Stopped:
+        return
     except Exception as error:
         told.failed.emit(error)
     else:

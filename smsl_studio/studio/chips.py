@@ -7,7 +7,10 @@ from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.picture import MOST_CHIPS
 from smsl_studio.studio.theme import Tokens, mono_font
+from smsl_studio.studio.tips import tip_text
 
 CHIP, GAP = 20, 5
 ON, OFF, VALUE = "on", "off", "value"
@@ -36,7 +39,9 @@ def paint_chip(
     painter.setPen(tokens.onslate if kind == ON else tokens.tx2 if kind == OFF else tokens.tx)
     painter.setFont(mono_font(12, 500))
     middle = Qt.TextElideMode.ElideMiddle
-    shown = painter.fontMetrics().elidedText(text, middle, max(int(rect.width()) - 4, 12))
+    shown = painter.fontMetrics().elidedText(
+        plain_text(text), middle, max(int(rect.width()) - 4, 12)
+    )
     painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, shown)
     if sub:
         bar = QRectF(rect.center().x() - 6.5, rect.bottom() + 2, 13, 2)
@@ -73,15 +78,15 @@ class Chips(QWidget):
 
     def show_state(self, branch: StateBranch, state: str) -> None:
         """Show the facts of ``state``."""
-        self._chips = tuple(
-            (value, kind_of(branch, state, digit), digit in branch.subs)
-            for digit, value in enumerate(branch.facts(state))
-        )
-        said = [
-            f"{branch.fact_name(digit)}: {value}" for digit, value in enumerate(branch.facts(state))
-        ]
-        self.setToolTip("\n".join([*said, "Click a fact to edit what it means."]))
-        self.setAccessibleName(", ".join(said))
+        facts = branch.facts(state)
+        shown = tuple(enumerate(facts[:MOST_CHIPS]))
+        subs = branch.subs
+        self._chips = tuple((value, kind_of(branch, state, d), d in subs) for d, value in shown)
+        said = [f"{branch.fact_name(digit)}: {value}" for digit, value in shown]
+        if len(facts) > MOST_CHIPS:
+            said.append(f"and {len(facts) - MOST_CHIPS:,} more")
+        self.setToolTip(tip_text("\n".join([*said, "Click a fact to edit what it means."])))
+        self.setAccessibleName(plain_text(", ".join(said)))
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -95,7 +100,7 @@ class Chips(QWidget):
         for text, kind, sub in self._chips:
             natural = max(CHIP, metrics.horizontalAdvance(text) + 8)
             wide = min(float(natural), self.width() - x)
-            shown = metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, int(wide))
+            shown = metrics.elidedText(plain_text(text), Qt.TextElideMode.ElideMiddle, int(wide))
             self._places.append(QRectF(x, 5, wide, CHIP))
             paint_chip(painter, self._places[-1], shown, kind, self._tokens, sub=sub)
             x += wide + GAP

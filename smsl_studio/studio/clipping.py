@@ -118,6 +118,7 @@ class Clipping:
             return
         session.show_branch(made[0].branch)
         session.select(address for address in made if address.state)
+        self._canvas.reveal(made[0])
         self._canvas.setFocus()
 
     def _excerpt(self, chosen: Sequence[Address]) -> str:

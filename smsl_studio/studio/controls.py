@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPoint, QRectF, QSize, Qt
+from PySide6.QtCore import QLocale, QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPalette,
     QPen,
+    QResizeEvent,
     QWheelEvent,
 )
 from PySide6.QtWidgets import (
@@ -20,48 +21,110 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
+    QMenu,
     QSizePolicy,
     QStyledItemDelegate,
     QWidget,
 )
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL, RADIUS_CONTROL
+from smsl_studio.studio.tips import tip_text
 
 Role = QPalette.ColorRole
 LEFT, BESIDE_TEXT = 9, 31
 """Of a choice: what is left of its text, and on both sides together (the chevron too)."""
 
 
-def label(text: str, role: str, parent: QWidget | None = None) -> QLabel:
+class Label(QLabel):
+    """A label that shows a text as it is: no markup, and nothing in it hides or turns round.
+
+    With ``rich`` it shows markup instead, in which texts from outside are escaped already.
+    """
+
+    def __init__(
+        self, text: str = "", parent: QWidget | None = None, *, rich: bool = False
+    ) -> None:
+        super().__init__(parent)
+        self._rich = rich
+        self.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
+        self.setText(text)
+
+    def setText(self, text: str) -> None:
+        """Show a text in the place of the one before."""
+        super().setText(text if self._rich else plain_text(text))
+
+
+def label(text: str, role: str, parent: QWidget | None = None) -> Label:
     """A label in one of the style sheet's roles (heading, second, small, hint, refusal ...)."""
-    made = QLabel(text, parent)
+    made = Label(text, parent)
     made.setProperty("role", role)
-    made.setTextFormat(Qt.TextFormat.PlainText)
     if role in {"hint", "refusal"}:
         made.setWordWrap(True)
     return made
 
 
-class Elided(QLabel):
+class Elided(Label):
     """A label of one line whose middle is left out where it is too long; it asks for no width."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
+        self._told = ""
         super().__init__(text, parent)
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(0, super().minimumSizeHint().height())
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._tell_whole()
+
+    def setText(self, text: str) -> None:
+        super().setText(text)
+        self._tell_whole()
+
+    def _tell_whole(self) -> None:
+        """The tooltip has the whole text where it is cut, unless it says something else."""
+        whole = self.text()
+        if self.toolTip() in ("", self._told):
+            cut = self.sizeHint().width() > self.width()
+            told = tip_text(whole if cut else "")
+            self._told = told
+            self.setToolTip(told)
+
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         room = self.contentsRect()
         shown = self.fontMetrics().elidedText(
-            self.text(), Qt.TextElideMode.ElideMiddle, room.width()
+            plain_text(self.text()), Qt.TextElideMode.ElideMiddle, room.width()
         )
         painter.setPen(self.palette().color(self.foregroundRole()))
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, shown)
+
+
+PARTS = {
+    "qt_tableview_cornerbutton": "Select all",
+    "qt_toolbar_ext_button": "More tools",
+    "qt_menubar_ext_button": "More menus",
+}
+"""What the buttons are called that Qt makes inside its own widgets."""
+
+
+def name_parts(widget: QWidget) -> None:
+    """Give a name to the parts that Qt makes inside a control and leaves without one.
+
+    A screen reader would say "button" or "list" and nothing else.
+    """
+    for button in widget.findChildren(QAbstractButton):
+        if not button.text() and not button.accessibleName():
+            inner = isinstance(button.parent(), QLineEdit)
+            button.setAccessibleName(
+                plain_text("Clear" if inner else PARTS.get(button.objectName(), ""))
+            )
+    for menu in widget.findChildren(QMenu):
+        if not menu.accessibleName():
+            menu.setAccessibleName(plain_text(menu.title().replace("&", "")))
 
 
 def rule(vertical: bool = False, length: int | None = None) -> QFrame:
@@ -92,6 +155,14 @@ def row(*widgets: QWidget | int | None, spacing: int = 8) -> QHBoxLayout:
     return layout
 
 
+class NameDelegate(QStyledItemDelegate):
+    """Shows the entries of a list as they are; what they stand for stays exact."""
+
+    def displayText(self, value: object, locale: QLocale | QLocale.Language) -> str:
+        """The text of an entry."""
+        return plain_text(super().displayText(value, locale))
+
+
 class Combo(QComboBox):
     """A choice with our border and chevron; the wheel scrolls the panel, not the choice.
 
@@ -106,7 +177,8 @@ class Combo(QComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMaxVisibleItems(16)
-        self.setItemDelegate(QStyledItemDelegate(self))
+        self.setItemDelegate(NameDelegate(self))
+        self.view().setAccessibleName("Choices")
 
     def width_of_entries(self, least: int, most: int) -> int:
         """The width in which every entry can be read, within limits."""
@@ -142,9 +214,11 @@ class Combo(QComboBox):
         painter.setFont(font)
         room = self.rect().adjusted(LEFT, 0, LEFT - BESIDE_TEXT, 0)
         text = painter.fontMetrics().elidedText(
-            self.currentText(), Qt.TextElideMode.ElideMiddle, room.width()
+            plain_text(self.currentText()), Qt.TextElideMode.ElideMiddle, room.width()
         )
-        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, text)
+        painter.drawText(
+            room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, plain_text(text)
+        )
 
 
 class Switch(QAbstractButton):
@@ -189,7 +263,7 @@ class Field(QLineEdit):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settled = ""
-        self._suffix = QLabel(self)
+        self._suffix = Label("", self)
         self._suffix.setProperty("role", "hint")
         self._suffix.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._suffix.hide()

@@ -10,12 +10,13 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
-from smsl_studio.graph.layout import place_states
+from smsl_studio.graph.layout import place_anew
 from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.canvas.placing import free_place
 from smsl_studio.studio.session import Session
 
-GAP = 218.0
-"""Pixels between a new state and the rightmost one."""
+TENTH = 0.1
+"""Pixels: what a layout is written in."""
 
 
 class Drawing:
@@ -42,9 +43,10 @@ class Drawing:
         return bool(self._states()) and len(self._states()) <= 2
 
     def can_enter(self) -> bool:
-        return self.has_branch() and any(
-            sub in self._session.blueprint.branches for sub in self._branch.subs.values()
-        )
+        if not self.has_branch():
+            return False
+        branches = self._session.blueprint.branches
+        return not branches.keys().isdisjoint(self._branch.subs.values())
 
     def can_leave(self) -> bool:
         return self._session.branch in self._session.blueprint.bases
@@ -54,8 +56,8 @@ class Drawing:
     def add_state(self) -> None:
         """Name a new state beside the others."""
         self.canvas.setFocus()
-        at = QPointF(*self._free_place())
-        self._editor.add_state_at(at)
+        chosen = [a.state for a in self._states() if a.branch == self._session.branch]
+        self._editor.add_state_at(QPointF(*free_place(self.canvas, chosen[-1] if chosen else "")))
 
     def add_branch(self) -> None:
         """Add an SB and show it."""
@@ -84,7 +86,6 @@ class Drawing:
         """Edit the name of the selected element in place."""
         if self.can_rename():
             self.canvas.setFocus()
-            self.canvas.reveal(self._session.selection[0])
             self._editor.rename(self._session.selection[0])
 
     def delete(self) -> None:
@@ -94,10 +95,13 @@ class Drawing:
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
 
     def tidy(self) -> None:
-        """Lay the SB out anew, as one step."""
-        branch = self._branch
-        places = place_states(branch)
-        if self._edit(
+        """Lay the SB out anew, as one step; none where every state stands there already."""
+        branch, shown = self._branch, self.canvas.positions
+        places = place_anew(branch)
+        if all(_together(at, shown.get(name)) for name, at in places.items()):
+            self.canvas.say("The drawing is tidy already.")
+            self.canvas.fit()
+        elif self._edit(
             f"Tidy {branch.name}", lambda bp: editing.set_layout(bp, branch.name, places)
         ):
             self.canvas.fit()
@@ -120,17 +124,10 @@ class Drawing:
     def _states(self) -> tuple[Address, ...]:
         return tuple(a for a in self._session.selection if a.state and not a.operation)
 
-    def _free_place(self) -> tuple[float, float]:
-        """Right of the selected state, else right of all, else the middle."""
-        places = self.canvas.positions
-        if not places:
-            return 0.0, 0.0
-        chosen = [places[a.state] for a in self._states() if a.state in places]
-        x, y = chosen[-1] if chosen else max(places.values())
-        taken = set(places.values())
-        while any(abs(x + GAP - ox) < 120 and abs(y - oy) < 60 for ox, oy in taken):
-            x += GAP
-        return x + GAP, y
-
     def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
         return self._session.edit(words, change)
+
+
+def _together(a: tuple[float, float], b: tuple[float, float] | None) -> bool:
+    """Whether two places are one when they are written."""
+    return b is not None and max(abs(a[0] - b[0]), abs(a[1] - b[1])) <= TENTH

@@ -9,13 +9,15 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout
 
 from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.overlays.card import Card
 from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens
-from smsl_studio.studio.words import capital, whole_sentence
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is, capital, whole_sentence
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
 
@@ -35,7 +37,7 @@ class FixCard(Card):
         self._body: QLabel = label("", "small")
         for part in (self._title, self._body):
             part.setWordWrap(True)
-        self.fix = QPushButton()
+        self.fix = QPushButton("Fix")
         self.fix.setProperty("role", "primary")
         self.fix.clicked.connect(self._apply)
         self.leave = QPushButton("Close")
@@ -88,7 +90,8 @@ class FixCard(Card):
             for finding in self._findings
             if finding.fix is not None
             and finding.severity is not Severity.NOTE
-            and selection == (finding.address,)
+            and len(selection) == 1
+            and selection[0] in finding.addresses
         ]
         self._shown = found[0] if found else None
         if self._shown is None or self._shown.fix is None:
@@ -98,9 +101,9 @@ class FixCard(Card):
         self._title.setText(capital(finding.advice or finding.message))
         self._body.setText(whole_sentence(finding))
         self._body.setVisible(bool(finding.advice))
-        self.fix.setText(self._shown.fix.words)
-        self.fix.setToolTip(f"{self._shown.fix.words} (Ctrl+.)")
-        self.setAccessibleName(f"{self._title.text()} {self._body.text()}")
+        self.fix.setText(as_it_is(self._shown.fix.words))
+        self.fix.setToolTip(tip_text(f"{self._shown.fix.words} (Ctrl+.)"))
+        self.setAccessibleName(plain_text(f"{self._title.text()} {self._body.text()}"))
         layout = self.layout()
         assert layout is not None
         self.setFixedHeight(layout.totalHeightForWidth(WIDTH))

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from smsl_studio.errors import HostError
 from smsl_studio.host.describing import describe
 from smsl_studio.library.loading import Loaded, PluginFault
+from smsl_studio.library.survey import FoundPlugin, PluginState
 from smsl_studio.studio.beside import Beside
 
 
@@ -27,13 +28,34 @@ class Plugins(QObject):
         self.news = ""
         """What looking again has found, in a sentence; empty the first time."""
         self._look = look
+        self._asked: set[tuple[str, str]] = set()
+        self._once_more = False
         self._beside: Beside | None = None
 
     def look(self) -> None:
-        """Look for them (again); ``changed`` tells when that is done."""
-        if not self.looking:
-            self.looking, self._beside = True, Beside(self)
-            self._beside.do(self._found, self._take)
+        """Look for them (again); ``changed`` tells when that is done.
+
+        Asked for while it is being done, it is done once more: something may have changed since.
+        """
+        if self.looking:
+            self._once_more = True
+            return
+        self.looking, self._once_more, self._beside = True, False, Beside(self)
+        self._beside.do(self._found, self._take)
+
+    def look_anew(self) -> None:
+        """Look for them because a person wants it: what they left open is asked again."""
+        self._asked.clear()
+        self.look()
+
+    def unasked(self) -> FoundPlugin | None:
+        """A plugin that is new or has changed; from now on somebody was asked about it."""
+        for found in self.loaded.waiting:
+            key = found.location, found.digest
+            if found.state is not PluginState.FORBIDDEN and key not in self._asked:
+                self._asked.add(key)
+                return found
+        return None
 
     def stop(self) -> None:
         """Nobody is told any more, and no thread waits for more work."""
@@ -53,4 +75,7 @@ class Plugins(QObject):
         self.news = f"Plugins looked at again: {names}" if self.known else ""
         self.loaded, self.known, self.looking = loaded, True, False
         self.stop()
+        once_more = self._once_more
         self.changed.emit()
+        if once_more and not self.looking:
+            self.look()

@@ -22,8 +22,10 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QListView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
 
 Index = QModelIndex | QPersistentModelIndex
 ROW, SECTION = 28, 26
@@ -70,7 +72,7 @@ class RowsModel(QAbstractListModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return row.text
         if role == Qt.ItemDataRole.ToolTipRole:
-            return row.tip or row.text
+            return tip_text(row.tip or row.text)
         if role == Qt.ItemDataRole.AccessibleTextRole:
             return ", ".join(part for part in (row.text, row.beside, row.right) if part)
         return row if role == Qt.ItemDataRole.UserRole else None
@@ -190,7 +192,7 @@ def paint_text(
     """Paint one line, elided where it does not fit; its width in pixels."""
     font = mono_font(ink.size, ink.weight) if ink.mono else text_font(ink.size, ink.weight)
     metrics = QFontMetricsF(font)
-    shown = metrics.elidedText(text, elide, rect.width())
+    shown = metrics.elidedText(plain_text(text), elide, rect.width())
     side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
     painter.setFont(font)
     painter.setPen(ink.colour)

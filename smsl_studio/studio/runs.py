@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from pathlib import Path
 
+from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
@@ -20,6 +22,9 @@ from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.source.pane import Source
 from smsl_studio.studio.supervise.pane import SupervisePane
 from smsl_studio.studio.theme import Tokens
+
+PATIENCE = 3000
+"""Milliseconds that a run may take to stand still before its window closes all the same."""
 
 
 class Runs:
@@ -55,7 +60,39 @@ class Runs:
 
     def _next(self) -> Wanted | None:
         shown = self.pane.isVisible() or self.supervise.isVisible()
-        return self.pane.next_run if shown else None
+        return self.pane.next.wanted if shown else None
+
+    def other(self, mode: str) -> str:
+        """The file that a mode shows in place of the drawing; the empty text where it is that."""
+        if mode in ("run", "supervise"):
+            return self.pane.other
+        recording = self.replaying.replay.recording if mode == "replay" else None
+        return recording.path.name if recording is not None else ""
+
+    def may_leave(self, ask: Callable[[str], bool]) -> bool:
+        """Whether the run may end with the window: there is none, or the person agrees."""
+        run = self.pane.run
+        if not run.exists or run.blueprint is None or run.choice is None:
+            return True
+        file = Path(run.blueprint.file).name
+        return ask(f"The run of {file} in {run.choice.world} has not ended.")
+
+    def end(self) -> None:
+        """Stop the run, wait until it stands or ``PATIENCE`` is over, and let go of it."""
+        run = self.pane.run
+        if run.exists and run.phase != "stopped":
+            wait = QEventLoop(self.pane)
+
+            def look() -> None:
+                if run.phase == "stopped":
+                    wait.quit()
+
+            run.changed.connect(look)
+            run.exists_changed.connect(lambda _: wait.quit())
+            QTimer.singleShot(PATIENCE, wait, wait.quit)
+            run.stop()
+            wait.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+        self.pane.shut()
 
     def pages(self) -> dict[str, Page]:
         """The modes in which runs are shown."""

@@ -1,4 +1,4 @@
-"""Session: the blueprint being worked on, its history, the selection and the SB that is shown.
+"""Session: the blueprint being worked on, its history, what is selected, and where states stand.
 
 Nothing else: it knows no file dialog, no canvas and no panel. Panels and the canvas read it, listen
 to its signals, and change the blueprint only through ``edit``; what is typed in a text comes
@@ -12,14 +12,19 @@ from collections.abc import Callable, Iterable
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.smsl.document import Document
 from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, brought_back, put_aside
 from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
+from smsl_studio.studio.places import Places
 
-__all__ = ["Broken", "Session"]
+__all__ = ["Broken", "Fact", "Session"]
+
+Fact = tuple[str, int]
+"""A fact by its SB and digit."""
 
 Stand = tuple[Blueprint, Broken | None]
 """The last blueprint that could be read, and the text typed since that cannot."""
@@ -59,8 +64,10 @@ class _GiveUp(QUndoCommand):
 class Session(QObject):
     """One open blueprint. ``branch`` names the SB that the canvas shows.
 
-    ``selection`` holds addresses, never objects, so that it outlives every edit that leaves them
-    standing. The unsaved mark is the undo stack's clean state.
+    What is selected has one owner, and it is here: states and operations (``selection``), or one
+    fact (``fact``), or nothing, and then the SB that is shown is what Properties speak of. Keys act
+    on that and on nothing else. ``selection`` holds addresses, never objects, so that it outlives
+    every edit that leaves them standing. The unsaved mark is the undo stack's clean state.
     """
 
     opened = Signal()
@@ -72,7 +79,9 @@ class Session(QObject):
     settling = Signal()
     """An edit is wanted: whoever holds what is being typed hands it over first."""
     selection_changed = Signal(object)
-    """The new selection: a tuple of addresses."""
+    """The new selection: a tuple of addresses; also where a fact is selected, or no longer."""
+    jumped = Signal(object)
+    """``jump`` was asked to show this address: whoever draws it brings it into view."""
     branch_changed = Signal(str)
     """The SB that is shown now."""
     refused = Signal(object)
@@ -90,7 +99,13 @@ class Session(QObject):
         self.unsaved: Unsaved = lambda _: False
         """Whether a text stands nowhere else; who saves the texts knows, and says so here."""
         self._selection: tuple[Address, ...] = ()
+        self._fact: Fact | None = None
+        self._left: tuple[Address, ...] = ()
         self._branch = _first_branch(blueprint)
+        self._kept = _drawn(blueprint)
+        """The SBs that the file had when it was opened or saved last, not those begun since."""
+        self.places = Places()
+        """Where the states stand that were not placed by hand, alike in every view of the file."""
         self.history = QUndoStack(self)
         # A method, not a lambda: it is disconnected before the history is deleted.
         self.history.cleanChanged.connect(self._clean_changed)
@@ -124,6 +139,16 @@ class Session(QObject):
         return self._selection
 
     @property
+    def fact(self) -> Fact | None:
+        """The fact that is selected, as (SB, digit); then ``selection`` is empty."""
+        return self._fact
+
+    @property
+    def extended(self) -> tuple[Address, ...]:
+        """What a click with Shift adds to: the selection, or what was selected before the fact."""
+        return self._left if self._fact is not None else self._selection
+
+    @property
     def edited(self) -> bool:
         """Whether there are changes that were not saved."""
         return not self.history.isClean()
@@ -132,14 +157,18 @@ class Session(QObject):
         """Carry out one undoable edit; False (and ``refused``) where it would leave nonsense.
 
         ``words`` name the step in the history, such as "Rename State_0 to State_1". An edit that
-        changes nothing leaves no step. While a text does not read every edit is refused: it would
-        be made in a text that is no longer the one that stands there.
+        changes nothing leaves no step. What held without being written is written where the edit
+        would turn it over: the places of states, and which one is activating. While a text does
+        not read every edit is refused: it would be made in a text that is no longer the one that
+        stands there.
         """
         self.settling.emit()
         try:
             if self._broken is not None:
                 raise self._broken.refusal
-            after = change(self._blueprint)
+            before = self._blueprint
+            after = editing.keep_activating(before, change(before), self._kept)
+            after = self.places.completed(before, after)
         except StudioError as error:
             self.refused.emit(error)
             return False
@@ -177,12 +206,14 @@ class Session(QObject):
         read of it.
         """
         before, self._blueprint = self._blueprint, blueprint
+        self._kept = _drawn(blueprint)
         told = self._broken is not broken
         self._broken = broken
         self._aside = NOTHING
         # The history tells that it is empty now, and whoever hears it looks at all of this.
         self._branch = _first_branch(blueprint)
-        self._selection = ()
+        self._selection, self._fact = (), None
+        self.places.clear()
         self.history.clear()
         self.opened.emit()
         self.blueprint_changed.emit(before, blueprint)
@@ -194,6 +225,7 @@ class Session(QObject):
     def saved(self, blueprint: Blueprint) -> None:
         """What is shown was saved (perhaps under another name): the history is clean here."""
         self.history.setClean()
+        self._kept = _drawn(blueprint)
         before = self._blueprint
         # Under the same name nothing has changed, also for who still inspects what is shown.
         if before.file != blueprint.file:
@@ -201,10 +233,19 @@ class Session(QObject):
 
     def select(self, addresses: Iterable[Address]) -> None:
         """Select what stands at these addresses; others are left out."""
-        found = tuple(dict.fromkeys(a for a in addresses if self._stands(a)))
-        if found != self._selection:
-            self._selection = found
-            self.selection_changed.emit(found)
+        self._choose(tuple(dict.fromkeys(a for a in addresses if self._stands(a))), None)
+
+    def select_fact(self, branch: str, digit: int) -> None:
+        """Select a fact in place of states and operations; ``leave_fact`` takes them back."""
+        self.show_branch(branch)
+        if self._is_fact((branch, digit)):
+            if self._fact is None:
+                self._left = self._selection
+            self._choose((), (branch, digit))
+
+    def leave_fact(self) -> None:
+        """Select what was selected before the fact was."""
+        self.select(self._left)
 
     def show_branch(self, name: str) -> None:
         """Show another SB; the selection is dropped."""
@@ -220,6 +261,18 @@ class Session(QObject):
         """
         self.show_branch(address.branch)
         self.select((address,) if address.state else ())
+        self.jumped.emit(address)
+
+    def _choose(self, selection: tuple[Address, ...], fact: Fact | None) -> None:
+        if (selection, fact) != (self._selection, self._fact):
+            self._selection, self._fact = selection, fact
+            self.selection_changed.emit(selection)
+
+    def _is_fact(self, fact: Fact) -> bool:
+        branch = self._blueprint.branches.get(fact[0])
+        if branch is None:
+            return False
+        return 0 <= fact[1] < max(branch.num_facts, branch.header.num_facts or 0)
 
     def _clean_changed(self, clean: bool) -> None:
         self.edited_changed.emit(not clean)
@@ -267,9 +320,13 @@ class Session(QObject):
         if moved:
             self.branch_changed.emit(self._branch)
         kept = tuple(a for a in self._selection if self._stands(a))
-        if kept != self._selection:
-            self._selection = kept
-            self.selection_changed.emit(kept)
+        fact = self._fact
+        self._choose(kept, fact if fact is not None and self._is_fact(fact) else None)
+
+
+def _drawn(blueprint: Blueprint) -> tuple[str, ...]:
+    """The SBs that are more than begun."""
+    return tuple(branch.name for branch in blueprint if len(branch.table) > 1)
 
 
 def _first_branch(blueprint: Blueprint) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from smsl_studio.library.folders import user_folder
+from smsl_studio.home import user_folder
 
 RECENT = 10
 THEMES = ("light", "dark", "system")

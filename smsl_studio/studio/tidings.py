@@ -21,6 +21,9 @@ from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.words import faults_of, tally, worst
 
+EMPTY = "R03"
+"""The rule that finds SBs without states."""
+
 
 class Marked(Protocol):
     """What marks the elements that it shows with their findings."""
@@ -72,7 +75,7 @@ class Tidings(QObject):
         if broken is not None:
             self._line.show_findings(faults_of(broken))
         elif self._inspector.current:
-            self._line.show_findings(tally(self._inspector.findings) or "no findings")
+            self._line.show_findings(self._told(self._findings.findings))
         else:
             self._line.show_findings("checking")
 
@@ -93,9 +96,17 @@ class Tidings(QObject):
         if self._session.broken is not None and self._session.blueprint is self._salvaged:
             # What could not be read is missing in it: that is no finding, and no fix is one.
             findings = ()
+        if not self._session.blueprint.state_count:
+            # Whoever has just begun has made no mistake, and nothing is there to be approved.
+            findings = tuple(finding for finding in findings if finding.rule != EMPTY)
         for part in (self._findings, *self._marked):
             part.set_findings(findings)
         self._editor.set_findings(worst(findings))
         if self._session.broken is None:
-            self._line.show_findings(tally(findings) or "no findings")
+            self._line.show_findings(self._told(findings))
         self._then()
+
+    def _told(self, findings: Sequence[Finding]) -> str:
+        """What the findings come to; that nothing was found is not said of nothing."""
+        nothing = "no findings" if self._session.blueprint.state_count else "nothing to check"
+        return tally(findings) or nothing

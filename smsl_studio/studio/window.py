@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, QSize, Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QCloseEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from smsl_studio.blueprint.address import Address
@@ -30,22 +30,25 @@ from smsl_studio.studio.frame.body import Body
 from smsl_studio.studio.frame.captions import Captions
 from smsl_studio.studio.frame.context_menu import context_menu
 from smsl_studio.studio.frame.docks import Docks
+from smsl_studio.studio.frame.dropped_files import DroppedFiles
 from smsl_studio.studio.frame.help import about_dialog, shortcuts_dialog
 from smsl_studio.studio.frame.menu_row import MenuRow
 from smsl_studio.studio.frame.mode_bar import ModeBar
 from smsl_studio.studio.frame.modes import Modes, Page
 from smsl_studio.studio.frame.popups import fill_recent, fill_samples, fill_sub_sbs, passing_menu
+from smsl_studio.studio.frame.screen_room import ScreenRoom
 from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.frame.toast import Toast
 from smsl_studio.studio.going import Going
 from smsl_studio.studio.inspector import Inspector
-from smsl_studio.studio.notices import goal_moved
+from smsl_studio.studio.notices import step_notice
 from smsl_studio.studio.offers import offers, operation_names
 from smsl_studio.studio.panels.findings import Findings
 from smsl_studio.studio.panels.history import History
 from smsl_studio.studio.panels.library import Library
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.panels.properties import Properties
+from smsl_studio.studio.plugin_question import PluginQuestions
 from smsl_studio.studio.replay.watched import Watched
 from smsl_studio.studio.runs import Runs
 from smsl_studio.studio.safety.safety import Safety
@@ -57,8 +60,7 @@ from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tidings import Tidings
 from smsl_studio.studio.typed_field import take_over
 from smsl_studio.studio.windows import Windows
-
-SIZE, SMALLEST = (1440, 900), (900, 560)
+from smsl_studio.studio.words import counted
 
 
 class Window(QMainWindow):
@@ -68,8 +70,9 @@ class Window(QMainWindow):
         super().__init__()
         self._windows, self._settings = windows, windows.settings
         self.tokens = windows.tokens
-        self.setMinimumSize(*SMALLEST)
-        self.setAcceptDrops(True)
+        self._closes = False
+        self._room = ScreenRoom(self)
+        DroppedFiles(self.open_path, lambda path: self._beside().open_path(path), self)
         self.session = Session(empty_blueprint(), self)
         self.files = Files(self.session, self._settings, Dialogs(self), self)
         self.inspector = Inspector(self.session, self)
@@ -107,6 +110,7 @@ class Window(QMainWindow):
             session, self.files, self.source, self.toast, self._settings,
             self.comparing.with_version, tokens, self,
         )  # fmt: skip
+        PluginQuestions(self._windows, self).refused.connect(self.toast.refuse)
         self._stop_key = StopKey(self._windows.application, self._windows.stop_every_run, self)
         self.docks = Docks(self, self.outline, self.library)
         self.docks.right_tabs.add("Properties", self.properties)
@@ -146,6 +150,7 @@ class Window(QMainWindow):
         self._captions = Captions(
             self.session, self.files, self.source, self.menu_row, self.status_line, self
         )
+        self._captions.other = lambda: self.runs.other(self.mode)
         self.going = Going(self.docks, self.properties, self.files)
         finder = Finder(self.session, actions, self.findings, self.going)
         self.command_palette = Palette(finder, tokens, self)
@@ -163,9 +168,12 @@ class Window(QMainWindow):
             signal.connect(lambda *_: actions.refresh())
         session.opened.connect(self.tidings.forget)
         session.opened.connect(self.toast.hide)
+        session.opened.connect(self.canvas.setFocus)
+        session.jumped.connect(self._jumped)
+        session.history.indexChanged.connect(lambda _: self.toast.edited())
         session.broken_changed.connect(self._show_broken)
         session.refused.connect(self._refused)
-        session.blueprint_changed.connect(self._say_what_moved)
+        session.blueprint_changed.connect(self._say_of_step)
         self.files.settling.connect(self.settle)
         self.files.refused.connect(self.toast.refuse)
         self.comparing.refused.connect(self.toast.refuse)
@@ -179,6 +187,8 @@ class Window(QMainWindow):
         self.outline.fact_wanted.connect(self.going.show_fact)
         self.outline.file_wanted.connect(lambda file: self.files.open(Path(file)))
         self.outline.verb_wanted.connect(self.clipping.on_branch)
+        self.outline.action_wanted.connect(lambda name: actions[name].trigger())
+        self.outline.branch_deleted.connect(self._say_deleted)
         self.canvas.fact_wanted.connect(
             lambda digit: self.going.show_fact(self.session.branch, digit)
         )
@@ -189,12 +199,16 @@ class Window(QMainWindow):
         self.comparing.changed.connect(actions.refresh)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
+        self.mode_bar.focus_lost.connect(self._modes.take_focus)
         self._windows.plugins.changed.connect(self.show_plugins)
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self._show_said)
+        self.run_pane.named.connect(self._captions.show_title)
+        self.files.asking.connect(self.run_pane.file_asked)
         self.runs.light(self.outline, self.source)
         self.replaying.refused.connect(self.toast.refuse)
         self.replaying.pane.said.connect(self._show_said)
+        self.replaying.replay.opened.connect(self._captions.show_title)
         self.people.task_wanted.connect(self.open_task)
         self.people.changed.connect(actions.refresh)
 
@@ -220,6 +234,7 @@ class Window(QMainWindow):
             self._modes.show(mode, self.width())
             self.runs.warming.soon()
             self._show_said()
+            self._captions.show_title()
         self.actions_table.refresh()
 
     def wear(self, tokens: Tokens) -> None:
@@ -243,6 +258,10 @@ class Window(QMainWindow):
 
     def stop_run(self) -> None:
         self.run_pane.stop()
+
+    def end_run(self) -> None:
+        """Stop the run under control and let go of it; nothing is asked."""
+        self.runs.end()
 
     def warn(self, words: str) -> None:
         """Say something that went wrong."""
@@ -298,10 +317,19 @@ class Window(QMainWindow):
         if self.session.broken is not None and self.mode == "draw":
             self.show_tab("Source")
 
-    def _say_what_moved(self, before: Blueprint, after: Blueprint) -> None:
-        words = goal_moved(before, after)
-        if words:
-            self.toast.warn(words)
+    def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
+        self.toast.of_step(*step_notice(before, after))
+
+    def _jumped(self, address: Address) -> None:
+        """What was found is in view, and the keys act on it."""
+        self.canvas.reveal(address)
+        if self.mode == "draw":
+            self.canvas.setFocus()
+
+    def _say_deleted(self, name: str, states: int) -> None:
+        """A whole SB has gone by one key: say so, and offer to take it back."""
+        words = f"Deleted State Branch {name} with {counted(states, 'state')}."
+        self.toast.offer(words, "Undo", self.session.history.undo)
 
     def _refused(self, error: StudioError) -> None:
         """Say it in a line, unless the field in which it was typed says it."""
@@ -335,34 +363,26 @@ class Window(QMainWindow):
     # Qt's events.
 
     def _restore(self) -> None:
-        self.resize(QSize(*SIZE).boundedTo(self.screen().availableSize()))
-        self.restoreGeometry(self._settings.bytes_of("window"))
+        self._room.restore(self._settings.bytes_of("window"))
         self._modes.restore()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._room.shown()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._modes.fit_width(self.width())
 
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if any(url.isLocalFile() for url in event.mimeData().urls()):
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
-        if paths:
-            event.acceptProposedAction()
-            QTimer.singleShot(0, self, lambda: self._open_all(paths))
-
-    def _open_all(self, paths: Sequence[Path]) -> None:
-        """The first of several files takes the place of what is here, each other a window."""
-        self.open_path(paths[0])
-        for path in paths[1:]:
-            self._beside().open_path(path)
+    def _may_close(self) -> bool:
+        return self.runs.may_leave(Dialogs(self).may_end_run) and self.files.may_leave()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if not self.files.may_leave():
+        if self._closes or not self._may_close():
             event.ignore()
             return
+        self._closes = True
+        self.runs.end()
         self.source.stop()
         self.comparing.stop()
         self.replaying.stop()
@@ -372,7 +392,6 @@ class Window(QMainWindow):
             self._modes.keep()
         self._settings.sync()
         self._stop_key.listen(False)
-        self.run_pane.shut()
         self.inspector.stop()
         # The history empties itself when it goes, and nobody is left to be told.
         self.session.history.blockSignals(True)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.host.spare import Spare
+from smsl_studio.legible import one_line
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.plugins import Plugins
 from smsl_studio.studio.safety.safety import Safety
@@ -31,7 +32,9 @@ class Shown(Protocol):
     def wear(self, tokens: Tokens) -> None: ...
     def stop_run(self) -> None: ...
     def settle(self) -> None: ...
+    def end_run(self) -> None: ...
     def warn(self, words: str) -> None: ...
+    def isActiveWindow(self) -> bool: ...
     def deleteLater(self) -> None: ...
 
 
@@ -70,6 +73,11 @@ class Windows(QObject):
             # One that is let go of while it is being closed takes Qt along.
             self._closed.append(window)
             QTimer.singleShot(0, self, self._closed.clear)
+
+    def is_in_front(self, window: object) -> bool:
+        """Whether this window has the keys, or none has and it is the oldest."""
+        active = (shown for shown in self if shown.isActiveWindow())
+        return next(active, next(iter(self), None)) is window
 
     @property
     def theme(self) -> str:
@@ -114,8 +122,9 @@ class Windows(QObject):
             window.settle()
             if window.safety.journal.leave_behind():
                 said = f"unsaved work in {window.name} is kept, and offered at the next start"
-                print(f"smsl-studio: {said}", file=sys.stderr)
+                print(one_line(f"smsl-studio: {said}"), file=sys.stderr)
             window.session.history.setClean()
+            window.end_run()
         self.application.quit()
 
     def _desktop_changed(self) -> None:

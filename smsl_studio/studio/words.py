@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.broken import Broken
 
 
 def counted(number: int, one: str, many: str = "") -> str:
     """``1 state``, ``10 states``; thousands are set apart."""
     return f"{number:,} {one if number == 1 else many or one + 's'}"
+
+
+def first_lines(lines: Sequence[str], most: int, among: int) -> str:
+    """The first of so many lines, one below the other, and how many more there are."""
+    rest = among - most
+    return "\n".join([*lines[:most], *([f"and {rest:,} more"] if rest > 0 else [])])
 
 
 def tally(findings: Iterable[Finding]) -> str:
@@ -37,8 +44,10 @@ def worst(findings: Iterable[Finding]) -> dict[Address, str]:
     """The gravest letter (E or W) at every address; a note is no mark on a drawing."""
     found: dict[Address, str] = {}
     for finding in findings:
-        if finding.severity is not Severity.NOTE and found.get(finding.address) != "E":
-            found[finding.address] = finding.severity.value
+        if finding.severity is not Severity.NOTE:
+            for address in finding.addresses:
+                if found.get(address) != "E":
+                    found[address] = finding.severity.value
     return found
 
 
@@ -62,3 +71,8 @@ def capital(sentence: str) -> str:
     is_file = "." in first or "/" in first
     said = sentence if is_file else sentence[:1].upper() + sentence[1:]
     return said if said.endswith((".", "?", ":")) or not said else f"{said}."
+
+
+def as_it_is(text: str) -> str:
+    """A text for a menu or a button, in which & would underline what follows."""
+    return plain_text(text).replace("&", "&&")

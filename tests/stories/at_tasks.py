@@ -105,9 +105,17 @@ class AtTasks:
             QTest.keyClicks(who.pin, pin)
 
     def choose(self, words: str) -> None:
-        """Click an answer."""
+        """Click an answer, where it is seen."""
         row = next(row for row in self.card.options if row.option.words == words)
-        QTest.mouseClick(row, LEFT, pos=row.rect().center())
+
+        def chosen() -> bool:
+            # A card that has just come is laid out in a moment, and a click may fall beside it.
+            seen = row.visibleRegion().boundingRect()
+            if not row.isChecked() and not seen.isEmpty():
+                QTest.mouseClick(row, LEFT, pos=seen.center())
+            return row.isChecked()
+
+        self.person.until(chosen)
 
     def decide(self) -> None:
         """Press the button below the answers."""

@@ -62,5 +62,6 @@ def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
     for window in windows:
         assert isinstance(window, Window)
         window.session.history.setClean()
+        window.run_pane.run.close()
         window.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)

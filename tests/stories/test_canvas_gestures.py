@@ -164,7 +164,7 @@ def test_a_dragged_state_is_kept_as_one_step_and_undo_puts_it_back(hfsm: Drawer)
     assert after["State110"][0] % 8 == 0
     assert after["State110"][1] % 8 == 0
     layout = hfsm.session.blueprint["SB1"].notes.layout
-    assert layout == {"State110": after["State110"]}
+    assert layout == after, "with the first place by hand all places are written"
     hfsm.session.history.undo()
     assert hfsm.canvas.positions == before
     hfsm.session.history.redo()
@@ -382,6 +382,37 @@ def test_the_arrowhead_of_a_selected_operation_can_be_dragged_elsewhere(hfsm: Dr
     hfsm.drag(hfsm.tip_of("State000", "Operation000"), hfsm.place("State110"))
     assert hfsm.table()["State000"]["Operation000"] == "State110"
     assert hfsm.steps() == 1
+
+
+@pytest.mark.parametrize("off", [0, 8, 15, 22])
+def test_beside_the_arrowhead_of_a_selected_operation_nothing_is_drawn(
+    hfsm: Drawer, off: int
+) -> None:
+    """A handle of the target lay below the grip: a little beside it a drag drew an operation."""
+    hfsm.click(hfsm.label_of("State000", "Operation000"))
+    before, tip = hfsm.table(), hfsm.tip_of("State000", "Operation000")
+    for side in (QPoint(off, 0), QPoint(-off, 0), QPoint(0, off), QPoint(0, -off)):
+        hfsm.hover(tip + side)
+        grip, handle = hfsm.canvas.gestures.grip, hfsm.canvas.gestures.handle
+        assert grip is not None
+        if handle is not None:
+            away = hfsm.at(handle) - hfsm.at(grip)
+            assert away.x() ** 2 + away.y() ** 2 > 30**2, f"they lie on each other at {side}"
+        hfsm.drag(tip + side, hfsm.place("State110") + QPoint(0, 200))
+        added = {state: set(ops) - set(before[state]) for state, ops in hfsm.table().items()}
+        assert not any(added.values()), f"{side} draws an operation"
+        hfsm.key(Key.Key_Escape)
+        while hfsm.steps():
+            hfsm.session.history.undo()
+        hfsm.click(hfsm.label_of("State000", "Operation000"))
+
+
+def test_without_a_selected_operation_every_side_of_its_target_has_its_handle(
+    hfsm: Drawer,
+) -> None:
+    for side in ("left", "right", "top", "bottom"):
+        hfsm.hover(hfsm.handle_of("State100", side))
+        assert hfsm.canvas.gestures.handle is not None
 
 
 def test_an_arrowhead_let_go_over_nothing_says_why_and_stays(hfsm: Drawer) -> None:

@@ -9,14 +9,16 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.window import Window
+from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 from tests.stories.test_files import copy_of
+from tests.stories.test_several_files import answer
 
 OPENED = 3
 
@@ -109,3 +111,63 @@ def test_a_window_is_closed_while_something_goes_on(
     gone()
     person.until(lambda: set(threading.enumerate()) <= before)
     assert told == []
+
+
+def by_hand(sit: Sit, path: Path) -> AtRun:
+    """A run that waits for a hand, and so does not come to its end by itself."""
+    run = AtRun(sit(path))
+    run.person.click(run.pane.transport.by_hand)
+    run.person.press(Qt.Key.Key_F5)
+    run.until_phase("Ready")
+    return run
+
+
+def phases(run: AtRun) -> list[str]:
+    """Every phase that the run comes to from now on."""
+    seen: list[str] = []
+    run.pane.run.changed.connect(lambda: seen.append(run.pane.run.phase))
+    return seen
+
+
+def test_closing_during_a_run_asks_and_staying_changes_nothing(sit: Sit, tmp_path: Path) -> None:
+    run = by_hand(sit, copy_of("hfsm.json", tmp_path))
+    told: list[str] = []
+    answer(run.person, "Stay", told)
+    assert not run.person.window.close()
+    assert told == ["The run of hfsm.json in table has not ended."]
+    assert run.pane.run.exists
+    assert run.phase == "Ready"
+
+
+def test_closing_stops_the_run_first_and_unsaved_work_is_asked_about(
+    sit: Sit, tmp_path: Path
+) -> None:
+    run = AtRun(sit(copy_of("hanoi.json", tmp_path)))
+    run.person.press(Qt.Key.Key_F5)
+    run.until_runs()
+    window, seen = run.person.window, phases(run)
+    window.session.edit("Add", lambda bp: editing.add_branch(bp, "SB7"))
+    told: list[str] = []
+
+    def stop_then(words: str) -> None:
+        answer(run.person, "Stop and close", told)
+        QTimer.singleShot(60, window, lambda: answer(run.person, words, told))
+
+    stop_then("Cancel")
+    assert not window.close()
+    assert run.pane.run.exists, "nothing is stopped before everything is answered"
+    stop_then("Discard changes")
+    assert window.close()
+    assert told[1::2] == ["hanoi.json has unsaved changes."] * 2
+    assert seen[-1] == "stopped"
+
+
+def test_the_end_of_the_session_stops_a_run_and_asks_nothing(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = by_hand(sit, copy_of("hfsm.json", tmp_path))
+    window, seen = run.person.window, phases(run)
+    monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
+    run.person.windows.leave()
+    assert not window.isVisible()
+    assert seen[-1] == "stopped"

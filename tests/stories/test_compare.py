@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
@@ -16,6 +16,7 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.revisions import MOST, Revision
+from smsl_studio.picture.labels import meet
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
 from smsl_studio.studio.theme import LIGHT
@@ -199,3 +200,60 @@ def test_of_a_long_history_it_is_said_that_only_the_latest_are_listed(
         qtbot.addWidget(parent)
         asking = RevisionDialog("plan.json", [one] * number, LIGHT, parent)
         assert asking.said.text().startswith(said)
+
+
+def test_a_step_is_undone_and_done_again_in_the_compare_view(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    person.window.session.edit("Add", lambda bp: edit.add_state(bp, "SB1", "State011"))
+    drawn = person.blueprint
+    dialog = asked(person, "compare_saved")
+    assert [row.text for row in dialog.changes.rows.rows] != []
+    person.ctrl(Qt.Key.Key_Z)
+    assert "State011" not in person.blueprint["SB1"].table
+    person.until(lambda: [row.text for row in dialog.changes.rows.rows] == [])
+    person.ctrl(Qt.Key.Key_Y)
+    assert person.blueprint == drawn
+    person.until(lambda: [row.text for row in dialog.changes.rows.rows] != [])
+
+
+def test_a_drawing_that_is_not_shown_is_not_undone(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    person.window.session.edit("Add", lambda bp: edit.add_state(bp, "SB1", "State011"))
+    for mode in (Qt.Key.Key_2, Qt.Key.Key_3):
+        person.ctrl(mode)
+        person.ctrl(Qt.Key.Key_Z)
+        assert "State011" in person.blueprint["SB1"].table
+        assert "Ctrl+1 shows it" in person.window.toast.words
+    person.ctrl(Qt.Key.Key_1)
+    person.ctrl(Qt.Key.Key_Z)
+    assert "State011" not in person.blueprint["SB1"].table
+
+
+def test_one_state_that_was_moved_is_one_that_was_moved(sit: Sit, tmp_path: Path) -> None:
+    """The first place by hand writes all places; the others stand where they stood."""
+    path = tmp_path / "registration.json"
+    path.write_bytes((SAMPLES / "registration.json").read_bytes())
+    person = sit(path)
+    first = next(iter(person.blueprint["REGISTRATION"].table))
+    place = person.place(f"REGISTRATION/{first}")
+    person.drag(place, place + QPoint(40, 120))
+    assert len(person.blueprint["REGISTRATION"].notes.layout) > 1
+    assert asked(person, "compare_saved").summary == "Layout only: 1 state was moved."
+
+
+def test_no_name_of_a_comparison_lies_on_another_one(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hanoi.json"))
+    person.window.session.edit(
+        "Rename", lambda b: edit.rename(b, Address("SB1", "State_cbb", "Op_1c"), "Op_1b")
+    )
+    dialog = asked(person, "compare_saved")
+    for side in (dialog.before, dialog.after):
+        canvas = side.canvas
+        assert canvas.sheet is not None
+        everything = range(len(canvas.sheet.picture.operations))
+        rest = [edge for edge in everything if not canvas.sheet.looks.is_lit(edge)]
+        names = canvas.edge_layer.names(canvas.sheet, rest)
+        lit = canvas.lit_layer.shown()
+        assert len(lit) == 1
+        assert len(names) > 60
+        assert not [n for n in names.values() for one in lit.values() if meet(n, one.rect)]

@@ -75,7 +75,11 @@ def test_open_edit_save_changes_only_what_was_edited(sit: Sit, tmp_path: Path) -
     assert person.window.menu_row.title == "registration.json"
     after = path.read_bytes()
     assert after != before
-    assert set(before.splitlines()) <= set(after.splitlines()) | {b"        }"}
+    # The last state was ACTIVATING because nothing said so; the header says it from now on.
+    header = b'        "HEADER": {},'
+    assert before.splitlines().count(header) - after.splitlines().count(header) == 1
+    assert b'"ACTIVATING"' in after.splitlines()[before.splitlines().index(header)]
+    assert set(before.splitlines()) <= set(after.splitlines()) | {b"        }", header}
     person.ctrl(Key.Key_Z)
     assert person.window.menu_row.title == "registration.json edited"
     person.ctrl(Key.Key_S)

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.canvas.accessible import edge_tip, words_for
@@ -75,6 +76,44 @@ def test_a_lock_says_how_what_is_needed_stands_while_the_run_goes_on(
     assert not canvas.canvas.marks.held_back
     run.pane.ask(MOVE)
     until(lambda: run.active()["ROBOT"] == "State_1")
+
+
+def test_a_critical_fact_that_is_lost_holds_and_says_which(sit: Sit, tmp_path: Path) -> None:
+    path = _rooms(tmp_path)
+    values = json.loads(path.read_text())
+    values["PLAN"]["_facts"]["0"]["critical"] = True
+    path.write_text(json.dumps(values))
+    run = AtRun(sit(path))
+    run.choose(world="table")
+    run.person.click(run.pane.transport.by_hand)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Ready")
+    run.pane.run.disturb("PLAN/0", "stuck", value="1")
+    run.until_phase("Fault hold")
+    assert run.pane.canvas.banner.startswith(
+        "Fault hold: Target chosen of PLAN, a critical fact, reads 1, not 0"
+    )
+    run.person.ctrl(Key.Key_3)
+    words = [label.text() for label in run.person.window.supervise.findChildren(QLabel)]
+    assert "Guarded fact lost" in words
+
+
+def test_a_way_that_bypasses_its_subs_is_said_across_the_top(sit: Sit, tmp_path: Path) -> None:
+    values = json.loads((SAMPLES / "registration-digitization.json").read_text())
+    path = tmp_path / "two.json"
+    path.write_text(json.dumps({"ROOM": {"State_0": {"Open": "State_1"}, "State_1": {}}, **values}))
+    run = AtRun(sit(path))
+    run.choose(world="table")
+    run.person.press(Key.Key_F10)
+    run.until_phase("Paused")
+    assert run.active()["ROOM"] == "State_1"
+    words = "no operation of DIGITIZATION is carried out."
+    assert run.pane.canvas.banner.endswith(words)
+    listed = run.pane.events
+    assert any(words in listed.item(row).text() for row in range(listed.count()))
+    run.person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    assert run.pane.canvas.banner == ""
 
 
 def test_what_is_needed_is_told_while_it_is_drawn(sit: Sit) -> None:

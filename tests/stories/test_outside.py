@@ -192,3 +192,34 @@ def test_an_imported_file_is_watched_too(sit: Sit, tmp_path: Path) -> None:
     assert person.window.menu_row.title == "outer.json inner.json edited"
     replaced(inner, "{}")
     person.until(lambda: bar(person).startswith("inner.json was changed"))
+
+
+def test_what_a_save_cannot_keep_is_said_before_and_once(sit: Sit, tmp_path: Path) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    before = path.read_text()
+    person = sit(path)
+    asked: list[str] = []
+
+    def answer(words: str) -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        asked.append(box.text())
+        next(b for b in box.buttons() if b.text() == words).click()
+
+    def linked() -> None:
+        path.with_name("second.json").unlink(missing_ok=True)
+        path.with_name("second.json").hardlink_to(path)
+
+    linked()
+    edit(person)
+    QTimer.singleShot(50, person.window, lambda: answer("Cancel"))
+    assert not person.window.files.save()
+    assert path.read_text() == before
+    QTimer.singleShot(50, person.window, lambda: answer("Save"))
+    assert person.window.files.save()
+    linked()
+    person.window.session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_more"))
+    assert person.window.files.save(), "what was agreed to is not asked again"
+    assert "State_more" in path.read_text()
+    lost = "Saved, hfsm.json loses another name (hard links), which would keep the old text."
+    assert asked == [lost, lost]

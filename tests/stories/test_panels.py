@@ -6,12 +6,13 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.frame.context_menu import context_menu
 from smsl_studio.studio.frame.popups import fill_sub_sbs
 from smsl_studio.studio.panels.finding_rows import FindingsView
+from smsl_studio.studio.panels.fix_list import FixList
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person, sample
 
@@ -206,14 +207,83 @@ def test_findings_jump_fix_and_are_undone(sit: Sit) -> None:
     assert panel.summary.text() == "2 errors block approval"
 
 
-def test_all_errors_are_fixed_as_one_step(sit: Sit) -> None:
+def listed_fixes(person: Person) -> FixList:
+    """Press "Fix all", and read what it will do."""
+    person.click(person.window.findings.fix_all_button)
+    dialog = QApplication.activeModalWidget()
+    assert isinstance(dialog, FixList)
+    return dialog
+
+
+def test_errors_with_a_certain_fix_are_listed_and_mended_as_one_step(sit: Sit) -> None:
     person = sit(HANOI)
     person.until_inspected()
-    button = person.window.findings.fix_all_button
-    assert button.text() == "Fix both"
-    person.click(button)
+    assert person.window.findings.fix_all_button.text() == "Fix both…"
+    dialog = listed_fixes(person)
+    assert [f"{one.beside} {one.text}" for one in dialog.rows.rows.rows] == [
+        "SB1/State_cbb/Op_1c Rename to Op_1b",
+        "SB1/State_cbc/Op_2b Rename to Op_2a",
+    ]
+    assert not dialog.left.isVisible()
+    assert person.steps() == []
+    person.click(dialog.apply)
     assert person.blueprint == sample("hanoi-corrected.json")
     assert len(person.steps()) == 1
+
+
+LOSSY = """{
+  "SB1": {
+    "HEADER": {"INITIAL": "State_00", "ACTIVATING": "State_11", "NUM_FACTS": 2, "NUM_STATES": 3},
+    "State_00": {"go": "State_99", "on": "State_01"},
+    "State_01": {"on": "State_11"},
+    "State_11": {"back": "State_00"},
+    "State_10": {"on": "State_11"}
+  },
+  "SB2": {
+    "HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1", "NUM_FACTS": 1, "NUM_STATES": 7},
+    "State_0": {"up": "State_1"},
+    "State_1": {"down": "State_0"}
+  }
+}
+"""
+
+
+def test_what_is_deleted_or_guessed_is_left_to_a_person(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "lossy.json"
+    path.write_text(LOSSY)
+    person = sit(path)
+    person.until_inspected()
+    dialog = listed_fixes(person)
+    assert "2 more errors have fixes that would delete something" in dialog.left.text()
+    person.click(dialog.apply)
+    table = person.blueprint["SB1"].table
+    assert "State_10" in table
+    assert table["State_00"]["go"] == "State_99"
+    assert [person.blueprint[name].header.num_states for name in ("SB1", "SB2")] == [4, 2]
+    person.until_inspected()
+    person.come_back()
+    person.ctrl(Key.Key_Period)
+    assert len(person.steps()) == 1, "what is not certain is shown before it is done"
+    assert person.selected() == ["SB1/State_00/go"]
+    person.ctrl(Key.Key_Period)
+    assert len(person.steps()) == 2
+    assert person.blueprint["SB1"].table["State_00"]["go"] != "State_99"
+    assert "State_10" in person.blueprint["SB1"].table
+
+
+def test_a_fix_is_that_of_the_drawing_as_it_then_is(sit: Sit, tmp_path: Path) -> None:
+    path = tmp_path / "lossy.json"
+    path.write_text(LOSSY)
+    person = sit(path)
+    person.until_inspected()
+    (alone,) = [f for f in person.window.findings.findings if f.rule == "R10"]
+    session = person.window.session
+    session.edit(
+        "Connect", lambda bp: editing.add_operation(bp, "SB1", "State_00", "way", "State_10")
+    )
+    person.window.findings.fix(alone)
+    assert "State_10" in person.blueprint["SB1"].table
+    assert "has changed since this was found" in person.window.toast.words
 
 
 def test_findings_by_keys_alone(sit: Sit) -> None:

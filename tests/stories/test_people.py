@@ -6,9 +6,11 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.runlog.events import Commanded, TaskAnswered
+from smsl_studio.studio.people.persons import Person as Named
+from smsl_studio.studio.people.persons_dialog import PersonsDialog
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -111,6 +113,24 @@ def test_a_task_is_in_sight_in_every_mode_and_one_key_leads_to_it(sit: Sit, tmp_
     room.until_phase("goal_reached")
 
 
+def test_letters_command_and_choose_nobody_while_the_choice_of_persons_has_the_keys(
+    sit: Sit, tmp_path: Path
+) -> None:
+    surgeon_only = {"confirm": ["surgeon"], "title": "Drill"}
+    room = AtTasks(sit(asking(tmp_path, go=surgeon_only)), NURSE, Named("Sun", "surgeon"))
+    room.start()
+    room.until_asked(MAY_BEGIN)
+    room.person.press(Key.Key_F4)
+    who = room.card.answer.who
+    assert who.choice.hasFocus(), "a nurse may not answer this: the choice of persons has the keys"
+    before = who.choice.currentText()
+    room.person.press(Key.Key_S)
+    assert who.choice.currentText() == before
+    room.person.press(Key.Key_V)
+    assert room.person.window.supervise.step_in.asking.isVisible(), "V asks for a veto"
+    assert who.choice.currentText() == before
+
+
 def test_levels_set_before_the_run_are_obeyed_and_stay_as_they_were(
     sit: Sit, tmp_path: Path
 ) -> None:
@@ -183,10 +203,50 @@ def test_a_person_accepts_what_inspection_found_before_anything_moves(
     assert room.active() == {"SB": "State_1"}
 
 
-def test_a_tall_card_shows_its_button_when_an_answer_is_chosen(sit: Sit, tmp_path: Path) -> None:
+def tall(tmp_path: Path) -> Path:
+    """A file in which people are asked more than a window is high."""
     values = {str(n): f"Answer {n}, of which there is a lot to say " * 2 for n in range(8)}
     facts = {"0": {"values": values, "aggregation": "human", "question": "How is it? " * 20}}
-    room = AtTasks(sit(asking(tmp_path, facts=facts), (1280, 800)), NURSE)
+    return asking(tmp_path, facts=facts)
+
+
+def test_give_back_is_in_view_while_people_are_asked(sit: Sit) -> None:
+    room = AtTasks(sit(SAMPLES / "registration-people.json", (1440, 900)), NURSE)
+    room.start()
+    room.until_asked("Is the head fixed in the clamp?")
+    supervise = room.person.window.supervise
+    supervise.setFocus()
+    room.person.press(Key.Key_T)
+    room.person.press(Key.Key_Return)
+    room.until_phase("taken_over")
+    supervise.setFocus()
+    room.person.press(Key.Key_T)
+    room.person.press(Key.Key_Return)
+    room.person.until(lambda: room.card.card is not None)
+    supervise.setFocus()
+    room.person.press(Key.Key_T)
+    asking = supervise.step_in.asking
+    room.person.until(lambda: asking.isVisible() and room.card.isVisible())
+    for part in (supervise.step_in.hand, *asking.findChildren(QPushButton)):
+        assert part.visibleRegion().boundingRect() == part.rect(), part.text()
+
+
+def test_a_card_without_persons_has_a_button_that_leads_to_them(sit: Sit) -> None:
+    room = AtTasks(sit(SAMPLES / "registration-people.json", (1280, 800)))
+    room.start()
+    room.until_asked("Is the head fixed in the clamp?")
+    enter = room.card.answer.enter
+    room.person.until(lambda: enter.visibleRegion().boundingRect() == enter.rect())
+    room.person.click(enter)
+    (dialog,) = room.person.window.findChildren(PersonsDialog)
+    assert dialog.isVisible()
+    room.person.windows.persons.put(NURSE)
+    room.person.until(lambda: not enter.isVisible())
+    dialog.close()
+
+
+def test_a_tall_card_shows_its_button_when_an_answer_is_chosen(sit: Sit, tmp_path: Path) -> None:
+    room = AtTasks(sit(tall(tmp_path), (1280, 800)), NURSE)
     room.start()
     room.person.until(lambda: room.card.card is not None)
     button = room.card.answer.button

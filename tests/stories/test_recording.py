@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 
+from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.reading import read_log
-from smsl_studio.studio.run.runner import CLOSED
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
@@ -59,7 +59,7 @@ def test_a_run_that_is_closed_over_has_a_whole_log(sit: Sit, home: Path) -> None
     log = read_log(path)
     assert log.doubt is None
     assert log.header["versions"]["plugin hanoi"]
-    assert (log.events[-1].event, log.events[-1].as_json()["sentence"]) == ("run_finished", CLOSED)
+    assert (log.events[-1].event, log.events[-1].as_json()["sentence"]) == ("run_finished", LET_GO)
 
 
 def test_runs_are_not_recorded_where_nobody_wants_it(sit: Sit, home: Path) -> None:
@@ -80,7 +80,7 @@ def test_a_log_that_cannot_be_written_refuses_the_start(sit: Sit, home: Path) ->
     assert run.events == []
 
 
-@pytest.mark.parametrize("room", [1500, 3000])
+@pytest.mark.parametrize("room", [2000, 3500])
 def test_a_disk_that_fills_holds_the_run_and_ends_it(sit: Sit, home: Path, room: int) -> None:
     run = AtRun(sit(SAMPLES / "registration.json"))
     run.person.windows.settings.sync()

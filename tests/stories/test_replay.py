@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import os
+import shutil
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
 import smsl_studio as smsl
+from smsl_studio.errors import ReadError
 from smsl_studio.studio.replay.pane import ReplayPane
+from smsl_studio.studio.replay.recording import open_recording, recordings_in
 from smsl_studio.studio.replay.replay import Replay
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
@@ -189,37 +194,67 @@ def test_without_the_file_of_the_drawing_it_is_found_or_asked_for(sit: Sit, tmp_
     assert not person.window.replaying.is_open
 
 
-def _slow(folder: Path) -> tuple[Path, bytes]:
-    """A log that comes through a pipe, when somebody writes it, and what is to be written."""
-    raw = _recorded(folder).read_bytes()
-    path = folder / "slow.jsonl"
-    os.mkfifo(path)
-    return path, raw
+def test_a_log_does_not_have_any_file_opened_that_it_names(tmp_path: Path) -> None:
+    log, nothing = _recorded(tmp_path), smsl.read(HFSM)
+    other, pipe = tmp_path / "secret", tmp_path / "pipe.json"
+    shutil.copy(HANOI, other)
+    os.mkfifo(pipe)
+    assert open_recording(log, nothing).blueprint.file == str(HANOI)
+    raw = log.read_bytes()
+    for named in (other, pipe, Path("/proc/kmsg"), Path("/dev/zero")):
+        log.write_bytes(raw.replace(os.fsencode(HANOI), os.fsencode(named)))
+        with pytest.raises(ReadError, match="is not found"):
+            open_recording(log, nothing)
 
 
-def test_a_log_that_takes_long_is_read_beside_the_window(sit: Sit, tmp_path: Path) -> None:
+def test_a_recording_that_is_gone_hides_no_other(tmp_path: Path) -> None:
+    log = _recorded(tmp_path)
+    (tmp_path / "gone.jsonl").symlink_to(tmp_path / "nothing")
+    assert recordings_in(tmp_path) == (log,)
+
+
+Slow = tuple[Path, Callable[[], None]]
+
+
+@pytest.fixture
+def slow(tmp_path: Path) -> Iterator[Slow]:
+    """A log that comes through a pipe, and what has it come."""
+    raw = _recorded(tmp_path).read_bytes()
+    path = tmp_path / "slow.jsonl"
+    reader, writer = os.pipe()
+    path.symlink_to(f"/dev/fd/{reader}")
+
+    def come() -> None:
+        with os.fdopen(writer, "wb") as stream:
+            stream.write(raw)
+
+    yield path, come
+    os.close(reader)
+
+
+def test_a_log_that_takes_long_is_read_beside_the_window(sit: Sit, slow: Slow) -> None:
     person = sit(HANOI)
-    path, raw = _slow(tmp_path)
+    path, come = slow
     replaying = person.window.replaying
     replaying.open(path)
     person.until(replaying.card.isVisible)
     assert replaying.card.words.text() == "Reading slow.jsonl, 0%"
     assert person.window.mode == "draw"
-    path.write_bytes(raw)
+    come()
     person.until(lambda: replaying.is_open)
     assert person.window.mode == "replay"
     assert not replaying.card.isVisible()
     assert "Verified" in replaying.pane.note.text()
 
 
-def test_a_log_that_takes_long_can_be_given_up(sit: Sit, tmp_path: Path) -> None:
+def test_a_log_that_takes_long_can_be_given_up(sit: Sit, tmp_path: Path, slow: Slow) -> None:
     person = sit(HANOI)
-    path, raw = _slow(tmp_path)
+    path, come = slow
     replaying = person.window.replaying
     replaying.open(path)
     person.click(replaying.card.cancel)
     assert not replaying.card.isVisible()
-    path.write_bytes(raw)
+    come()
     replaying.open(tmp_path / "run.jsonl")
     assert replaying.is_open
     QApplication.processEvents()

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QDialog, QToolButton
 
 from smsl_studio import front
+from smsl_studio.runlog.events import Commanded
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, sample
@@ -54,6 +55,41 @@ def test_step_carries_out_one_operation_and_time_stands_still(sit: Sit) -> None:
     assert run.pane.run.story.time > before
     person.press(Key.Key_F5)
     run.until_phase("Goal reached")
+
+
+def test_play_before_the_world_of_a_step_stands_goes_on_after_it(sit: Sit) -> None:
+    person = sit(HFSM)
+    run = AtRun(person)
+    person.press(Key.Key_F10)
+    person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    said = [event for event in run.events if isinstance(event, Commanded)]
+    assert [(event.command, event.refused) for event in said] == [("step", ""), ("resume", "")]
+
+
+def test_play_while_a_step_is_carried_out_goes_on_after_it(sit: Sit) -> None:
+    person = sit(HANOI)
+    run = AtRun(person)
+    run.as_fast_as_it_goes()
+    person.press(Key.Key_F10)
+    run.until_runs()
+    person.press(Key.Key_F5)
+    run.until_phase("Goal reached")
+    said = [event for event in run.events if isinstance(event, Commanded)]
+    assert [(event.command, event.refused) for event in said] == [("step", ""), ("resume", "")]
+
+
+def test_a_pause_calls_off_the_play_that_came_before_it(sit: Sit) -> None:
+    person = sit(HANOI)
+    run = AtRun(person)
+    person.press(Key.Key_F10)
+    run.until_runs()
+    person.press(Key.Key_F5)
+    person.press(Key.Key_F6)
+    run.until_phase("Paused")
+    assert run.pane.run.status is not None
+    assert run.pane.run.status.running is not None
+    assert not run.pane.run.pausing
 
 
 def test_pause_and_stop_by_their_keys(sit: Sit) -> None:
@@ -132,7 +168,12 @@ def test_the_drawing_moves_on_and_the_run_keeps_its_version(sit: Sit) -> None:
     assert not added & set(run.pane.canvas.canvas.positions)
     person.press(Key.Key_F5)
     run.until_phase("Goal reached")
+    assert "These are the results of the version that ran" in run.pane.canvas.banner
+    assert not added & set(run.pane.canvas.canvas.positions)
+    person.click(run.pane.canvas.to_drawing)
     assert run.pane.canvas.banner == ""
+    run.pane.canvas.show_branch("SB1")
+    assert added <= set(run.pane.canvas.canvas.positions)
     assert person.window.session.edited
 
 

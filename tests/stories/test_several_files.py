@@ -182,6 +182,10 @@ def test_imports_are_found_from_another_folder_too(
     (outer.parent / "deep").mkdir()
     target = outer.parent / "deep" / "outer.json"
     monkeypatch.setattr(Dialogs, "file_to_save", lambda *_: target)
+    assert not person.window.files.save_as()
+    assert "leads out of the project" in person.window.toast.words
+    assert not target.exists()
+    (outer.parent / "smsl.toml").touch()
     assert person.window.files.save_as()
     assert read_document(target).values["_imports"][0] == "../parts/inner.json"
     assert "State_2" in person.blueprint["SB2"].table

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import threading
 import weakref
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 
 import pytest
@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from smsl_studio.stop import heed
 from smsl_studio.studio.beside import Beside
 
 
@@ -38,6 +39,28 @@ def test_work_is_done_elsewhere_and_handed_over_here_in_order(beside: Beside, qt
         beside.do(threading.get_ident, partial(then, number))
     qtbot.waitUntil(lambda: len(came) == 3)
     assert came == [(number, True, True) for number in range(3)]
+
+
+@pytest.mark.parametrize("end", [Beside.drop, Beside.stop])
+def test_work_that_heeds_is_called_off(
+    beside: Beside, qtbot: QtBot, end: Callable[[Beside], None]
+) -> None:
+    going, ended, came = threading.Event(), threading.Event(), list[str]()
+
+    def work() -> str:
+        try:
+            going.set()
+            while True:
+                heed()
+        finally:
+            ended.set()
+
+    beside.do(work, came.append)
+    going.wait()
+    end(beside)
+    qtbot.waitUntil(ended.is_set)
+    beside.do(lambda: "next", came.append)
+    qtbot.waitUntil(lambda: came == ([] if end is Beside.stop else ["next"]))
 
 
 def test_what_has_not_begun_can_be_dropped(beside: Beside, qtbot: QtBot) -> None:

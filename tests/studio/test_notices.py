@@ -9,7 +9,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
-from smsl_studio.studio.notices import goal_moved
+from smsl_studio.studio.notices import goal_kept, goal_moved
 
 HANOI = Path(__file__).parents[2] / "samples" / "hanoi.json"
 
@@ -44,3 +44,17 @@ def test_another_file_is_no_edit_of_this_one() -> None:
     longer = editing.add_state(before, "SB1", "State_xyz").document.text
     other = read_blueprint(parse_json(longer, "other.json"))
     assert goal_moved(before, other) == ""
+
+
+def test_that_activating_was_written_to_keep_it_is_told() -> None:
+    before = read_blueprint(read_document(HANOI))
+    after = editing.keep_activating(before, editing.add_state(before, "SB1", "State_xyz"), ["SB1"])
+    assert after["SB1"].activating == "State_ccc"
+    assert goal_moved(before, after) == ""
+    assert goal_kept(before, after) == (
+        "State_ccc stays the activating state of SB1, and ACTIVATING says so now: "
+        "State_xyz is listed behind it."
+    )
+    assert goal_kept(after, before) == ""
+    by_hand = editing.set_header(before, "SB1", "ACTIVATING", "State_ccc")
+    assert goal_kept(before, by_hand) == ""

@@ -7,7 +7,7 @@ import pytest
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import Place
 from smsl_studio.inspection.finding import Finding, Severity
-from smsl_studio.studio.words import capital, counted, tally, worst
+from smsl_studio.studio.words import capital, counted, first_lines, tally, worst
 
 HERE = Address("SB1", "State0")
 
@@ -47,3 +47,9 @@ def test_the_gravest_letter_of_an_address_wins_and_notes_are_no_mark() -> None:
 )
 def test_sentences(said: str, sentence: str) -> None:
     assert capital(said) == sentence
+
+
+def test_of_many_lines_the_first_are_said_and_how_many_more_there_are() -> None:
+    assert first_lines(["a", "b"], 2, 2) == "a\nb"
+    assert first_lines(["a", "b"], 2, 12_347) == "a\nb\nand 12,345 more"
+    assert first_lines([], 2, 0) == ""

@@ -1,7 +1,11 @@
-"""The accessible interfaces of a canvas: the view, and one child for every state.
+"""The accessible interfaces of a canvas: the view, its states, and the operations of each state.
 
-QGraphicsObjects have none of their own. States are children by number, also those far off: what
-is read out does not depend on what is near enough to be an item.
+QGraphicsObjects have no interface of their own. States are children of the canvas by number, and
+operations are children of the state they leave, in the order of the file. Those far off are there
+too: what is read out does not depend on the zoom.
+
+No class here overrides ``interface_cast``: PySide 6.11 cannot convert a None that comes back from
+it, and the process dies. Without an override Qt's own answer (no further interface) holds.
 """
 
 from __future__ import annotations
@@ -12,7 +16,8 @@ from PySide6.QtCore import QCoreApplication, QObject, QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from shiboken6 import isValid
 
-from smsl_studio.studio.canvas.accessible import state_words
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.canvas.accessible import state_words, words_for
 from smsl_studio.studio.canvas.canvas import Canvas
 
 
@@ -92,9 +97,6 @@ class CanvasAccessible(QAccessibleInterface):
         found.invisible = not self._canvas.isVisible()
         return found
 
-    def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
-        return None
-
 
 class StateAccessible(QAccessibleInterface):
     """One state, read as "State_1100, active, 7 operations out"."""
@@ -102,9 +104,85 @@ class StateAccessible(QAccessibleInterface):
     def __init__(self, canvas: Canvas, parent: CanvasAccessible, index: int) -> None:
         super().__init__()
         self._canvas, self._parent, self.index = canvas, parent, index
+        self._children: dict[Address, OperationAccessible] = {}
 
     def isValid(self) -> bool:
         return self._parent.isValid() and self.index < self._parent.childCount()
+
+    def object(self) -> Any:
+        return None
+
+    def window(self) -> Any:
+        return self._parent.window()
+
+    def parent(self) -> QAccessibleInterface:
+        return self._parent
+
+    @property
+    def operations(self) -> tuple[Address, ...]:
+        """The operations that leave the state, in the order of the file."""
+        sheet = self._canvas.sheet
+        if sheet is None or not self.isValid():
+            return ()
+        branch, state = sheet.picture.branch, sheet.picture.names[self.index]
+        return tuple(Address(branch.name, state, name) for name in branch.table[state])
+
+    def childCount(self) -> int:
+        return len(self.operations)
+
+    def child(self, index: int) -> Any:
+        operations = self.operations
+        if not 0 <= index < len(operations):
+            return None
+        address = operations[index]
+        if address not in self._children:
+            self._children[address] = OperationAccessible(self._canvas, self, address)
+        return self._children[address]
+
+    def indexOfChild(self, child: QAccessibleInterface) -> int:
+        operations = self.operations
+        if not isinstance(child, OperationAccessible) or child.address not in operations:
+            return -1
+        return operations.index(child.address)
+
+    def childAt(self, x: int, y: int) -> Any:
+        return None
+
+    def text(self, kind: QAccessible.Text) -> str:
+        if kind == QAccessible.Text.Name and self.isValid():
+            return state_words(self._canvas, self.index)
+        return ""
+
+    def setText(self, kind: QAccessible.Text, text: str) -> None:
+        """Names follow the blueprint; they are not set from outside."""
+
+    def rect(self) -> QRect:
+        sheet = self._canvas.sheet
+        if sheet is None or not self.isValid():
+            return QRect()
+        return _on_screen(self._canvas, sheet.address_of_state(self.index))
+
+    def role(self) -> QAccessible.Role:
+        return QAccessible.Role.ListItem
+
+    def state(self) -> QAccessible.State:
+        found = QAccessible.State()
+        found.selectable = True
+        sheet = self._canvas.sheet
+        if sheet is not None and self.isValid():
+            found.selected = sheet.looks.node(self.index).selected
+        return found
+
+
+class OperationAccessible(QAccessibleInterface):
+    """One operation, read as "Op_1b, State_aaa to State_baa"."""
+
+    def __init__(self, canvas: Canvas, parent: StateAccessible, address: Address) -> None:
+        super().__init__()
+        self._canvas, self._parent, self.address = canvas, parent, address
+
+    def isValid(self) -> bool:
+        return self._parent.isValid() and self.address in self._parent.operations
 
     def object(self) -> Any:
         return None
@@ -129,21 +207,14 @@ class StateAccessible(QAccessibleInterface):
 
     def text(self, kind: QAccessible.Text) -> str:
         if kind == QAccessible.Text.Name and self.isValid():
-            return state_words(self._canvas, self.index)
+            return words_for(self._canvas, self.address)
         return ""
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
         """Names follow the blueprint; they are not set from outside."""
 
     def rect(self) -> QRect:
-        sheet = self._canvas.sheet
-        if sheet is None or not self.isValid():
-            return QRect()
-        rect = self._canvas.rect_of(sheet.address_of_state(self.index))
-        if rect is None:
-            return QRect()
-        shown = self._canvas.mapFromScene(rect).boundingRect()
-        return QRect(self._canvas.viewport().mapToGlobal(shown.topLeft()), shown.size())
+        return _on_screen(self._canvas, self.address) if self.isValid() else QRect()
 
     def role(self) -> QAccessible.Role:
         return QAccessible.Role.ListItem
@@ -153,11 +224,17 @@ class StateAccessible(QAccessibleInterface):
         found.selectable = True
         sheet = self._canvas.sheet
         if sheet is not None and self.isValid():
-            found.selected = sheet.looks.node(self.index).selected
+            found.selected = sheet.looks.edge(sheet.picture.edge(self.address)).selected
         return found
 
-    def interface_cast(self, kind: QAccessible.InterfaceType) -> Any:
-        return None
+
+def _on_screen(canvas: Canvas, address: Address) -> QRect:
+    """Where a state's node or an operation's label lies on the screen; empty for neither."""
+    rect = canvas.rect_of(address)
+    if rect is None:
+        return QRect()
+    shown = canvas.mapFromScene(rect).boundingRect()
+    return QRect(canvas.viewport().mapToGlobal(shown.topLeft()), shown.size())
 
 
 class Factory:

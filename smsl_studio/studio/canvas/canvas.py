@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -25,6 +25,7 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.accessible import words_for
 from smsl_studio.studio.canvas.camera import STEP
@@ -86,6 +87,8 @@ class Canvas(Stage):
         self.editing = True
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
         """Why an operation from a state to another is impossible; the empty text if it is not."""
+        self.extended: Callable[[], tuple[Address, ...]] = lambda: self.marks.selection
+        """What a click with Shift or Ctrl adds to."""
         self.overlays = Overlays(self, tokens)
         self.hand = Hand(self)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -207,15 +210,25 @@ class Canvas(Stage):
         middle, zoom = frame_of(sheet, room)
         self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
 
-    def reveal(self, address: Address) -> None:
+    def reveal(self, address: Address, smooth: bool = True) -> None:
         """Bring a state or operation into view, without zooming, where it is not in view yet."""
         rect = self.rect_of(address)
-        if rect is None:
-            return
-        seen = self.mapToScene(self.viewport().rect().adjusted(40, 56, -40, -56)).boundingRect()
-        if not seen.contains(rect.center()):
+        if rect is not None:
+            self.reveal_point(rect.center(), smooth)
+
+    def reveal_point(self, at: QPointF, smooth: bool = True) -> None:
+        """Scroll until a scene point is in view, where it is not; it is in the middle then."""
+        self.camera.finish()
+        if not self.clear_view.contains(at):
             self.camera.fitted = False
-            self.camera.go(rect.center(), self.zoom)
+            self.camera.go(at, self.zoom, smooth)
+
+    @property
+    def clear_view(self) -> QRectF:
+        """The part of the scene in view in which a node is whole, and below the breadcrumb."""
+        view = self.viewport().rect()
+        across, down = min(70, view.width() // 3), min(64, view.height() // 3)
+        return self.mapToScene(view.adjusted(across, down, -across, -down)).boundingRect()
 
     def _describe(self) -> None:
         """Tell assistive tools what is shown and what is selected."""
@@ -229,7 +242,7 @@ class Canvas(Stage):
             words = self.describe(chosen[0])
         elif chosen:
             words += f", {len(chosen)} selected"
-        self.setAccessibleDescription(words)
+        self.setAccessibleDescription(plain_text(words))
         if QAccessible.isActive() and chosen:
             event = QAccessibleEvent(self, QAccessible.Event.Focus)
             event.setChild(sheet.picture.node(chosen[-1]))
@@ -299,8 +312,13 @@ class Canvas(Stage):
         if not self.hand.key_release(event):
             event.ignore()
 
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.overlays.ring.show_focus(True)
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
+        self.overlays.ring.show_focus(False)
         self.hand.lost_focus()
 
     def focusNextPrevChild(self, forward: bool) -> bool:

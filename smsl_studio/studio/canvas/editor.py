@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, QPointF, QRectF
+from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
@@ -15,7 +16,6 @@ from smsl_studio.errors import StudioError
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
 from smsl_studio.studio.canvas.overlays.name_field import NameField
-from smsl_studio.studio.canvas.places import Places
 from smsl_studio.studio.canvas.placing import clear_place, free_place, on_grid, place_near
 from smsl_studio.studio.canvas.suggest import Suggestions
 from smsl_studio.studio.session import Session
@@ -34,9 +34,7 @@ class CanvasEditor(QObject):
         super().__init__(canvas)
         self.session, self.canvas = session, canvas
         self.field: NameField | ConnectCard | None = None
-        self._places = Places()
         self._refusals: list[StudioError] = []
-        session.opened.connect(self._places.clear)
         session.blueprint_changed.connect(self._blueprint_changed)
         session.branch_changed.connect(self._show)
         session.selection_changed.connect(self._selection_changed)
@@ -52,6 +50,7 @@ class CanvasEditor(QObject):
         canvas.delete_wanted.connect(self.delete_selected)
         canvas.quick_add_wanted.connect(self.quick_add)
         canvas.pressed.connect(self._leave_card)
+        canvas.extended = lambda: session.extended
         self._show(session.branch)
 
     # The session changed
@@ -68,7 +67,7 @@ class CanvasEditor(QObject):
             shown = self.canvas.sheet.picture.branch.name
             if shown != branch:
                 if shown not in after.branches and len(before) == len(after):
-                    self._places.rename_branch(shown, branch)
+                    self.session.places.rename_branch(shown, branch)
                     self._show_again(branch)
                 return
         self._show_again(branch)
@@ -80,7 +79,7 @@ class CanvasEditor(QObject):
             self.canvas.show_branch(blueprint, branch)
             return
         shown, sheet = blueprint[branch], self.canvas.sheet
-        places = self._places.of(shown)
+        places = self.session.places.of(shown)
         if sheet is not None and _same_picture(sheet.picture.branch, shown):
             self.canvas.show_places(blueprint, branch, places)
         else:
@@ -89,9 +88,13 @@ class CanvasEditor(QObject):
 
     def _show(self, branch: str) -> None:
         self._close_field()
-        blueprint = self.session.blueprint
-        if branch in blueprint.branches:
-            self.canvas.show_branch(blueprint, branch, self._places.of(blueprint[branch]))
+        blueprint, sheet = self.session.blueprint, self.canvas.sheet
+        picture = sheet.picture if sheet is not None else None
+        drawn = (picture.blueprint, picture.branch.name) if picture is not None else None
+        if drawn is not None and drawn[0] is blueprint and drawn[1] == branch:
+            self.canvas.fit(smooth=False)  # another file was opened, and is drawn already
+        elif branch in blueprint.branches:
+            self.canvas.show_branch(blueprint, branch, self.session.places.of(blueprint[branch]))
         else:
             self.canvas.show_branch(blueprint, branch)
 
@@ -110,6 +113,7 @@ class CanvasEditor(QObject):
             self._first_branch_and_state(at)
             return
         place = on_grid(at)
+        self.canvas.reveal_point(QPointF(*place), smooth=False)
         suggested = fresh_state_name(self._branch)
 
         def commit(name: str) -> str:
@@ -188,15 +192,19 @@ class CanvasEditor(QObject):
             self.canvas.say("Select the state the operation starts from.")
             return
         source = states[0]
+        self.canvas.reveal(source, smooth=False)
         places = self.canvas.positions
         if len(states) == 2:
             (ax, ay), (bx, by) = places[source.state], places[states[1].state]
             self.connect_states(source, states[1], QPointF((ax + bx) / 2, (ay + by) / 2))
             return
-        self.connect_states(source, None, QPointF(*free_place(places, source.state)))
+        place = QPointF(*free_place(self.canvas, source.state))
+        self.canvas.reveal_point(place, smooth=False)
+        self.connect_states(source, None, place)
 
     def rename(self, address: Address) -> None:
-        """Edit the name of a state or operation where it stands."""
+        """Edit the name of a state or operation where it stands; the view scrolls there."""
+        self.canvas.reveal(address, smooth=False)
         rect = self.canvas.rect_of(address)
         if rect is None or not self._stands(address):
             return
@@ -313,10 +321,14 @@ class CanvasEditor(QObject):
             self._close_field()
 
     def _close_field(self) -> None:
+        """Take the open field away; the keys go back to the canvas if the field had them."""
         self.canvas.show_pending(None)
         if self.field is not None:
             field, self.field = self.field, None
+            had_keys = field.isAncestorOf(QApplication.focusWidget() or self.canvas)
             field.close_field()
+            if had_keys:
+                self.canvas.setFocus()
 
     def _field_place(
         self, centre: QPointF, width: float, rect: QRectF | None = None

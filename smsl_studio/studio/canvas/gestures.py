@@ -110,7 +110,7 @@ class DragStates:
         self._begun = False
         address = sheet.address_of_state(state)
         selection = canvas.marks.selection
-        self._only = selection_after(selection, address, event.modifiers())
+        self._only = selection_after(canvas.extended(), address, event.modifiers())
         self._late = address in selection and self._only == (address,)
         self._alone = selection == (address,)
         if not self._late:

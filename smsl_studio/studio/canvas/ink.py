@@ -17,6 +17,7 @@ from PySide6.QtGui import (
     QPolygonF,
 )
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 ROUND = Qt.PenCapStyle.RoundCap
@@ -33,25 +34,28 @@ class Type:
         self.metrics = QFontMetricsF(font)
         # Centres capitals and digits rather than the line, as the eye does.
         self.rise = self.metrics.capHeight() / 2
-        self.width = lru_cache(maxsize=20_000)(self.metrics.horizontalAdvance)
+        self.width = lru_cache(maxsize=20_000)(self._measured)
+
+    def _measured(self, text: str) -> float:
+        return self.metrics.horizontalAdvance(plain_text(text))
 
     def elided(self, text: str, width: float) -> str:
         """The text, its middle left out where it is wider than ``width``."""
         if self.width(text) <= width:
             return text
-        return self.metrics.elidedText(text, Qt.TextElideMode.ElideMiddle, width)
+        return self.metrics.elidedText(plain_text(text), Qt.TextElideMode.ElideMiddle, width)
 
     def draw(self, painter: QPainter, x: float, y: float, text: str, colour: QColor) -> None:
         """Draw a text centred about (x, y)."""
         painter.setFont(self.font)
         painter.setPen(colour)
-        painter.drawText(QPointF(x - self.width(text) / 2, y + self.rise), text)
+        painter.drawText(QPointF(x - self.width(text) / 2, y + self.rise), plain_text(text))
 
     def draw_from(self, painter: QPainter, x: float, y: float, text: str, colour: QColor) -> None:
         """Draw a text from x on, centred about y."""
         painter.setFont(self.font)
         painter.setPen(colour)
-        painter.drawText(QPointF(x, y + self.rise), text)
+        painter.drawText(QPointF(x, y + self.rise), plain_text(text))
 
 
 class Ink:

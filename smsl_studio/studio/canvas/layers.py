@@ -6,12 +6,16 @@ are painted one by one from their shapes; what is lit lies in a layer of its own
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPen
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
+from smsl_studio.legible import plain_text
+from smsl_studio.picture import labels
 from smsl_studio.picture.labels import Rect
 from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.picture.picture import Ints
@@ -79,6 +83,8 @@ class EdgeLayer(Layer):
     def __init__(self, z: float) -> None:
         super().__init__(z)
         self._drawn = Drawn()
+        self.over: LitLayer | None = None
+        """What is painted above this layer."""
 
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
         edges = sheet.edges_in(*_edges(exposed))
@@ -99,12 +105,19 @@ class EdgeLayer(Layer):
         unit = sheet.unit
         painter.save()
         painter.scale(unit, unit)
-        for edge in rest:
-            rect = geometry.label(edge)
-            if rect is not None:
-                centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
-                paint_label(painter, sheet.text(edge), centre, looks.edge(edge), sheet.ink)
+        for edge, rect in self.names(sheet, rest).items():
+            centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
+            paint_label(painter, sheet.text(edge), centre, looks.edge(edge), sheet.ink)
         painter.restore()
+
+    def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:
+        """Where the names of these edges stand; one that the label of a change covers hides."""
+        found = {edge: rect for edge in edges if (rect := sheet.geometry.label(edge)) is not None}
+        if self.over is None or not sheet.looks.marks.changes:
+            return found
+        lit = self.over.shown().values()
+        over = [one.rect for one in lit if sheet.edge_look(one.edge).change]
+        return {e: r for e, r in found.items() if not any(labels.meet(r, one) for one in over)}
 
     def _far(self, painter: QPainter, sheet: Sheet, edges: Numbers) -> None:
         """Straight lines; opposite edges lie on each other, heads are two strokes."""
@@ -197,7 +210,7 @@ class FarNodeLayer(Layer):
         for row in rows:
             text = type_.elided(sheet.picture.face(row).short, float(sheet.compact_widths[row]) - 8)
             x, y = sheet.at[row] / unit
-            painter.drawText(QPointF(x - type_.width(text) / 2, y + type_.rise), text)
+            painter.drawText(QPointF(x - type_.width(text) / 2, y + type_.rise), plain_text(text))
         painter.restore()
 
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.studio.canvas.change_signs import change_colours, change_dashes, draw_change
@@ -214,7 +215,7 @@ def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook,
     baseline = 19.0 - FULL_SIZE[1] / 2
     if not face.chips:
         baseline = -2.0 if face.title else ink.name.rise
-    painter.drawText(QPointF(-ink.name.width(name) / 2, baseline), name)
+    painter.drawText(QPointF(-ink.name.width(name) / 2, baseline), plain_text(name))
     if not face.chips and face.title:
         soft = tokens.onacc if look.active else tokens.tx2
         ink.label.draw(painter, 0.0, 13.0, ink.label.elided(face.title, width - 16.0), soft)

@@ -56,11 +56,64 @@ def on_grid(at: QPointF) -> Position:
     return round(at.x() / GRID) * GRID, round(at.y() / GRID) * GRID
 
 
-def free_place(places: Mapping[str, Position], source: str) -> Position:
-    """A free place right of a state, or below it."""
-    x, y = places[source]
-    for dx, dy in ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172)):
-        at = (x + dx, y + dy)
-        if all(abs(at[0] - ox) > 120 or abs(at[1] - oy) > 70 for ox, oy in places.values()):
-            return at
-    return x + 109, y + 86
+APART = (120.0, 70.0)
+"""No nearer in both directions does a new state stand to another one."""
+AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172))
+"""Where a new state stands beside another one, if it can."""
+TRIED = 40
+"""So many places across, and as many down, are tried in the view."""
+
+
+def free_place(canvas: Canvas, beside: str = "") -> Position:
+    """A free place that is in view: beside a state or, without one, right of all or in the middle.
+
+    Where the view has none, the place lies outside it, and whoever adds the state scrolls there.
+    """
+    places = canvas.positions
+    seen = canvas.clear_view
+    if not places:
+        return seen.center().x(), seen.center().y()
+    x, y = places[beside] if beside in places else max(places.values())
+    around = AROUND if beside in places else ((218, 0),)
+    wishes = [(x + dx, y + dy) for dx, dy in around]
+    if not seen.contains(QPointF(x, y)):
+        x, y = seen.center().x(), seen.center().y()
+    across, down = max(APART[0] / 2, seen.width() / TRIED), max(APART[1] / 2, seen.height() / TRIED)
+    inside = [
+        (seen.left() + i * across, seen.top() + j * down)
+        for i in range(int(seen.width() / across) + 1)
+        for j in range(int(seen.height() / down) + 1)
+    ]
+    inside.sort(key=lambda at: (at[0] - x) ** 2 + (at[1] - y) ** 2)
+    near = [wish for wish in wishes if seen.contains(QPointF(*wish))] + inside
+    free = [one for one in near if _is_free(canvas, one)]
+    at = next((one for one in free[:TRIED] if not _is_drawn_on(canvas, one)), None)
+    return (
+        at
+        or next(iter(free), None)
+        or next((one for one in wishes if _is_free(canvas, one)), _right_of_all(places))
+    )
+
+
+def _is_free(canvas: Canvas, at: Position) -> bool:
+    """Whether no other state stands too near, at 100 % and as large as marks are shown now."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return True
+    wide, high = (max(apart, apart * sheet.unit) for apart in APART)
+    off = abs(sheet.at - at)
+    return not ((off[:, 0] <= wide) & (off[:, 1] <= high)).any()
+
+
+def _is_drawn_on(canvas: Canvas, at: Position) -> bool:
+    """Whether lines lie where the node of a new state would stand."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return False
+    wide, high = (apart / 2 * max(1.0, sheet.unit) for apart in APART)
+    return sheet.is_drawn_on(at[0] - wide, at[1] - high, at[0] + wide, at[1] + high)
+
+
+def _right_of_all(places: Mapping[str, Position]) -> Position:
+    x, y = max(places.values())
+    return x + 218.0, y

@@ -49,6 +49,7 @@ class Stage(QGraphicsView):
         scene = QGraphicsScene(self)
         self._layers = EdgeLayer(0.0), FarNodeLayer(5.0), LitLayer(20.0)
         self.edge_layer, self.far_layer, self.lit_layer = self._layers
+        self.edge_layer.over = self.lit_layer
         self.gestures = GestureLayer(self)
         for layer in (*self._layers, self.gestures):
             scene.addItem(layer)
@@ -241,7 +242,8 @@ class Stage(QGraphicsView):
                 if label is not None:
                     left, top, right, bottom = label.rect
                     rect = QRectF(left, top, right - left, bottom - top)
-                    pad = 4.0 * sheet.unit
+                    # What the label of a change covers hides, and comes back when that moves.
+                    pad = (160.0 if sheet.looks.marks.changes else 4.0) * sheet.unit
                     self.scene().update(rect.adjusted(-pad, -pad, pad, pad))
 
     def update_node(self, state: int) -> None:
@@ -279,9 +281,13 @@ class Stage(QGraphicsView):
         self.zoom_changed.emit(zoom)
 
     def refresh_pool(self) -> None:
-        """Give near nodes and lit ones an item, take it from those that left the view."""
+        """Give near nodes and lit ones an item, take it from those that left the view.
+
+        While the view zooms out it scrolls before the sheet knows its zoom: all states would be
+        taken for near ones. ``zoom_changed`` comes right after.
+        """
         sheet = self._sheet
-        if sheet is None:
+        if sheet is None or sheet.zoom != self.zoom:
             return
         states: list[int] = []
         view = self.seen

@@ -23,12 +23,17 @@ from smsl_studio.studio.canvas.gestures import (
 )
 from smsl_studio.studio.canvas.handles import handles, nearest
 from smsl_studio.studio.canvas.node_paint import chip_places
+from smsl_studio.studio.tips import tip_text
 
 if TYPE_CHECKING:
     from smsl_studio.studio.canvas.canvas import Canvas
 
 REACH = 15.0
 """How far around a node the pointer still counts as being at it, so that its handle is reached."""
+GRIP = 10.0
+"""How near to the grip a press takes it (pixels)."""
+CLEAR = 32.0
+"""No handle is shown nearer to the grip than this, from middle to middle (pixels)."""
 
 
 class Hand:
@@ -75,7 +80,7 @@ class Hand:
         at = canvas.mapToScene(event.position().toPoint())
         if canvas.editing:
             edge = self._grip_edge()
-            if edge >= 0 and self._near(at, canvas.gestures.grip, 8.0):
+            if edge >= 0 and self._near(at, canvas.gestures.grip, GRIP):
                 return Retarget(canvas, event, edge)
             handle = canvas.gestures.handle
             if handle is not None and self._near(at, handle, HANDLE_RADIUS + 1.0):
@@ -88,7 +93,7 @@ class Hand:
         edge = sheet.edge_at(at.x(), at.y())
         if edge >= 0:
             address = sheet.picture.address(edge)
-            chosen = selection_after(canvas.marks.selection, address, event.modifiers())
+            chosen = selection_after(canvas.extended(), address, event.modifiers())
             canvas.selection_wanted.emit(chosen)
             if not canvas.editing:
                 canvas.edge_clicked.emit(address)
@@ -194,7 +199,10 @@ class Hand:
         edge = -1 if state >= 0 else sheet.edge_at(point.x(), point.y())
         self._set_hover(state, edge)
         if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
-            canvas.gestures.put("handle", nearest(sheet, state, point))
+            handle = nearest(sheet, state, point)
+            # Where the grip lies a handle would be drawn over it and take its place.
+            hidden = self._near(handle, canvas.gestures.grip, CLEAR)
+            canvas.gestures.put("handle", None if hidden else handle)
         elif canvas.gestures.handle is not None:
             canvas.gestures.put("handle", None)
         self._tip(state, edge)
@@ -257,7 +265,7 @@ class Hand:
         elif edge >= 0:
             tip = edge_tip(self._canvas, edge)
         if self._canvas.viewport().toolTip() != tip:
-            self._canvas.viewport().setToolTip(tip)
+            self._canvas.viewport().setToolTip(tip_text(tip))
 
     def _grip_edge(self) -> int:
         sheet = self._canvas.sheet
@@ -275,6 +283,7 @@ class Hand:
             place = QPointF(*sheet.geometry.shape(edge).tip)
         if place != canvas.gestures.grip:
             canvas.gestures.put("grip", place)
+            self.look_again()
 
     def _near(self, a: QPointF, b: QPointF | None, pixels: float) -> bool:
         if b is None:

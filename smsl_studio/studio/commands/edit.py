@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from smsl_studio.errors import EditRefused
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.clipping import Clipping
 from smsl_studio.studio.commands.shell import Shell
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.session import Session
+
+NOT_SHOWN = EditRefused(
+    "the steps of the drawing are undone and done again where it is shown",
+    advice="Ctrl+1 shows it.",
+)
 
 
 def edit_actions(
@@ -17,11 +25,22 @@ def edit_actions(
     def drawn() -> bool:
         return shell.mode == "draw"
 
+    def of_drawing(call: Callable[[], object]) -> Callable[[], None]:
+        """In Draw mode alone: nobody wants to change what he does not see."""
+
+        def act() -> None:
+            if drawn():
+                call()
+            else:
+                session.refused.emit(NOT_SHOWN)
+
+        return act
+
     return (
-        Action("undo", "Undo", history.undo, "Edit", "undo", ("Ctrl+Z",), history.canUndo,
-               tip="Undo the last step"),
-        Action("redo", "Redo", history.redo, "Edit", "redo", ("Ctrl+Shift+Z", "Ctrl+Y"),
-               history.canRedo, tip="Do the undone step again"),
+        Action("undo", "Undo", of_drawing(history.undo), "Edit", "undo", ("Ctrl+Z",),
+               history.canUndo, tip="Undo the last step"),
+        Action("redo", "Redo", of_drawing(history.redo), "Edit", "redo",
+               ("Ctrl+Shift+Z", "Ctrl+Y"), history.canRedo, tip="Do the undone step again"),
         Action("cut", "Cut", clipping.cut, "Edit", "", ("Ctrl+X",),
                lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
                tip="Take what is selected away, onto the clipboard"),

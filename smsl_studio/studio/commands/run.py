@@ -30,6 +30,6 @@ def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action,
                tip="Every sensor, fact, node and state check of the run"),
         Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
                tip="A controlled stop, from anywhere"),
-        Action("reload_plugins", "Look for plugins again", windows.plugins.look, "Run", "", (),
+        Action("reload_plugins", "Look for plugins again", windows.plugins.look_anew, "Run", "", (),
                section=4, tip="Read edited and added plugins; a run always has them as they are"),
     )  # fmt: skip

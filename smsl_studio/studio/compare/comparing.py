@@ -13,6 +13,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import compare
 from smsl_studio.errors import AddressError, StudioError
 from smsl_studio.front.revisions import Revision, revisions
+from smsl_studio.picture.aligned import as_drawn
 from smsl_studio.studio.beside import Beside, Came
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
@@ -146,6 +147,8 @@ class Comparing(QObject):
             self._dialog.close()
         self._dialog = CompareDialog(self._tokens, self._window)
         self._dialog.element_wanted.connect(self._show_element)
+        self._dialog.undo_wanted.connect(self._undo)
+        self._dialog.redo_wanted.connect(self._redo)
         self._dialog.finished.connect(self._closed)
         self._refresh()
         self._dialog.show()
@@ -162,8 +165,16 @@ class Comparing(QObject):
         words = f"{name}, as it is drawn"
         if session.broken is not None:
             words = f"{name}, as it last could be read"
-        difference = compare(self._version.blueprint, session.blueprint)
+        difference = as_drawn(compare(self._version.blueprint, session.blueprint))
         self._dialog.show_difference(difference, self._version.words, words)
+
+    def _undo(self) -> None:
+        self._files.settling.emit()
+        self._session.history.undo()
+
+    def _redo(self) -> None:
+        self._files.settling.emit()
+        self._session.history.redo()
 
     def _closed(self) -> None:
         if self.sender() is self._dialog:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparing import Difference
 from smsl_studio.blueprint.comparing.signs import signs_of
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.actions import key_words
@@ -28,8 +29,10 @@ from smsl_studio.studio.controls import Combo, Elided, row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.rows import LINE, RowsView
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 NEXT_KEYS, PREVIOUS_KEYS = "F7", "Shift+F7"
+UNDO_KEYS, REDO_KEYS = ("Ctrl+Z",), ("Ctrl+Shift+Z", "Ctrl+Y")
 SIZE = (1200, 760)
 CHOICE = 220, 560
 """The choice of a State Branch is as wide as its longest name, within these."""
@@ -43,6 +46,9 @@ class CompareDialog(QDialog):
 
     element_wanted = Signal(object)
     """The address of an element that shall be shown in the drawing."""
+    undo_wanted = Signal()
+    redo_wanted = Signal()
+    """A step of the drawing shall be undone, or done again: what changed by it is shown here."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
@@ -65,7 +71,9 @@ class CompareDialog(QDialog):
         self._words = Elided()
         self.branches = Combo()
         self.branches.setAccessibleName("State Branch")
-        self.branches.currentTextChanged.connect(self.branches.setToolTip)
+        self.branches.currentTextChanged.connect(
+            lambda name: self.branches.setToolTip(tip_text(name))
+        )
         self.branches.activated.connect(self._branch_chosen)
         self.previous = self._tool("Previous change", PREVIOUS_KEYS, self.show_previous)
         self.next = self._tool("Next change", NEXT_KEYS, self.show_next)
@@ -79,6 +87,9 @@ class CompareDialog(QDialog):
         self.changes.activated.connect(lambda _: self._jump())
         for side in (self.before, self.after):
             side.clicked.connect(self._clicked)
+        for keys, wanted in ((UNDO_KEYS, self.undo_wanted), (REDO_KEYS, self.redo_wanted)):
+            for key in keys:
+                QShortcut(QKeySequence(key), self).activated.connect(wanted)
         top = row(self._words, self.branches, self.fit, self.previous, self.next, self.jump)
         top.setContentsMargins(14, 8, 14, 8)
         sides = QSplitter(Qt.Orientation.Horizontal)
@@ -99,8 +110,8 @@ class CompareDialog(QDialog):
 
     def _tool(self, words: str, keys: str, call: object) -> QToolButton:
         made = QToolButton()
-        made.setToolTip(f"{words} ({key_words(keys)})")
-        made.setAccessibleName(words)
+        made.setToolTip(tip_text(f"{words} ({key_words(keys)})"))
+        made.setAccessibleName(plain_text(words))
         made.clicked.connect(call)
         QShortcut(QKeySequence(keys), self, activated=call)  # type: ignore[call-overload]
         return made
@@ -113,10 +124,10 @@ class CompareDialog(QDialog):
         self._difference = difference
         self._signs = signs_of(difference)
         self._words.setText(difference.words)
-        self._words.setToolTip(difference.words)
+        self._words.setToolTip(tip_text(difference.words))
         self.before.show_version(before)
         self.after.show_version(after)
-        self.setWindowTitle(f"Compare {before} with {after}")
+        self.setWindowTitle(plain_text(f"Compare {before} with {after}"))
         changed = changed_pairs(difference)
         self._pairs = [*changed, *(p for p in branch_pairs(difference) if p not in changed)]
         self.branches.clear()

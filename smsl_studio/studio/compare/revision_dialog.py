@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.front.revisions import MOST, Revision
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Field, label, row
 from smsl_studio.studio.rows import Row, RowsView
 from smsl_studio.studio.theme import Tokens
@@ -25,7 +26,7 @@ class RevisionDialog(QDialog):
     ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(f"Compare {name} with a revision")
+        self.setWindowTitle(plain_text(f"Compare {name} with a revision"))
         self.setModal(True)
         self._revisions = tuple(revisions)
         self.search = Field()

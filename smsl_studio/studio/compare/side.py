@@ -9,11 +9,13 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.controls import Elided
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 LEAST = 280
 
@@ -34,7 +36,7 @@ class Side(QWidget):
         self._title.setContentsMargins(14, 8, 14, 8)
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
-        self.canvas.setAccessibleName(f"Canvas, {word}")
+        self.canvas.setAccessibleName(plain_text(f"Canvas, {word}"))
         self.canvas.edge_clicked.connect(self.clicked)
         self.canvas.node_clicked.connect(self.clicked)
         self.setMinimumWidth(LEAST)
@@ -47,7 +49,7 @@ class Side(QWidget):
     def show_version(self, words: str) -> None:
         """Name the version that stands on this side."""
         self._title.setText(f"{self._word}: {words}")
-        self._title.setToolTip(words)
+        self._title.setToolTip(tip_text(words))
 
     def show_branch(
         self,

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Literal, Protocol
 
 Answer = Literal["save", "discard", "cancel"]
+Interrupted = Literal["finish", "undo", "cancel"]
 
 
 class Asker(Protocol):
@@ -20,8 +21,14 @@ class Asker(Protocol):
     def unsaved(self, said: str) -> Answer:
         """What becomes of unsaved changes; ``said`` names the files."""
 
+    def interrupted(self, names: str, when: str) -> Interrupted:
+        """What becomes of a save of these files that was interrupted, before one is opened."""
+
     def may_overwrite(self, names: str) -> bool:
         """Whether to save over what another program has written."""
+
+    def may_lose(self, said: str) -> bool:
+        """Whether to save although the file loses something; ``said`` tells what."""
 
     def may_save_broken(self, name: str, faults: str) -> bool:
         """Whether to save a text that does not read as a blueprint."""

@@ -7,8 +7,11 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.smsl.forms import SUFFIXES
-from smsl_studio.studio.files.asking import Answer
+from smsl_studio.studio.files.asking import Answer, Interrupted
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is
 
 ALL = "All files (*)"
 KINDS = {
@@ -18,9 +21,12 @@ KINDS = {
 }
 OPEN = f"SMSL blueprints ({' '.join(f'*{suffix}' for suffix in SUFFIXES)});;{ALL}"
 
+FINISH, UNDO, STAY = "Finish the save", "Undo it", "Stay"
 ROLES = {
+    FINISH: QMessageBox.ButtonRole.AcceptRole,
     "Save": QMessageBox.ButtonRole.AcceptRole,
     "Cancel": QMessageBox.ButtonRole.RejectRole,
+    STAY: QMessageBox.ButtonRole.RejectRole,
 }
 """Of the buttons; every other one loses something."""
 
@@ -59,12 +65,32 @@ class Dialogs:
             f"Replace {path.name}",
         )
 
+    def interrupted(self, names: str, when: str) -> Interrupted:
+        said = f"The program ended {when} while it was saving {names}."
+        why = (
+            "The new texts stand beside the files. Finishing the save puts them in their places. "
+            "Undoing it leaves each file as it was before."
+        )
+        chosen = self._chosen(
+            "Interrupted save", said, why, (FINISH, UNDO, "Cancel"), default=FINISH
+        )
+        return "finish" if chosen == FINISH else "undo" if chosen == UNDO else "cancel"
+
     def may_overwrite(self, names: str) -> bool:
         return self._agrees(
             "Changed by another program",
             f"{names} was changed by another program since it was read.",
             "Saving puts your text in the place of what stands there now.",
             "Save over it",
+        )
+
+    def may_lose(self, said: str) -> bool:
+        return self._agrees(
+            "What a save cannot keep",
+            said,
+            "A save puts a new file in the place of the old one, and the system does not let this "
+            "user give it all of that. Save as writes to another place.",
+            "Save",
         )
 
     def may_save_broken(self, name: str, faults: str) -> bool:
@@ -89,22 +115,30 @@ class Dialogs:
         chosen = self._chosen("Unsaved changes", said, why, words, default="Save")
         return "save" if chosen == "Save" else "cancel" if chosen == "Cancel" else "discard"
 
+    def may_end_run(self, said: str) -> bool:
+        """Whether the window may close although a run is there; ``said`` names the run."""
+        words = ("Stop and close", STAY)
+        why = "Closing the window ends it. What moves is stopped first."
+        return self._chosen("A run is there", said, why, words, default=STAY) != STAY
+
     def _agrees(self, title: str, what: str, why: str, verb: str) -> bool:
         return self._chosen(title, what, why, (verb, "Cancel"), default="Cancel") == verb
 
     def _chosen(self, title: str, what: str, why: str, words: Sequence[str], default: str) -> str:
-        """The words of the button that was chosen; Escape is "Cancel"."""
+        """The words of the button that was chosen; Escape is the last one, which does nothing."""
         box = QMessageBox(self._window)
-        box.setWindowTitle(title)
-        box.setText(what)
-        box.setInformativeText(why)
+        box.setWindowTitle(plain_text(title))
+        box.setText(tip_text(what))
+        box.setInformativeText(tip_text(why))
         buttons = {
-            one: box.addButton(one, ROLES.get(one, QMessageBox.ButtonRole.DestructiveRole))
+            one: box.addButton(
+                as_it_is(one), ROLES.get(one, QMessageBox.ButtonRole.DestructiveRole)
+            )
             for one in words
         }
         box.setDefaultButton(buttons[default])
-        box.setEscapeButton(buttons["Cancel"])
+        box.setEscapeButton(buttons[words[-1]])
         box.exec()
         clicked = box.clickedButton()
         box.deleteLater()
-        return next((one for one, made in buttons.items() if made is clicked), "Cancel")
+        return next((one for one, made in buttons.items() if made is clicked), words[-1])

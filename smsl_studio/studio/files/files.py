@@ -3,21 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from smsl_studio.blueprint.importing import real_path
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.project import real_path
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.together import save_together
+from smsl_studio.smsl.traits import losses
+from smsl_studio.smsl.unfinished import clear_up
 from smsl_studio.studio.files.asking import Asker
 from smsl_studio.studio.files.converting import form_words, leaves_comments, moved
 from smsl_studio.studio.files.fresh import UNTITLED, empty_blueprint
+from smsl_studio.studio.files.interrupted import Settled, settle_interrupted
 from smsl_studio.studio.files.on_disk import OnDisk
 from smsl_studio.studio.files.opening import Opened, open_file, understood
+from smsl_studio.studio.files.store import Pairs, store
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.words import counted
@@ -39,6 +43,8 @@ class Files(QObject):
 
     changed = Signal()
     """The file, its name, what stands in it, or the recent files have changed."""
+    asking = Signal()
+    """Another file shall be opened: told before anything is asked, however long that takes."""
     refused = Signal(object)
     """A StudioError: the file was not opened or not saved; what was there still is."""
     said = Signal(str)
@@ -55,6 +61,7 @@ class Files(QObject):
         self.on_disk = OnDisk()
         self._name = UNTITLED
         self._told: set[str] = set()
+        self._given_up: set[tuple[Path, tuple[str, ...]]] = set()
         session.unsaved = lambda one: self.on_disk.is_nowhere(one.file, one.text)
         session.blueprint_changed.connect(self._learn)
         session.aside_changed.connect(self._tell_aside)
@@ -115,11 +122,13 @@ class Files(QObject):
 
     def new(self) -> None:
         """Start an empty blueprint with one SB."""
+        self.asking.emit()
         if self.may_leave():
             self.show(Opened(empty_blueprint()), None, UNTITLED)
 
     def open(self, path: Path | None = None) -> bool:
         """Open a file (asking which); False where it cannot be read or was called off."""
+        self.asking.emit()
         if path is None:
             path = self._asker.file_to_open(self._folder())
         opened = self._read(path) if path is not None else None
@@ -139,6 +148,7 @@ class Files(QObject):
 
     def open_copy(self, path: Path) -> bool:
         """Open a sample as a new blueprint of that name; saving asks where to."""
+        self.asking.emit()
         opened = self._read(path)
         if opened is None or not self.may_leave():
             return False
@@ -189,12 +199,27 @@ class Files(QObject):
 
     def _read(self, path: Path) -> Opened | None:
         try:
-            return open_file(path)
+            opened = open_file(path)
+            settled = self.settle_interrupted(path, opened)
+            if settled == "called off":
+                return None
+            clear_up(Path(real_path(str(path))).parent)
+            return open_file(path) if settled == "changed" else opened
         except StudioError as error:
             self._settings.forget(path.absolute())
             self.refused.emit(error)
             self.changed.emit()
             return None
+
+    def settle_interrupted(self, path: Path, opened: Opened) -> Settled:
+        """Ask about interrupted saves of a file that was read, and of what it imports."""
+        imported = [document.file for document in opened.blueprint.documents[1:]]
+        try:
+            return settle_interrupted([str(path), *imported], self._asker)
+        except SaveError as error:
+            # What was read are the texts that count, and they can be shown all the same.
+            self.refused.emit(error)
+            return "nothing"
 
     def _learn(self, before: Blueprint, after: Blueprint) -> None:
         """Files that came along with an import were read just now, or come back by an undo."""
@@ -227,7 +252,7 @@ class Files(QObject):
 
     def _store(self, files: Sequence[str]) -> bool:
         """Write these of the session's files to where they came from."""
-        if not (self._may_save_broken(files) and self._may_overwrite(files)):
+        if not self._may_save_broken(files):
             return False
         if not self._written([(self._document(file), self._place(file)) for file in files]):
             return False
@@ -245,9 +270,7 @@ class Files(QObject):
         if self._is_imported(path):
             self.refused.emit(_over_an_import(path.name))
             return False
-        if not (self._may_save_broken([own, *others]) and self._may_overwrite(others)):
-            return False
-        if not self._comments_may_go(path):
+        if not (self._may_save_broken([own, *others]) and self._comments_may_go(path)):
             return False
         try:
             found = moved(self._document(own), path, whole=broken is None or broken.file != own)
@@ -255,7 +278,7 @@ class Files(QObject):
             self.refused.emit(error)
             return False
         pairs = [(self._document(file), self._place(file)) for file in others]
-        if not self._written([(found.document, path), *pairs]):
+        if not self._written([(found.document, path), *pairs], chosen=path):
             return False
         self.path, self._name = path, path.name
         if found.anew:
@@ -277,14 +300,31 @@ class Files(QObject):
         session.show_branch(branch)
         session.select(selection)
 
-    def _written(self, pairs: Sequence[tuple[Document, Path]]) -> bool:
+    def _written(self, pairs: Pairs, chosen: Path | None = None) -> bool:
+        """Write documents to their places (see ``store``); whether that was done."""
+
+        def ask(files: list[str]) -> bool:
+            return self._asker.may_overwrite(_listed([self.display(file) for file in files]))
+
+        if not self._may_lose([path for _, path in pairs]):
+            return False
         try:
-            save_together(pairs)
+            return store(pairs, self.on_disk, ask, chosen)
         except StudioError as error:
             self.refused.emit(error)
             return False
-        for document, _ in pairs:
-            self.on_disk.saw(document.file, document.text)
+
+    def _may_lose(self, paths: Sequence[Path]) -> bool:
+        """Ask before a file loses its owner, its group, its rights or a further name: once."""
+        for path in paths:
+            lost: tuple[str, ...] = ()
+            with suppress(OSError):  # where it cannot be tried, the save itself will say why
+                lost = losses(Path(real_path(str(path))))
+            if not lost or (path, lost) in self._given_up:
+                continue
+            if not self._asker.may_lose(f"Saved, {path.name} loses {_listed(lost)}."):
+                return False
+            self._given_up.add((path, lost))
         return True
 
     def _saved(self, names: Sequence[str]) -> None:
@@ -310,12 +350,6 @@ class Files(QObject):
             return True
         faults = counted(len(broken.error.faults), "fault")
         return self._asker.may_save_broken(self.display(broken.file), faults)
-
-    def _may_overwrite(self, files: Sequence[str]) -> bool:
-        looks, texts = map(self.on_disk.look, files), self.texts
-        changed = [self.display(look.file) for look in looks
-                   if look.changed and not look.gone and look.text != texts[look.file]]  # fmt: skip
-        return not changed or self._asker.may_overwrite(_listed(changed))
 
     def _comments_may_go(self, path: Path) -> bool:
         document = self._session.blueprint.document

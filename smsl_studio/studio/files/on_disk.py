@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.files import read_text
+from smsl_studio.smsl.files import read_content, text_of
+from smsl_studio.smsl.inputs import NOTHING, Seen
 
 
 @dataclass(frozen=True)
@@ -16,12 +18,14 @@ class Look:
     """A file as it is now, compared with what the window has seen of it.
 
     ``text`` is what stands there, None where nothing is there (``gone``) or it is no text.
+    ``seen`` is what a save is to replace, None where that cannot be read.
     """
 
     file: str
     text: str | None
     changed: bool
     gone: bool = False
+    seen: Seen | None = None
 
 
 class OnDisk:
@@ -81,11 +85,13 @@ class OnDisk:
 
     def look(self, file: str) -> Look:
         """Look at a file again."""
-        try:
-            now: str | None = read_text(file)
-        except ReadError:
-            now = None
+        now: str | None = None
+        seen: Seen | None = None
+        with suppress(ReadError):
+            content = read_content(file)
+            seen = content.seen
+            now = text_of(content, file)
         before = self._seen.get(file)
         gone = now is None and not Path(file).is_file()
         changed = now != before if now is not None or gone else True
-        return Look(file, now, changed, gone)
+        return Look(file, now, changed, gone, NOTHING if gone else seen)

@@ -8,9 +8,9 @@ from pathlib import Path
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint, salvage
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.files import read_text
+from smsl_studio.smsl.files import read_content, text_of
 from smsl_studio.smsl.forms import form_named, form_of
-from smsl_studio.smsl.unfinished import finish_saves
+from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.studio.broken import Broken
 
 
@@ -23,18 +23,19 @@ class Opened:
 
 
 def open_file(path: Path) -> Opened:
-    """What stands in a file; ReadError where it cannot be read, or is no text at all.
-
-    A save that a process left unfinished in its folder is brought to its end first.
-    """
-    finish_saves(path.absolute().parent)
-    return understood(read_text(path), str(path))
+    """What stands in a file; ReadError where it cannot be read, or is no text at all."""
+    return understood(text_of(read_content(path), str(path)), str(path))
 
 
 def understood(text: str, file: str) -> Opened:
     """What a text means, or what can be read of it."""
     form = form_named(form_of(file, text))
-    try:
-        return Opened(read_blueprint(form.parse(text, file)))
-    except ReadError as error:
-        return Opened(salvage(form.recover(text, file)), Broken(file, text, error))
+    with uncollected():
+        try:
+            document = form.parse(text, file)
+        except ReadError as error:
+            return Opened(salvage(form.recover(text, file)), Broken(file, text, error))
+        try:
+            return Opened(read_blueprint(document))
+        except ReadError as error:
+            return Opened(salvage(document), Broken(file, text, error))

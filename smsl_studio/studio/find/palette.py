@@ -33,6 +33,7 @@ class Palette(QFrame):
         self._glass = self.field.addAction(
             icon("search", tokens), QLineEdit.ActionPosition.LeadingPosition
         )
+        self._glass.setText("Find")
         self.list = RowsView(tokens, self)
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.list.setAccessibleName("What was found")

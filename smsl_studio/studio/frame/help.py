@@ -54,7 +54,9 @@ def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
             grid.addWidget(label(title, "heading"), grid.rowCount(), 0, 1, 2)
             for words, keys in lines:
                 at = grid.rowCount()
-                grid.addWidget(label(words, "second"), at, 0)
+                said = label(words, "second")
+                said.setWordWrap(True)
+                grid.addWidget(said, at, 0)
                 grid.addWidget(label(keys, "key"), at, 1, Qt.AlignmentFlag.AlignLeft)
     inner = QWidget()
     inner.setLayout(grid)
@@ -62,6 +64,9 @@ def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
     area.setWidgetResizable(True)
     area.setFrameShape(QScrollArea.Shape.NoFrame)
     area.setWidget(inner)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    bar = area.verticalScrollBar().sizeHint().width()
+    area.setMinimumWidth(inner.minimumSizeHint().width() + bar)
     _finish(dialog, area)
     return dialog
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QIcon, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QStyle, QStyleOptionButton
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens, text_font
 
@@ -29,13 +30,13 @@ class KeyButton(QPushButton):
         self.setProperty("role", role)
         self.setFixedHeight(CONTROL_DECISION)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(words)
+        self.setAccessibleName(plain_text(words))
 
     def set_words(self, words: str, key: str, name: str) -> None:
         """Do something else from now on."""
         self._key, self._icon = key, name
         self.setText(words)
-        self.setAccessibleName(words)
+        self.setAccessibleName(plain_text(words))
         self.updateGeometry()
         self.update()
 
@@ -73,7 +74,7 @@ class KeyButton(QPushButton):
         if not self._short:
             wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
             room = QRectF(left, 0, wide + 1, self.height())
-            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, self.text())
+            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, plain_text(self.text()))
             left += wide + GAP
         self._paint_key(painter, QRectF(left, middle - CHIP / 2, self._chip(), CHIP))
         painter.end()
@@ -88,7 +89,7 @@ class KeyButton(QPushButton):
         painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
         painter.setPen(ink)
         painter.setFont(text_font(11, 500))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self._key)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, plain_text(self._key))
 
     def _inks(self) -> tuple[QColor, QColor]:
         tokens = self._tokens

@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QEvent, QObject, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QMenuBar, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QMenuBar, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.actions import Actions
-from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.controls import Label, label, name_parts, row
 from smsl_studio.studio.icons import draw, pixmap
 from smsl_studio.studio.theme import MENU_BAR, Tokens, text_font
 
@@ -27,7 +28,7 @@ class MenuRow(QWidget):
         self.setObjectName("menu_row")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedHeight(MENU_BAR)
-        self._logo = QLabel()
+        self._logo = Label()
         self.menus = QMenuBar()
         self.menus.setNativeMenuBar(False)
         self.badge = Badge("Uninspected", "shield", tokens)
@@ -45,6 +46,8 @@ class MenuRow(QWidget):
         layout.addStretch(1)
         layout.addWidget(self.badge)
         self._fill(actions, submenus)
+        name_parts(self.menus)
+        self.menus.setAccessibleName("Menus")
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -110,7 +113,7 @@ class _Title(QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._name = label("", "heading")
-        self._dot = QLabel()
+        self._dot = Label()
         self._edited = label("", "second")
         self.setLayout(row(self._name, self._dot, self._edited, spacing=6))
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -129,7 +132,7 @@ class _Title(QWidget):
         self._edited.setText(edited)
         self._dot.setVisible(bool(edited))
         self._edited.setVisible(bool(edited))
-        self.setAccessibleName(f"{name}, {edited}" if edited else name)
+        self.setAccessibleName(plain_text(f"{name}, {edited}" if edited else name))
 
 
 class Badge(QWidget):
@@ -139,7 +142,7 @@ class Badge(QWidget):
         super().__init__()
         self._words, self._icon, self._tokens = words, icon, tokens
         self._font = text_font(12, 500)
-        self.setAccessibleName(words)
+        self.setAccessibleName(plain_text(words))
         self.setFixedSize(self.sizeHint())
 
     def sizeHint(self) -> QSize:
@@ -161,7 +164,7 @@ class Badge(QWidget):
         painter.setPen(tokens.risk)
         painter.setFont(self._font)
         room = self.rect().adjusted(28, 0, 0, 0)
-        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, self._words)
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, plain_text(self._words))
 
 
 def _logo(tokens: Tokens, ratio: float) -> QPixmap:

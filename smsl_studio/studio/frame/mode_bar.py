@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QShowEvent
+from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QApplication,
     QFrame,
     QHBoxLayout,
     QPushButton,
@@ -15,12 +16,16 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from shiboken6 import isValid
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.actions import Actions
-from smsl_studio.studio.controls import row, rule
+from smsl_studio.studio.controls import name_parts, row, rule
 from smsl_studio.studio.frame.key_button import KeyButton
+from smsl_studio.studio.frame.precedence import Precedence
 from smsl_studio.studio.icons import draw, icon
 from smsl_studio.studio.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 DRAW_TOOLS = (
     ("undo", "redo"),
@@ -29,15 +34,23 @@ DRAW_TOOLS = (
 )
 SEARCH = 248
 """Pixels of the search field; it gives way where the bar is narrow."""
+WORDS = 560
+"""Pixels of the drawing tools from which their buttons have words."""
 MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
 PASSING = ("mode_replay",)
 """Modes that are offered only while there is something to show in them."""
+QWIDGETSIZE_MAX = (1 << 24) - 1
+"""Qt's own word for: as wide as you like."""
+COMMANDING = ("run", "supervise")
+"""Modes whose rows have a Stop of their own, at the same place."""
 
 
 class ModeBar(QToolBar):
     """One bar, fixed; its middle follows the mode."""
 
     search_wanted = Signal()
+    focus_lost = Signal()
+    """The control that had the keys has gone, and Qt gave them to whatever stands beside it."""
 
     def __init__(self, actions: Actions, tokens: Tokens) -> None:
         super().__init__("Modes and tools")
@@ -46,6 +59,7 @@ class ModeBar(QToolBar):
         self.setFloatable(False)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self._actions = actions
+        name_parts(self)
         self.left_button = _tool(actions["left_panel"], icon_only=True)
         self.left_button.hide()
         self.segments = Segments(
@@ -57,18 +71,23 @@ class ModeBar(QToolBar):
         self.run.setProperty("role", "primary")
         self.run.setAccessibleName("Run")
         self.run.setFixedHeight(32)
-        self.run.setToolTip(actions.table["run_play"].hint)
+        self.run.setToolTip(tip_text(actions.table["run_play"].hint))
         self.run.clicked.connect(actions["run_play"].trigger)
         self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
         self.stop.setFixedWidth(136)
-        self.stop.setToolTip(actions.table["run_stop"].hint)
+        self.stop.setToolTip(tip_text(actions.table["run_stop"].hint))
         self.stop.clicked.connect(actions["run_stop"].trigger)
         self.stop.hide()
-        self._draw_tools = self._make_draw_tools(actions)
+        self._run_exists, self._mode = False, "draw"
+        self._draw_tools = _DrawTools(actions, self.search, self.run)
         self._middle = QStackedWidget()
+        # What does not fit gives way by itself. Else the bar would put everything, Stop too, out of
+        # sight.
+        self._middle.setMinimumWidth(1)
         self._rows: dict[str, QWidget] = {}
         self._middle.addWidget(self._draw_tools)
         inner = QWidget()
+        inner.setMinimumWidth(1)
         layout = QHBoxLayout(inner)
         layout.setContentsMargins(12, 0, 12, 0)
         layout.setSpacing(12)
@@ -76,9 +95,20 @@ class ModeBar(QToolBar):
         layout.addWidget(self.segments)
         layout.addWidget(rule(vertical=True, length=24))
         layout.addWidget(self._middle, 1)
+        layout.addWidget(self.stop)
         self.addWidget(inner)
         self.setFixedHeight(MODE_BAR)
         self.set_tokens(tokens)
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        application.focusChanged.connect(self._focus_moved)
+
+    def _focus_moved(self, before: QWidget | None, now: QWidget | None) -> None:
+        """A run that ends or stops hides or locks controls; the keys shall not go to "Draw"."""
+        if before is None or now is None or not (isValid(before) and self.isAncestorOf(before)):
+            return
+        if self.isAncestorOf(now) and not (before.isVisible() and before.isEnabled()):
+            self.focus_lost.emit()
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
@@ -103,13 +133,19 @@ class ModeBar(QToolBar):
         self._middle.addWidget(row)
 
     def show_stop(self, shown: bool) -> None:
-        """Stop stays visible beside the drawing tools while a run exists."""
-        self.stop.setVisible(shown)
-        self.run.setVisible(not shown)
+        """Stop stays visible while a run exists, also in a mode whose row has none of its own."""
+        self._run_exists = shown
+        self._show_stop()
+        self._draw_tools.show_run(not shown)
 
     def show_mode(self, mode: str) -> None:
+        self._mode = mode
         self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
         self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
+        self._show_stop()
+
+    def _show_stop(self) -> None:
+        self.stop.setVisible(self._run_exists and self._mode not in COMMANDING)
 
     def below(self, name: str) -> QPoint:
         """The point of the screen below an action's button."""
@@ -118,23 +154,48 @@ class ModeBar(QToolBar):
                 return button.mapToGlobal(QPoint(0, button.height() + 4))
         return self.mapToGlobal(self.rect().center())
 
-    def _make_draw_tools(self, actions: Actions) -> QWidget:
-        tools = QWidget()
+
+class _DrawTools(QWidget):
+    """The buttons of drawing, search and Run. Where it is narrow words go first, then buttons."""
+
+    def __init__(self, actions: Actions, search: SearchBox, run: QPushButton) -> None:
+        super().__init__()
+        self._run = run
+        self._worded: list[QToolButton] = []
+        buttons: dict[str, QToolButton] = {}
+        rules = []
         layout = row(spacing=4)
         for at, group in enumerate(DRAW_TOOLS):
             if at:
-                layout.addSpacing(8)
-                layout.addWidget(rule(vertical=True, length=24))
-                layout.addSpacing(8)
+                rules.append(rule(vertical=True, length=24))
+                layout.addWidget(rules[-1])
             for name in group:
-                layout.addWidget(_tool(actions[name], icon_only=not actions.table[name].short))
+                short = actions.table[name].short
+                buttons[name] = _tool(actions[name], icon_only=not short)
+                if short:
+                    self._worded.append(buttons[name])
+                layout.addWidget(buttons[name])
         layout.addStretch(1)
-        layout.addWidget(self.search)
+        layout.addWidget(search)
         layout.addSpacing(4)
-        layout.addWidget(self.run)
-        layout.addWidget(self.stop)
-        tools.setLayout(layout)
-        return tools
+        layout.addWidget(run)
+        self.setLayout(layout)
+        last = [buttons[name] for name in ("undo", "redo", "sub_sb", "connect", "add_state")]
+        self._precedence = Precedence(self, rules[1], buttons["tidy"], rules[0], *last, search, run)
+
+    def show_run(self, shown: bool) -> None:
+        """Whether Run has its place here; Stop has it while a run exists."""
+        self._precedence.want(self._run, shown)
+        self._precedence.fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        for button in self._worded:
+            _set_worded(button, self.width() >= WORDS)
+        self._precedence.fit()
+        layout = self.layout()
+        assert layout is not None
+        layout.activate()
 
 
 class Segments(QFrame):
@@ -156,7 +217,7 @@ class Segments(QFrame):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             button.setFixedHeight(30)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.setAccessibleName(f"{words} mode")
+            button.setAccessibleName(plain_text(f"{words} mode"))
             layout.addWidget(button)
         self.setLayout(layout)
         self.setFixedHeight(34)
@@ -206,7 +267,7 @@ class SearchBox(QAbstractButton):
         roomy = self.width() > SEARCH - 40
         words = self.rect().adjusted(33, 0, -60 if roomy else -8, 0)
         right = Qt.TextElideMode.ElideRight
-        shown = painter.fontMetrics().elidedText(self.text(), right, words.width() + 1)
+        shown = painter.fontMetrics().elidedText(plain_text(self.text()), right, words.width() + 1)
         painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, shown)
         if not roomy:
             painter.end()
@@ -223,14 +284,22 @@ class SearchBox(QAbstractButton):
 def _tool(action: QAction, icon_only: bool = False) -> QToolButton:
     button = QToolButton()
     button.setDefaultAction(action)
-    button.setProperty("role", "small" if icon_only else "tool")
-    style = Qt.ToolButtonStyle
-    button.setToolButtonStyle(
-        style.ToolButtonIconOnly if icon_only else style.ToolButtonTextBesideIcon
-    )
-    button.setAccessibleName(action.text().rstrip("…"))
+    button.setAccessibleName(plain_text(action.text().rstrip("…")))
     button.setFixedHeight(32)
     button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    if icon_only:
-        button.setFixedWidth(36)
+    _set_worded(button, not icon_only)
     return button
+
+
+def _set_worded(button: QToolButton, worded: bool) -> None:
+    """Show the words beside the icon, or the icon alone."""
+    style = Qt.ToolButtonStyle
+    wanted = style.ToolButtonTextBesideIcon if worded else style.ToolButtonIconOnly
+    role = "tool" if worded else "small"
+    button.setToolButtonStyle(wanted)
+    button.setMinimumWidth(0 if worded else 36)
+    button.setMaximumWidth(QWIDGETSIZE_MAX if worded else 36)
+    if button.property("role") != role:
+        button.setProperty("role", role)
+        button.style().unpolish(button)
+        button.style().polish(button)

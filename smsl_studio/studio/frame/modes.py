@@ -35,7 +35,7 @@ class Modes:
         self._docks, self._settings = docks, settings
         self.shown = DRAW
         for page in pages.values():
-            body.addWidget(page.body)
+            body.add_page(page.body)
 
     def dress(self, bar: ModeBar, line: StatusLine) -> None:
         """The bars that follow the mode."""
@@ -57,7 +57,11 @@ class Modes:
         self.fit_width(width)
         self._bar.show()
         # What had the focus may be gone, and keys would end up in whatever Qt finds next.
-        page.focus.setFocus()
+        self.take_focus()
+
+    def take_focus(self) -> None:
+        """Give the keys to what takes them in the mode that is shown."""
+        self._pages[self.shown].focus.setFocus()
 
     def restore(self) -> None:
         """Put the panels where they were when the last window closed."""

@@ -8,20 +8,18 @@ from functools import partial
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.drawing import Drawing
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.fresh import samples
 from smsl_studio.studio.session import Session
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is
 
 MOST = 64
 """So many facts are offered in a menu."""
 WIDEST = 70
 """Characters of a recent file's name and folder; its tooltip has it all."""
-
-
-def as_it_is(text: str) -> str:
-    """A text for a menu, in which & would underline what follows."""
-    return text.replace("&", "&&")
 
 
 def passing_menu(window: QWidget) -> QMenu:
@@ -40,8 +38,8 @@ def fill_recent(files: Files, menu: QMenu) -> None:
         # Of two files with one name the folder tells which is which.
         said = path.name if names[path.name] == 1 else f"{path.name} in {path.parent}"
         room = menu.fontMetrics().averageCharWidth() * WIDEST
-        shown = menu.fontMetrics().elidedText(said, Qt.TextElideMode.ElideMiddle, room)
-        menu.addAction(as_it_is(shown), partial(files.open, path)).setToolTip(str(path))
+        shown = menu.fontMetrics().elidedText(plain_text(said), Qt.TextElideMode.ElideMiddle, room)
+        menu.addAction(as_it_is(shown), partial(files.open, path)).setToolTip(tip_text(str(path)))
     if menu.isEmpty():
         menu.addAction("No file was opened yet").setEnabled(False)
 
@@ -60,9 +58,9 @@ def fill_sub_sbs(session: Session, drawing: Drawing, menu: QMenu) -> None:
         inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))
         taken = branch.subs.get(digit)
         if taken is not None:
-            inner.addAction(f"Expanded by {taken}").setEnabled(False)
+            inner.addAction(as_it_is(f"Expanded by {taken}")).setEnabled(False)
             continue
         for name in session.blueprint.branches:
             if name != branch.name and name not in branch.subs.values():
-                inner.addAction(name, partial(drawing.attach, digit, name))
+                inner.addAction(as_it_is(name), partial(drawing.attach, digit, name))
         inner.addAction("New State Branch", partial(drawing.attach, digit, None))

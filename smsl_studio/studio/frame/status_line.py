@@ -6,13 +6,15 @@ from pathlib import PurePath
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QWidget
+from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.legible import plain_text
 from smsl_studio.smsl.forms import WORDS
-from smsl_studio.studio.controls import row, rule
+from smsl_studio.studio.controls import Label, row, rule
 from smsl_studio.studio.theme import STATUS_LINE
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 ENDING = "Not a medical device"
@@ -41,7 +43,7 @@ class StatusLine(QStatusBar):
             self.addWidget(part, SENTENCES.get(at, 0))
         self.form, self.place = _Part(), _Part()
         self.run_right = [_Part() for _ in range(3)]
-        self.ending = QLabel(ENDING)
+        self.ending = Label(ENDING)
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
         self.addPermanentWidget(self.ending)
@@ -123,10 +125,10 @@ class _Part(QWidget):
 
     def setText(self, text: str) -> None:
         self._label.setText(text)
-        self._label.setToolTip(text if self._label.sizeHint().width() > LONG else "")
+        self._label.setToolTip(tip_text(text if self._label.sizeHint().width() > LONG else ""))
 
 
-class _Saying(QLabel):
+class _Saying(Label):
     """Ends in an ellipsis where there is no room; the tooltip has it all."""
 
     def minimumSizeHint(self) -> QSize:
@@ -137,6 +139,6 @@ class _Saying(QLabel):
         painter.setPen(self.palette().windowText().color())
         room = self.contentsRect()
         right = Qt.TextElideMode.ElideRight
-        shown = self.fontMetrics().elidedText(self.text(), right, room.width() + 1)
+        shown = self.fontMetrics().elidedText(plain_text(self.text()), right, room.width() + 1)
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, shown)
         painter.end()

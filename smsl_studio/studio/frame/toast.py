@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.errors import StudioError
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import Tokens
@@ -33,6 +36,13 @@ class Toast(QWidget):
         layout.setSpacing(2)
         layout.addWidget(self._sentence)
         layout.addWidget(self._advice)
+        self._call: Callable[[], object] = lambda: None
+        self._of_step = self._fresh = False
+        self.button = QPushButton("Undo")
+        self.button.setProperty("role", "row")
+        self.button.clicked.connect(self._press)
+        self.button.hide()
+        layout.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.hide)
@@ -58,6 +68,32 @@ class Toast(QWidget):
         """Say something that went well."""
         self._show(sentence, "", False, max(SAID_MS, READING_MS * len(sentence)))
 
+    def offer(self, sentence: str, words: str, call: Callable[[], object]) -> None:
+        """Say what was done, with a button that does something about it, such as Undo."""
+        self._show(sentence, "", False, REFUSED_MS)
+        self._call = call
+        self._of_step = True
+        self.button.setText(words)
+        self.button.show()
+        self._place()
+
+    def edited(self) -> None:
+        """The history has moved by a step. What was said of an earlier step holds no longer.
+
+        What is said ``of_step`` is said while that step is carried out, so the first move is its
+        own.
+        """
+        if self._fresh:
+            self._fresh = False
+        elif self._of_step:
+            self.hide()
+
+    def of_step(self, sentence: str, bad: bool) -> None:
+        """Say what a step brings about, while it is carried out; the next step hides it."""
+        if sentence:
+            self._show(sentence, "", bad, REFUSED_MS)
+            self._of_step = self._fresh = True
+
     def warn(self, sentence: str) -> None:
         """Say something that went wrong and is no refusal."""
         self._show(sentence, "", True, REFUSED_MS)
@@ -79,12 +115,18 @@ class Toast(QWidget):
         name, ink = ("error", tokens.bad) if self._bad else ("check", tokens.ok)
         draw(painter, name, QRectF(13, 12, 15, 15), ink, tokens.surf)
 
+    def _press(self) -> None:
+        self.hide()
+        self._call()
+
     def _show(self, sentence: str, advice: str, bad: bool, lasts: int) -> None:
         self._bad = bad
+        self._of_step = self._fresh = False
+        self.button.hide()
         self._sentence.setText(sentence)
         self._advice.setText(advice)
         self._advice.setVisible(bool(advice))
-        self.setAccessibleName(f"{sentence} {advice}".strip())
+        self.setAccessibleName(plain_text(f"{sentence} {advice}".strip()))
         self._place()
         self.show()
         self.raise_()

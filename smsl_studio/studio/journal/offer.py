@@ -19,12 +19,14 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.comparing import compare as compared
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.controls import Elided, label, row, rule
 from smsl_studio.studio.journal.entry import Entry
 from smsl_studio.studio.journal.recovering import Left
 from smsl_studio.studio.journal.restoring import brings, sides
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 WIDTH, TALLEST, NAME = 620, 520, 320
@@ -132,16 +134,16 @@ class _Row(QWidget):
     def __init__(self, left: Left) -> None:
         super().__init__()
         entry = left.entry
-        self.setAccessibleName(f"Unsaved work in {entry.name}")
+        self.setAccessibleName(plain_text(f"Unsaved work in {entry.name}"))
         self.name = Elided(entry.name)
         self.name.setProperty("role", "heading")
-        self.name.setToolTip(entry.name)
+        self.name.setToolTip(tip_text(entry.name))
         self.name.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
         self.name.ensurePolished()
         self.name.setMinimumWidth(min(self.name.sizeHint().width(), NAME))
         folder = Elided(str(Path(entry.path).parent) if entry.path else "never saved")
         folder.setProperty("role", "small")
-        folder.setToolTip(entry.path)
+        folder.setToolTip(tip_text(entry.path))
         told = brings(entry)
         self.brings = label(told.words, "second")
         self.brings.setWordWrap(True)

@@ -11,11 +11,15 @@ import sys
 from contextlib import suppress
 from pathlib import Path
 
+from smsl_studio.smsl.disk import write_new
+from smsl_studio.smsl.inputs import read_ordinary
+
 if sys.platform == "win32":
     import msvcrt
 else:
     import fcntl
 
+_NO_LINK = getattr(os, "O_NOFOLLOW", 0)
 SUFFIX, LOCK = ".journal", ".lock"
 LARGEST = 1 << 30
 """More bytes than any window writes are not read."""
@@ -35,7 +39,7 @@ class Place:
     @classmethod
     def take(cls, folder: Path) -> Place:
         """A new place; OSError where the folder cannot be written."""
-        folder.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         while True:
             path = folder / f"{os.getpid()}-{os.urandom(6).hex()}{SUFFIX}"
             place = cls.claim(path)
@@ -46,7 +50,7 @@ class Place:
     def claim(cls, path: Path) -> Place | None:
         """The place of a journal whose window has gone; None where somebody holds it."""
         name = path.with_suffix(LOCK)
-        handle = os.open(name, os.O_RDWR | os.O_CREAT, 0o600)
+        handle = os.open(name, os.O_RDWR | os.O_CREAT | _NO_LINK, 0o600)
         try:
             _lock(handle)
             # Whoever held it may have let go of it, and of its name, a moment ago.
@@ -60,24 +64,16 @@ class Place:
     def write(self, raw: bytes) -> None:
         """Put these bytes in the place of what stands there: whole, or OSError and as it was."""
         fresh = self.path.with_suffix(".part")
-        handle = os.open(fresh, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        try:
-            left = memoryview(raw)
-            while left:
-                written = os.write(handle, left)
-                if written <= 0:
-                    raise OSError(28, "the disk took nothing more")
-                left = left[written:]
-            os.fsync(handle)
-        finally:
-            os.close(handle)
+        fresh.unlink(missing_ok=True)
+        write_new(fresh, raw, 0o600)
         fresh.replace(self.path)
 
     def read(self) -> bytes:
         """The bytes that stand there; OSError where there are none, or far too many."""
-        if self.path.stat().st_size > LARGEST:
+        raw = read_ordinary(self.path, LARGEST).raw
+        if len(raw) > LARGEST:
             raise OSError(27, "the journal is too large")
-        return self.path.read_bytes()
+        return raw
 
     def remove(self) -> None:
         """Nothing is kept any more; the place stays held."""

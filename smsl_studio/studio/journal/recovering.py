@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from smsl_studio.errors import ReadError
+from smsl_studio.home import is_own
 from smsl_studio.studio.journal.entry import Entry, decode
 from smsl_studio.studio.journal.place import LOCK, SUFFIX, Place
 
@@ -59,6 +60,8 @@ def _left(folder: Path) -> Iterator[Left]:
 
 def _claimed(path: Path) -> Left | None:
     try:
+        if not is_own(path.lstat()):
+            return None
         place = Place.claim(path)
     except OSError:
         return None

@@ -12,6 +12,10 @@ from pathlib import Path
 from smsl_studio.blueprint.comparing import Difference, compare
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
+from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.smsl.disk import write_new
+from smsl_studio.smsl.inputs import read_ordinary
+from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.studio.broken import Broken, read_text
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.opening import Opened, open_file, understood
@@ -60,7 +64,7 @@ class Brings:
 def sides(entry: Entry) -> Sides:
     """Both sides of a journal."""
     own = own_text(entry)
-    before = _on_disk(entry)
+    before = on_disk(entry)
     if before is None or own is not None:
         text = own.text if own is not None else ""
         after = understood(text, entry.path or entry.file)
@@ -70,6 +74,16 @@ def sides(entry: Entry) -> Sides:
         if kept is not own:
             after = _with(after, kept)
     return Sides(before, after)
+
+
+def on_disk(entry: Entry) -> Opened | None:
+    """What stands where the blueprint of a journal belongs; None where nothing can be read."""
+    if not entry.path:
+        return None
+    try:
+        return open_file(Path(entry.path))
+    except ReadError:
+        return None
 
 
 def own_text(entry: Entry) -> Kept | None:
@@ -101,7 +115,7 @@ def restore(entry: Entry, files: Files, session: Session) -> Restored:
 
     Each text is a step that can be undone.
     """
-    before = _on_disk(entry)
+    before = on_disk(entry)
     path = Path(entry.path) if entry.path else None
     own = own_text(entry)
     if before is not None:
@@ -139,18 +153,9 @@ def keep_text(kept: Kept, home: Path) -> Path:
     name = Path(kept.file)
     numbers = (f"-{number}" if number else "" for number in count())
     paths = (folder / f"{name.stem[:60]}{number}{name.suffix[:9]}" for number in numbers)
-    path = next(path for path in paths if not path.exists())
-    path.write_bytes(kept.text.encode("utf-8", "surrogatepass"))
+    path = next(path for path in paths if not os.path.lexists(path))
+    write_new(path, kept.text.encode("utf-8", "surrogatepass"), 0o600)
     return path
-
-
-def _on_disk(entry: Entry) -> Opened | None:
-    if not entry.path:
-        return None
-    try:
-        return open_file(Path(entry.path))
-    except ReadError:
-        return None
 
 
 def _with(opened: Opened, kept: Kept) -> Opened:
@@ -193,7 +198,7 @@ def _changes(entry: Entry, both: Sides) -> str:
         return there if entry.path else f"Never saved: {there}."
     if both.before.broken is not None:
         return "The text reads as a blueprint again."
-    return tallied(compare(both.before.blueprint, after.blueprint))
+    return tallied(as_drawn(compare(both.before.blueprint, after.blueprint)))
 
 
 def tallied(found: Difference) -> str:
@@ -223,6 +228,6 @@ def _stands(kept: Kept) -> bool:
 
 def _digest(file: str) -> str:
     try:
-        return sha256(Path(file).read_bytes()).hexdigest()
+        return sha256(read_ordinary(file, LARGEST_FILE).raw).hexdigest()
     except (OSError, ValueError):
         return ""

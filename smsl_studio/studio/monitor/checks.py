@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from html import escape
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.check import CheckResult, state_check
 from smsl_studio.blueprint.estimate import Estimate
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.written_check import WrittenCheck, written_check
 from smsl_studio.dispatch.status import DispatchStatus
-from smsl_studio.studio.controls import label
+from smsl_studio.legible import markup, plain_text
+from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.monitor.rows import estimate_words, short
 from smsl_studio.studio.theme import Tokens
 
@@ -33,13 +33,12 @@ class CheckCard(QWidget):
         column.setSpacing(4)
         self.heading = label("", "strong")
         self.estimate = label("", "small")
-        self.written, self.terms = QLabel(), QLabel()
+        self.written, self.terms = Label(rich=True), Label(rich=True)
         for part in (self.heading, self.estimate, self.written, self.terms):
             part.setWordWrap(True)
             part.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
             column.addWidget(part)
         for rich in (self.written, self.terms):
-            rich.setTextFormat(Qt.TextFormat.RichText)
             rich.setProperty("role", "terms")
         self._shown: object = None
 
@@ -55,24 +54,24 @@ class CheckCard(QWidget):
         rows = (self._row(written, at) for at in range(len(written.terms)))
         self.terms.setText(f"<table cellspacing=0 cellpadding=2>{''.join(rows)}</table>")
         why = "; ".join(f"{term.text} {WORDS[term.truth]}, {term.why}" for term in written.terms)
-        self.setAccessibleName(f"{which}: {written.text}, {WORDS[written.truth]}: {why}")
+        self.setAccessibleName(
+            plain_text(f"{which}: {written.text}, {WORDS[written.truth]}: {why}")
+        )
 
     def _written(self, written: WrittenCheck) -> str:
-        html, at = f"{escape(short(written.name))} := ", 0
+        html, at = f"{markup(short(written.name))} := ", 0
         for term in written.terms:
-            html += escape(written.text[at : term.start])
-            colour = self._colour(term.truth)
-            html += (
-                f'<span style="color:{colour}"><b>{SIGNS[term.truth]}</b>&nbsp;{term.text}</span>'
-            )
+            html += markup(written.text[at : term.start])
+            colour, words = self._colour(term.truth), markup(term.text)
+            html += f'<span style="color:{colour}"><b>{SIGNS[term.truth]}</b>&nbsp;{words}</span>'
             at = term.end
-        return html + escape(written.text[at:])
+        return html + markup(written.text[at:])
 
     def _row(self, written: WrittenCheck, at: int) -> str:
         term = written.terms[at]
-        mark = f"{SIGNS[term.truth]}&nbsp;{term.text}"
+        mark = f"{SIGNS[term.truth]}&nbsp;{markup(term.text)}"
         colour = self._colour(term.truth)
-        why = escape(term.why)
+        why = markup(term.why)
         return f'<tr><td style="color:{colour}">{mark}&nbsp;</td><td>{why}</td></tr>'
 
     def _colour(self, truth: bool | None) -> str:

@@ -8,9 +8,11 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.errors import UsageError
+from smsl_studio.legible import plain_text
 from smsl_studio.monitor.disturbance import NONE, PARAMETERS, Parameter, checked
 from smsl_studio.studio.controls import Combo, Elided, Field, label
 from smsl_studio.studio.monitor.rows import GROUP, MonitorRow
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import capital
 
 CHOOSE = "Choose a row to disturb its sensor"
@@ -85,7 +87,7 @@ class DisturbBar(QWidget):
             several = "every sensor of " if "/" in row.sensor else ""
             words = f"Disturb {several}{row.sensor}"
         self._who.setText(words)
-        self._who.setToolTip(words)
+        self._who.setToolTip(tip_text(words))
         for part in (self.kind, self.parameter, self.on, self.off):
             part.setEnabled(able)
         self._refuse("")
@@ -125,9 +127,9 @@ class DisturbBar(QWidget):
     def _show_kind(self) -> None:
         name = self.kind.currentData()
         kind, default = KINDS[name], PARAMETERS[name][1]
-        self.kind.setToolTip(kind.tip)
-        self.parameter.setToolTip(kind.tip)
-        self.parameter.setAccessibleName(f"{kind.words}, {kind.suffix}")
+        self.kind.setToolTip(tip_text(kind.tip))
+        self.parameter.setToolTip(tip_text(kind.tip))
+        self.parameter.setAccessibleName(plain_text(f"{kind.words}, {kind.suffix}"))
         self.parameter.set_suffix(kind.suffix)
         self.parameter.settle("" if default is None else f"{default:g}")
         self._refuse("")

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.errors import UsageError
 from smsl_studio.studio.controls import Combo, Elided, Field, label
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import capital
 
 Parameter = float | str
@@ -70,7 +71,7 @@ class FaultBar(QWidget):
         """Say why it was not done."""
         self._refusal.setText(words)
         self._refusal.setVisible(bool(words))
-        self._refusal.setToolTip(words)
+        self._refusal.setToolTip(tip_text(words))
         self._who.setVisible(not words)
 
     def tell(self, fault: str, time: float) -> None:

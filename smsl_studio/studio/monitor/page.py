@@ -23,6 +23,7 @@ from smsl_studio.studio.rows import RowsView
 from smsl_studio.studio.run.framing import head, panel, split
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import capital
 
 SIZE = 1240, 720
@@ -194,7 +195,7 @@ class MonitorPage(QDialog):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for name, kind in KINDS.items():
             action = menu.addAction(kind.words, partial(self._disturb, chosen.sensor, name, {}))
-            action.setToolTip(kind.tip)
+            action.setToolTip(tip_text(kind.tip))
         menu.addSeparator()
         menu.addAction("End all", partial(self._disturb, chosen.sensor, NONE, {}))
         menu.popup(at)

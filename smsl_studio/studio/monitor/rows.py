@@ -145,7 +145,7 @@ def _fact(
     elif len(sources) == 1:
         yield _only(name, key, reading, sources[0], disturbed)
     else:
-        standing, words = _standing(reading)
+        standing, words = _standing(reading, sources)
         note = branch.fact_note(digit)
         how = (note.aggregation if note else "single").replace("_", " ")
         said = f"{len(sources)} sources, {how}" if sources else ""
@@ -165,7 +165,7 @@ def _only(
     disturbed: Disturbances,
 ) -> MonitorRow:
     row = _source(key, source, disturbed)
-    standing, words = _standing(reading)
+    standing, words = _standing(reading, (source,))
     value = "?" if reading.value is None else reading.value
     cells = (name, row.cells[1], value, _last(words, source), *row.cells[4:])
     return MonitorRow(FACT, key, cells, standing, row.sensor, f"{name}: {cells[3]}")
@@ -194,15 +194,21 @@ def _counts(source: SourceState) -> tuple[int, int, int]:
 
 
 def _last(words: str, source: SourceState) -> str:
-    """A stale reading is no value, and still worth a word."""
-    sample = source.sample
-    if source.said.value is None and sample is not None and sample.value is not None:
+    """A stale reading is no value, and still worth a word; one of two speakers is not."""
+    sample, said = source.sample, source.said
+    if (
+        not said.contested
+        and said.value is None
+        and sample is not None
+        and sample.value is not None
+    ):
         return f"{words}, last {sample.value}"
     return words
 
 
-def _standing(reading: Reading) -> tuple[str, str]:
+def _standing(reading: Reading, sources: Sequence[SourceState]) -> tuple[str, str]:
     if reading.value is not None:
         return KNOWN, "good"
-    conflict = reading.reason.startswith("conflict")
+    contested = any(source.said.contested for source in sources)
+    conflict = contested or reading.reason.startswith("conflict")
     return CONFLICT if conflict else UNKNOWN, reading.reason or "no valid reading"

@@ -22,6 +22,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import name_parts
 from smsl_studio.studio.monitor.rows import (
     BELIEVED,
     COLUMNS,
@@ -36,6 +38,7 @@ from smsl_studio.studio.monitor.rows import (
 )
 from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
 
 ROW, LINE_OF_GROUP = 30, 28
 WIDTHS = (150, 150, 48, 200, 58, 62, 66, 74, 44, 84)
@@ -94,7 +97,7 @@ class MonitorModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.AccessibleTextRole:
             return row.spoken
         if role == Qt.ItemDataRole.ToolTipRole:
-            return row.tip
+            return tip_text(row.tip)
         return row if role == Qt.ItemDataRole.UserRole else None
 
 
@@ -170,7 +173,7 @@ class _Cells(QStyledItemDelegate):
         painter.drawRoundedRect(box, RADIUS_CHIP, RADIUS_CHIP)
         painter.setPen(ink)
         shown = painter.fontMetrics().elidedText(
-            words, Qt.TextElideMode.ElideMiddle, int(box.width() - 6)
+            plain_text(words), Qt.TextElideMode.ElideMiddle, int(box.width() - 6)
         )
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, shown)
 
@@ -205,6 +208,7 @@ class MonitorTable(QTableView):
         self.customContextMenuRequested.connect(self._asked)
         self.activated.connect(lambda index: self._ask(self.visualRect(index).bottomLeft()))
         self.selectionModel().currentRowChanged.connect(self._chosen)
+        name_parts(self)
         self.verticalHeader().hide()
         self.verticalHeader().setMinimumSectionSize(24)
         self.verticalHeader().setDefaultSectionSize(ROW)

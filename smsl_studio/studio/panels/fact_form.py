@@ -23,6 +23,7 @@ from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.panels.value_table import ValueTable
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import as_it_is
 
 PLAIN = FactNote()
 AGGREGATIONS = (
@@ -59,7 +60,7 @@ class FactForm(NoteForm):
         self._sensed: QLabel = label("Where it comes from", "heading")
         self._sensed.setContentsMargins(0, 6, 0, 0)
         self.expanded: QLabel = label("", "hint")
-        self.enter = QPushButton()
+        self.enter = QPushButton("Show the sub-SB")
         self.enter.setProperty("role", "link")
         self.enter.clicked.connect(lambda: self.sub_wanted.emit(self._sub or ""))
         self._sub: str | None = None
@@ -147,7 +148,7 @@ class FactForm(NoteForm):
         self.enter.setVisible(sub in blueprint.branches)
         if sub is not None:
             self.expanded.setText(expansion(blueprint, branch, self._digit, sub))
-            self.enter.setText(f"Show {sub}")
+            self.enter.setText(as_it_is(f"Show {sub}"))
 
     def _mean(self, value: str, meaning: str | None) -> None:
         note = self._entries[0].note

@@ -19,6 +19,7 @@ from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 KNOWN = ("_imports", "_hazards", "_levels")
 MOST = 64
@@ -65,7 +66,7 @@ class FileForm(Panel):
         """Show what the file says as it is now."""
         home = self._home
         self._name.setText(os.path.basename(home.file))  # noqa: PTH119
-        self._name.setToolTip(home.file)
+        self._name.setToolTip(tip_text(home.file))
         written = self._written()[:MOST]
         while len(self.rows) > len(written):
             frame, _, _ = self.rows.pop()
@@ -76,7 +77,7 @@ class FileForm(Panel):
             self.rows.append(self._new_row(len(self.rows)))
         for (_, name, _), file in zip(self.rows, written, strict=True):
             name.setText(f"imports {file}")
-            name.setToolTip(str(file))
+            name.setToolTip(tip_text(str(file)))
         self.kept.show_values(kept_fields(
             {k: v for k, v in home.values.items() if k.startswith("_")}, KNOWN))  # fmt: skip
         self.refusal.say("")

@@ -25,6 +25,7 @@ from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import capital, subject
 
 Index = QModelIndex | QPersistentModelIndex
@@ -57,7 +58,8 @@ class _Model(QAbstractListModel):
             )
         if role == Qt.ItemDataRole.ToolTipRole:
             fix = f"\nCtrl+. {finding.fix.words}" if finding.fix else ""
-            return f"{sentence(finding)}\n{place_of(finding)}{fix}"
+            also = f", {finding.also}" if finding.also else ""
+            return tip_text(f"{sentence(finding)}\n{place_of(finding)}{also}{fix}")
         return None
 
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from functools import reduce
+from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QModelIndex, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, QWidget
 
-from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.finding import Finding, Fix, Severity
+from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.repair import certain_errors, mend, mend_errors
 from smsl_studio.studio.broken import Broken
-from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.controls import Elided, label, row
 from smsl_studio.studio.panels.finding_rows import FindingsView
+from smsl_studio.studio.panels.fix_list import FixList
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
@@ -20,6 +21,8 @@ from smsl_studio.studio.words import capital, counted, faults_of
 
 MOST = 6
 """So many faults of a text are told here; the source marks all of them."""
+
+NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
 
 
 class Findings(Panel):
@@ -31,10 +34,11 @@ class Findings(Panel):
         self, session: Session, tokens: Tokens, rules: int = 0, parent: QWidget | None = None
     ) -> None:
         super().__init__("Findings", parent)
-        self._session, self._rules = session, rules
+        self._session, self._rules, self._tokens = session, rules, tokens
         self._findings: tuple[Finding, ...] = ()
         self._broken: Broken | None = None
-        self.summary: QLabel = label("Not checked yet", "small")
+        self.summary = Elided("Not checked yet")
+        self.summary.setProperty("role", "small")
         self.fix_all_button = QPushButton("Fix all")
         self.fix_all_button.setProperty("role", "soft")
         self.fix_all_button.clicked.connect(self.fix_all)
@@ -43,7 +47,6 @@ class Findings(Panel):
         self.empty: QLabel = label("", "hint")
         self.empty.setContentsMargins(16, 12, 16, 12)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignTop)
-        self.empty.setTextFormat(Qt.TextFormat.PlainText)
         self._pages = QStackedWidget()
         self._told = QScrollArea()
         self._told.setWidgetResizable(True)
@@ -62,6 +65,7 @@ class Findings(Panel):
         self.set_checking()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
         self.list.set_tokens(tokens)
 
     @property
@@ -105,16 +109,18 @@ class Findings(Panel):
             return
         self.list.show_findings(self._findings)
         errors = sum(f.severity is Severity.ERROR for f in findings)
+        rules = counted(self._rules, "rule")
+        drawn = self._session.blueprint.state_count > 0
         self.summary.setText(
             f"{counted(errors, 'error blocks', 'errors block')} approval" if errors else
-            f"Checked, {counted(self._rules, 'rule')}"
+            f"Checked, {rules}" if drawn else "Nothing to check"
         )  # fmt: skip
-        self.empty.setText(f"No findings. {counted(self._rules, 'rule')} checked.")
+        self.empty.setText(f"No findings. {rules} checked." if drawn else NOTHING)
         self._pages.setCurrentWidget(self.list if findings else self._told)
-        fixes = len(self._fixes())
+        fixes = len(certain_errors(self._findings))
         self.fix_all_button.setVisible(fixes > 1)
-        self.fix_all_button.setText("Fix both" if fixes == 2 else f"Fix all {fixes}")
-        self.fix_all_button.setToolTip("Apply the fixes of all errors as one undoable edit")
+        self.fix_all_button.setText("Fix both…" if fixes == 2 else f"Fix all {fixes:,}…")
+        self.fix_all_button.setToolTip("List the fixes of errors that are certain, and make them")
         self.count_changed.emit(len(self._findings))
 
     def next_finding(self) -> None:
@@ -126,33 +132,38 @@ class Findings(Panel):
             self._jump(index)
 
     def fix_current(self) -> None:
-        """Apply the fix of the current finding, or of the first that has one."""
+        """Apply the fix of the current finding. Where none is current, apply the first that is
+        certain; a fix that deletes or guesses is shown first, and applied by the next press.
+        """
         at = self.list.currentIndex().row()
         current = self._findings[at] if 0 <= at < len(self._findings) else None
-        if current is None or current.fix is None:
-            current = next((f for f in self._findings if f.fix is not None), None)
-        if current is not None:
+        if current is not None and current.fix is not None:
             self.fix(current)
+            return
+        fixable = [f for f in self._findings if f.fix is not None]
+        certain = next((f for f in fixable if f.fix is not None and f.fix.certain), None)
+        if certain is not None:
+            self.fix(certain)
+        elif fixable:
+            index = self.list.model().index(self._findings.index(fixable[0]), 0)
+            self.list.setCurrentIndex(index)
+            self._jump(index)
 
     def fix_all(self) -> None:
-        """Apply the fixes of all errors as one undoable edit."""
-        fixes = self._fixes()
-        self._session.edit(f"Fix {counted(len(fixes), 'finding')}", _one_after_the_other(fixes))
+        """List the fixes of errors that are certain, and make them where the person agrees."""
+        repair = mend_errors(self._session.blueprint)
+        if repair.mended:
+            errors = [f for f in self._findings if f.fix and f.severity is Severity.ERROR]
+            left = len(errors) - len(certain_errors(errors))
+            FixList(self._session, repair, left, self._tokens, self.window()).open()
 
     def can_fix(self) -> bool:
         return any(finding.fix is not None for finding in self._findings)
 
-    def _fixes(self) -> list[Fix]:
-        return [
-            finding.fix
-            for finding in self._findings
-            if finding.fix is not None and finding.severity is Severity.ERROR
-        ]
-
     def fix(self, finding: Finding) -> None:
         """Apply the fix of one finding as one undoable edit."""
         fix = finding.fix
-        if fix is not None and self._session.edit(fix.words, fix.apply):
+        if fix is not None and self._session.edit(fix.words, partial(mend, finding=finding)):
             self._session.show_branch(finding.address.branch)
 
     def _jump(self, index: QModelIndex) -> None:
@@ -174,7 +185,3 @@ def _faults_told(broken: Broken) -> str:
 
 def _gravest_first(finding: Finding) -> int:
     return "EWI".index(finding.severity.value)
-
-
-def _one_after_the_other(fixes: Sequence[Fix]) -> Callable[[Blueprint], Blueprint]:
-    return lambda blueprint: reduce(lambda so_far, fix: fix.apply(so_far), fixes, blueprint)

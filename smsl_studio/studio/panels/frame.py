@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label, row
 
 HEADING = 36
@@ -16,7 +17,7 @@ class Panel(QWidget):
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name.lower())
-        self.setAccessibleName(name)
+        self.setAccessibleName(plain_text(name))
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.column = QVBoxLayout(self)

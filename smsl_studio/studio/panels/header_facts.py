@@ -8,10 +8,12 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.chips import VALUE
 from smsl_studio.studio.controls import Combo, Field, label
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.theme import CONTROL_ROW, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 MOST = 64
 """So many facts have a row; a slip in NUM_FACTS must not fill the window with thousands."""
@@ -72,9 +74,9 @@ class HeaderFacts(QWidget):
     def _show_fact(self, branch: StateBranch, digit: int, fact: FactRow, others: list[str]) -> None:
         sub = branch.subs.get(digit)
         fact.chip.show_tag(str(digit), VALUE, sub is not None)
-        fact.chip.setToolTip(f"Edit what fact {digit} means and where it comes from")
+        fact.chip.setToolTip(tip_text(f"Edit what fact {digit} means and where it comes from"))
         fact.name.settle(branch.fact_name(digit))
-        fact.name.setToolTip(f"{branch.fact_name(digit)}. Type to name this fact.")
+        fact.name.setToolTip(tip_text(f"{branch.fact_name(digit)}. Type to name this fact."))
         fact.sub.accent = sub is not None
         fact.sub.setProperty("pale", sub is None)
         fact.sub.clear()
@@ -84,7 +86,7 @@ class HeaderFacts(QWidget):
             fact.sub.addItem(name, name)
         fact.sub.addItem("New", NEW)
         fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
-        fact.sub.setToolTip(f"Sub-SB of fact {digit}: {sub or 'none'}")
+        fact.sub.setToolTip(tip_text(f"Sub-SB of fact {digit}: {sub or 'none'}"))
         fact.sub.update()
 
     def _new_row(self, digit: int) -> FactRow:
@@ -92,9 +94,9 @@ class HeaderFacts(QWidget):
         fact.chip.press_with_keys(f"Edit fact {digit}")
         fact.chip.clicked.connect(lambda: self.wanted.emit(digit))
         fact.name.setProperty("role", "flat")
-        fact.name.setAccessibleName(f"Name of fact {digit}")
+        fact.name.setAccessibleName(plain_text(f"Name of fact {digit}"))
         fact.name.editingFinished.connect(lambda: self._typed(digit))
-        fact.sub.setAccessibleName(f"Sub-SB of fact {digit}")
+        fact.sub.setAccessibleName(plain_text(f"Sub-SB of fact {digit}"))
         fact.sub.setFixedWidth(108)
         fact.sub.setFont(text_font(12))
         fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.sub.itemData(at)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from itertools import islice
 from typing import Any
 
 from PySide6.QtCore import Signal
@@ -12,6 +13,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Combo, label, row
 from smsl_studio.studio.panels.fact_form import expansion
 from smsl_studio.studio.panels.frame import Panel
@@ -28,9 +30,12 @@ from smsl_studio.studio.panels.lines.text import Bounds, NumberLine
 from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.words import counted
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import counted, first_lines
 
 KNOWN = ("_facts", "_states", "_operations", "_layout")
+SENTENCES = 24
+"""So many sub-SBs are explained; the others stand in the view of the source."""
 
 
 class HeaderForm(Panel):
@@ -115,7 +120,7 @@ class HeaderForm(Panel):
         home = blueprint.home(name).file
         self.home.setVisible(len(blueprint.documents) > 1)
         self.home.setText(f"In {os.path.basename(home)}. Edits go there.")  # noqa: PTH119
-        self.home.setToolTip(home)
+        self.home.setToolTip(tip_text(home))
 
     def _another(self, _: str) -> None:
         self._states = None
@@ -125,7 +130,7 @@ class HeaderForm(Panel):
     def _choice(self, words: str, key: str, tip: str) -> Combo:
         combo = Combo()
         self.column.addWidget(Line(words, combo, f"{key}: {tip}"))
-        combo.setAccessibleName(f"{words} state")
+        combo.setAccessibleName(plain_text(f"{words} state"))
         combo.activated.connect(lambda at: self._set_state(key, combo, at))
         return combo
 
@@ -210,8 +215,9 @@ def _width_words(branch: StateBranch) -> str:
 
 
 def _explanation(blueprint: Blueprint, branch: StateBranch) -> str:
-    """What a sub-SB under a fact means, in a sentence for each."""
+    """What a sub-SB under a fact means, in a sentence for each of the first of them."""
     count = fact_count(branch)
     said = [f"The first {MOST} of {count:,} facts."] if count > MOST else []
-    said += [expansion(blueprint, branch, digit, sub) for digit, sub in branch.subs.items()]
-    return "\n".join(said)
+    subs = islice(branch.subs.items(), SENTENCES)
+    told = [expansion(blueprint, branch, digit, sub) for digit, sub in subs]
+    return "\n".join([*said, first_lines(told, SENTENCES, len(branch.subs))]).strip()

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Collection, Mapping
+from itertools import islice
 from typing import Any
 
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from smsl_studio.studio.controls import label
+from smsl_studio.studio.words import first_lines
 
 LONGEST, MOST = 60, 24
 
@@ -29,10 +31,8 @@ class Kept(QWidget):
 
     def show_values(self, values: Mapping[str, Any]) -> None:
         """Show these keys and their values."""
-        lines = [_line(key, value) for key, value in list(values.items())[:MOST]]
-        if len(values) > MOST:
-            lines.append(f"and {len(values) - MOST:,} more")
-        self.words.setText("\n".join(lines))
+        shown = [_line(key, value) for key, value in islice(values.items(), MOST)]
+        self.words.setText(first_lines(shown, MOST, len(values)))
         self.setVisible(bool(values))
 
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
@@ -13,7 +14,7 @@ from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.annotations import PLAIN, OperationNote
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding, Severity
-from smsl_studio.studio.controls import label
+from smsl_studio.studio.controls import label, name_parts
 from smsl_studio.studio.icons import ACTOR_ICON, icon
 from smsl_studio.studio.panels.frame import Heading, Panel
 from smsl_studio.studio.rows import LINE, Row, RowsView
@@ -21,6 +22,8 @@ from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
 
+MOST = 2_000
+"""So many operations of the blueprint have a row; the filter finds the others."""
 NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
 
 
@@ -41,15 +44,17 @@ class Library(Panel):
         super().__init__("Library", parent)
         self._session, self._tokens = session, tokens
         self._offers: tuple[Offer, ...] = ()
-        self._findings: tuple[Finding, ...] = ()
+        self._severities: dict[str, str] = {}
         self._heading = Heading("Library")
         self.filter = QLineEdit()
         self.filter.setPlaceholderText("Filter operations")
         self.filter.setAccessibleName("Filter operations")
         self.filter.setClearButtonEnabled(True)
+        name_parts(self.filter)
         self._glass = self.filter.addAction(
             icon("search", tokens), QLineEdit.ActionPosition.LeadingPosition
         )
+        self._glass.setText("Filter")
         box = QVBoxLayout()
         box.setContentsMargins(12, 0, 12, 8)
         box.addWidget(self.filter)
@@ -65,7 +70,6 @@ class Library(Panel):
         self.list.clicked.connect(self._clicked)
         self.list.activated.connect(self._clicked)
         session.blueprint_changed.connect(lambda *_: self._show())
-        session.branch_changed.connect(lambda *_: self._show())
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -75,8 +79,10 @@ class Library(Panel):
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Mark the operations that errors and warnings are about."""
-        self._findings = tuple(findings)
-        self._show()
+        marks = _marks(findings)
+        if marks != self._severities:
+            self._severities = marks
+            self._show()
 
     def set_offers(self, offers: Sequence[Offer]) -> None:
         """What the plugins offer."""
@@ -96,26 +102,28 @@ class Library(Panel):
     def _show(self) -> None:
         wanted = self.filter.text().strip().casefold()
         blueprint = self._session.blueprint
-        used = _used(blueprint)
+        used, notes = _used(blueprint), _first_notes(blueprint)
         here = [name for name in sorted(used, key=_by_name) if wanted in name.casefold()]
-        marks = _marks(self._findings)
         rows: list[Row] = []
         if here:
-            rows.append(Row(f"In this blueprint · {len(here)}", kind="section"))
-        rows += [self._row(name, used[name], marks.get(name, "")) for name in here]
+            rows.append(Row(f"In this blueprint · {len(here):,}", kind="section"))
+        rows += [self._row(name, used[name], notes) for name in here[:MOST]]
+        if len(here) > MOST:
+            rest = f"and {len(here) - MOST:,} more: filter them by a part of their name"
+            rows.append(Row(rest, kind="section"))
         offers = [o for o in self._offers if wanted in o.pattern.casefold()]
         if offers:
             of = f" of {len(self._offers)}" if len(offers) < len(self._offers) else ""
             rows.append(Row(f"From plugins · {len(offers)}{of}", kind="section"))
         rows += [_offered(offer) for offer in offers]
         self.list.show_rows(rows)
-        self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE])} shown")
+        self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
         hint = self._hint(bool(used), bool(rows))
         self.hint.setText(hint)
         self.hint.setVisible(bool(hint))
 
-    def _row(self, name: str, count: int, severity: str) -> Row:
-        note = _first_note(self._session.blueprint, name)
+    def _row(self, name: str, count: int, notes: Mapping[str, OperationNote]) -> Row:
+        note = notes.get(note_key(name), PLAIN)
         times = counted(count, "edge")
         return Row(
             name,
@@ -123,7 +131,7 @@ class Library(Panel):
             ACTOR_ICON.get(note.actor or "", "robot" if note.actor else "arrow"),
             note.title,
             f"{count:,}",
-            severity,
+            self._severities.get(name, ""),
             tip=f"{name}, {times}. Click to select those of one State Branch.",
         )
 
@@ -151,8 +159,7 @@ def _offered(offer: Offer) -> Row:
 def _used(blueprint: Blueprint) -> Counter[str]:
     counts: Counter[str] = Counter()
     for branch in blueprint:
-        for operations in branch.table.values():
-            counts.update(operations.keys())
+        counts.update(chain.from_iterable(branch.table.values()))
     return counts
 
 
@@ -160,20 +167,22 @@ def _by_name(name: str) -> tuple[str, str]:
     return name.casefold(), name
 
 
-def _first_note(blueprint: Blueprint, name: str) -> OperationNote:
+def _first_notes(blueprint: Blueprint) -> dict[str, OperationNote]:
+    """What is written of each operation where it is spoken of first."""
+    found: dict[str, OperationNote] = {}
     for branch in blueprint:
-        note = branch.notes.operations.get(note_key(name))
-        if note is not None:
-            return note
-    return PLAIN
+        for name, note in branch.notes.operations.items():
+            found.setdefault(name, note)
+    return found
 
 
 def _marks(findings: Sequence[Finding]) -> dict[str, str]:
     found: dict[str, str] = {}
     for finding in findings:
-        name, letter = finding.address.operation, finding.severity.value
-        if name and finding.severity is not Severity.NOTE and found.get(name) != "E":
-            found[name] = letter
+        if finding.severity is not Severity.NOTE:
+            for name in {address.operation for address in finding.addresses} - {""}:
+                if found.get(name) != "E":
+                    found[name] = finding.severity.value
     return found
 
 

@@ -27,7 +27,8 @@ from smsl_studio.studio.panels.operation_entries import entries_of, noted_edges
 from smsl_studio.studio.panels.try_alone import TryAlone
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.words import counted
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is, counted
 
 ACTORS = (("Human", "human"), ("Shared", "shared"), ("Robot", "robot"))
 RISKS = (("Low", "low"), ("Medium", "medium"), ("High", "high"))
@@ -167,8 +168,8 @@ class OperationForm(NoteForm):
     def _show_edge(self, branch: StateBranch, edge: Address) -> None:
         self.naming.show_values([Shown(edge.operation)])
         self._every_words.setText(f"Rename all {self._count_of(edge)}")
-        self.source.setText(edge.state)
-        self.source.setToolTip(f"Select {edge.state}")
+        self.source.setText(as_it_is(edge.state))
+        self.source.setToolTip(tip_text(f"Select {edge.state}"))
         target = branch.table[edge.state][edge.operation]
         states = list(branch.table)
         known = target in branch.table

@@ -12,22 +12,39 @@ from PySide6.QtWidgets import QMenu, QToolButton, QTreeWidgetItem, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.names import fresh_branch_name
+from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.icons import icon
+from smsl_studio.studio.panels.fact_menu import fact_menu
 from smsl_studio.studio.panels.frame import Heading, Panel
-from smsl_studio.studio.panels.outline_lines import lines_of
+from smsl_studio.studio.panels.outline_lines import Line, lines_of, marked, worst_of
 from smsl_studio.studio.panels.outline_tree import OutlineTree, line_of
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.words import as_it_is
 
 VERBS = {"Ctrl+X": "cut", "Ctrl+C": "copy", "Ctrl+V": "paste", "Ctrl+D": "duplicate"}
 """What is done to a whole SB by the clipboard's keys."""
 
+KEYS = {"F2": "rename", "Del": "delete", **VERBS}
+"""Every key of the outline, and the action it means while something on the canvas is selected."""
+
+DONE = {"cut": "cut", "copy": "copied", "paste": "pasted over", "duplicate": "duplicated"}
+
 
 class Outline(Panel):
-    """The tree of SBs. A click shows an SB; F2, the menu and the buttons add, rename, delete."""
+    """The tree of SBs. A click or an arrow key shows an SB or a fact.
 
+    Keys act on what the session says is selected: on states and operations (told by
+    ``action_wanted``), on a fact, and only where neither is selected on the SB of the marked line.
+    """
+
+    action_wanted = Signal(str)
+    """The id of an action that a key means for what is selected on the canvas."""
+    branch_deleted = Signal(str, int)
+    """(SB, how many states it had): it was deleted as a whole."""
     fact_wanted = Signal(str, int)
     """(SB, digit): a fact was clicked, and its properties are wanted."""
     verb_wanted = Signal(str, str)
@@ -38,7 +55,9 @@ class Outline(Panel):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Outline", parent)
         self._session, self._tokens = session, tokens
-        self._findings: tuple[Finding, ...] = ()
+        self._worst: dict[str, str] = {}
+        self._drawn: Blueprint | None = None
+        self._lines: tuple[Line, ...] = ()
         self._heading = Heading("Outline", "Level")
         self.column.addWidget(self._heading)
         self.add_button = QToolButton(self._heading)
@@ -62,20 +81,16 @@ class Outline(Panel):
         )
         self.tree.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.tree.customContextMenuRequested.connect(self._menu)
-        for key, call in (("F2", self.rename_branch), ("Del", self.delete_branch)):
+        self.tree.currentItemChanged.connect(self._moved)
+        for key in KEYS:
             action = QAction(self.tree)
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-            action.triggered.connect(call)
-            self.tree.addAction(action)
-        for key, verb in VERBS.items():
-            action = QAction(self.tree)
-            action.setShortcut(QKeySequence(key))
-            action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-            action.triggered.connect(partial(self._ask, verb))
+            action.triggered.connect(partial(self._press, key))
             self.tree.addAction(action)
         session.blueprint_changed.connect(lambda *_: self._show())
         session.branch_changed.connect(lambda *_: self._mark())
+        session.selection_changed.connect(lambda *_: self._mark())
         self.set_tokens(tokens)
         self._show()
 
@@ -90,8 +105,10 @@ class Outline(Panel):
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Mark every SB with the gravest of its findings."""
-        self._findings = tuple(findings)
-        self._show()
+        worst = worst_of(findings)
+        if worst != self._worst:
+            self._worst = worst
+            self._show()
 
     # The verbs of the tree, on the SB that is shown.
 
@@ -104,18 +121,52 @@ class Outline(Panel):
 
     def rename_branch(self) -> None:
         """Edit the name of the current SB in place."""
-        item = self._item(self._current_branch())
+        item = self.tree.item_of(self._current_branch())
         if item is not None:
             self.tree.setFocus()
             self.tree.setCurrentItem(item)
             self.tree.editItem(item)
 
     def delete_branch(self) -> None:
+        """Delete the whole SB of the marked line; ``branch_deleted`` tells it."""
         name = self._current_branch()
-        if name:
-            self._session.edit(
-                f"Delete State Branch {name}", lambda bp: editing.delete(bp, [Address(name)])
+        branch = self._session.blueprint.branches.get(name)
+        if branch is None:
+            return
+        states = len(branch.table)
+        words = f"Delete State Branch {name}"
+        if self._session.edit(words, lambda bp: editing.delete(bp, [Address(name)])):
+            self.branch_deleted.emit(name, states)
+
+    def _press(self, key: str) -> None:
+        verb, fact = KEYS[key], self._session.fact
+        if self._session.selection:
+            self.action_wanted.emit(verb)
+        elif fact is not None:
+            self._press_on_fact(verb, *fact)
+        elif verb == "rename":
+            self.rename_branch()
+        elif verb == "delete":
+            self.delete_branch()
+        else:
+            self._ask(verb)
+
+    def _press_on_fact(self, verb: str, branch: str, digit: int) -> None:
+        """A fact is a digit of every state, so it can be neither cut out nor deleted alone."""
+        item = self.tree.currentItem()
+        if verb == "rename":
+            self.fact_wanted.emit(branch, digit)
+        elif verb == "delete" and item is not None:
+            corner = self.tree.visualItemRect(item).bottomLeft()
+            menu = fact_menu(self._session, branch, digit, self)
+            menu.aboutToHide.connect(menu.deleteLater)
+            menu.popup(self.tree.viewport().mapToGlobal(corner))
+        else:
+            refusal = EditRefused(
+                f"a fact cannot be {DONE.get(verb, verb)} by itself",
+                advice="Select its State Branch in the outline, or states on the canvas.",
             )
+            self._session.refused.emit(refusal)
 
     def _ask(self, verb: str) -> None:
         self.verb_wanted.emit(verb, self._current_branch())
@@ -127,11 +178,17 @@ class Outline(Panel):
 
     def _clicked(self, item: QTreeWidgetItem) -> None:
         line = line_of(item)
-        self._session.show_branch(line.branch)
-        self._session.select(())
-        self._mark()
         if line.digit is not None:
             self.fact_wanted.emit(line.branch, line.digit)
+        else:
+            self._session.show_branch(line.branch)
+            self._session.select(())
+        self._mark()
+
+    def _moved(self, item: QTreeWidgetItem | None) -> None:
+        """An arrow key went to another line: the canvas and the properties follow."""
+        if item is not None and self.tree.hasFocus() and not line_of(item).fault:
+            self._clicked(item)
 
     def _renamed(self, item: QTreeWidgetItem) -> None:
         line, new = line_of(item), item.text(0).strip()
@@ -149,16 +206,16 @@ class Outline(Panel):
         menu = QMenu(self)
         menu.addAction(icon("plus", self._tokens), "Add State Branch", self.add_branch)
         if self._current_branch():
-            name = self._current_branch()
+            name = as_it_is(self._current_branch())
             menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", self.rename_branch)
             for key, verb in VERBS.items():
                 menu.addAction(f"{verb.capitalize()}\t{key}", partial(self._ask, verb))
             menu.addAction(icon("trash", self._tokens), f"Delete {name}\tDel", self.delete_branch)
-            home = self._session.blueprint.imported.get(name)
+            home = self._session.blueprint.imported.get(self._current_branch())
             if home is not None:
                 opening = partial(self.file_wanted.emit, home.file)
                 menu.addAction(
-                    icon("folder", self._tokens), f"Open {Path(home.file).name}", opening
+                    icon("folder", self._tokens), as_it_is(f"Open {Path(home.file).name}"), opening
                 )
         menu.exec(self.tree.viewport().mapToGlobal(at))
         menu.deleteLater()
@@ -166,19 +223,28 @@ class Outline(Panel):
     def _show(self) -> None:
         if self.tree.naming:
             return
-        self.tree.show_lines(lines_of(self._session.blueprint, self._findings))
+        blueprint = self._session.blueprint
+        if blueprint is not self._drawn:
+            self._drawn, self._lines = blueprint, lines_of(blueprint)
+        self.tree.show_lines(marked(self._lines, self._worst))
         self._mark()
 
     def _mark(self) -> None:
-        """Put the current row on the SB that is shown."""
-        item = self._item(self._session.branch)
-        self.tree.setCurrentItem(
-            item, 0, QItemSelectionModel.SelectionFlag.ClearAndSelect
-        ) if item else self.tree.clearSelection()
+        """Put the current row on the fact that is selected, else on the SB that is shown."""
+        branch, digit = self._session.fact or (self._session.branch, None)
+        current = self.tree.currentItem()
+        if current is not None and _is_at(current, branch, digit):
+            item: QTreeWidgetItem | None = current
+        else:
+            item = self.tree.item_of(branch, digit)
+        self.tree.blockSignals(True)
+        if item is None:
+            self.tree.clearSelection()
+        else:
+            self.tree.setCurrentItem(item, 0, QItemSelectionModel.SelectionFlag.ClearAndSelect)
+        self.tree.blockSignals(False)
 
-    def _item(self, branch: str) -> QTreeWidgetItem | None:
-        for item in self.tree.items():
-            line = line_of(item)
-            if line.branch == branch and line.digit is None and not line.fault:
-                return item
-        return None
+
+def _is_at(item: QTreeWidgetItem, branch: str, digit: int | None) -> bool:
+    line = line_of(item)
+    return line.branch == branch and line.digit == digit and not line.fault

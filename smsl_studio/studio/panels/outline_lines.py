@@ -36,9 +36,9 @@ class Line:
         return PurePath(self.file).name
 
     @property
-    def plain(self) -> Line:
+    def plain(self) -> tuple[object, ...]:
         """The line without its mark: what decides whether the tree must be built anew."""
-        return replace(self, severity="", right="")
+        return self.depth, self.branch, self.digit, self.text, self.sub, self.file, self.fault
 
     @property
     def tip(self) -> str:
@@ -51,30 +51,96 @@ class Line:
         return f"Fact {self.digit} of {self.branch}: {self.text}{values}"
 
 
-def lines_of(blueprint: Blueprint, findings: Sequence[Finding]) -> tuple[Line, ...]:
-    """Every line, from top to bottom."""
-    worst = _worst(findings)
-    lines = [line for name in _tops(blueprint) for line in _branch(blueprint, name, worst, ())]
-    return (*lines, *map(_failed, blueprint.import_faults))
+FULL = 5_000
+"""With so many lines the outline shows what stands below an SB only once."""
+
+DEEPEST = 40
+"""So many levels stand below each other; what is deeper begins at the margin again."""
 
 
-def _branch(
-    blueprint: Blueprint, name: str, worst: Mapping[str, str], path: tuple[str, ...]
-) -> Iterator[Line]:
-    branch = blueprint.branches.get(name)
-    if branch is None or name in path:
-        return
-    depth = 2 * len(path)
-    home = blueprint.imported.get(name)
-    file = home.file if home is not None else ""
-    yield Line(depth, name, None, name, str(len(path)), False, worst.get(name, ""), file)
-    for digit in _digits(branch):
-        sub = branch.subs.get(digit)
-        values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
-        right = "" if set(values) <= {"0", "1"} else " ".join(values)
-        yield Line(depth + 1, name, digit, branch.fact_name(digit), right, sub is not None)
-        if sub is not None:
-            yield from _branch(blueprint, sub, worst, (*path, name))
+def lines_of(blueprint: Blueprint) -> tuple[Line, ...]:
+    """Every line, from top to bottom, without the marks of findings.
+
+    A sub-SB that several SBs share stands below each of them, with all that is below it. Where that
+    would be very many lines, it is opened once, and its name alone stands elsewhere.
+    """
+    outline = _Outline(blueprint)
+    for name in _tops(blueprint):
+        outline.add(name, 0)
+    while outline.cut:
+        outline.add(*outline.cut.popitem())
+    return (*outline.lines, *map(_failed, blueprint.import_faults))
+
+
+def marked(lines: Sequence[Line], worst: Mapping[str, str]) -> tuple[Line, ...]:
+    """The lines, those of SBs with the gravest of their findings (see ``worst_of``)."""
+    return tuple(
+        replace(line, severity=worst[line.branch])
+        if line.digit is None and line.branch in worst and not line.fault
+        else line
+        for line in lines
+    )
+
+
+class _Outline:
+    """The lines while they are collected; ``cut`` are SBs that were too deep, with their level."""
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self.lines: list[Line] = []
+        self.cut: dict[str, int] = {}
+        self._blueprint = blueprint
+        self._opened: set[str] = set()
+
+    def add(self, name: str, level: int) -> None:
+        """An SB at the margin, and all that is below it."""
+        if name in self._opened and (level or len(self.lines) >= FULL):
+            return
+        above: dict[str, Iterator[str]] = {}
+        below = self._open(name, level, 0)
+        while True:
+            if below is not None:
+                above[name] = below
+            if not above:
+                return
+            last = next(reversed(above))
+            name = next(above[last], "")
+            if not name:
+                del above[last]
+                below = None
+            elif name in above:
+                below = None
+            else:
+                below = self._open(name, level + len(above), len(above))
+
+    def _open(self, name: str, level: int, depth: int) -> Iterator[str] | None:
+        """Add the line of an SB; its sub-SBs, whose facts are added on the way, None where it is
+        not opened."""
+        branch = self._blueprint.branches.get(name)
+        if branch is None:
+            return None
+        home = self._blueprint.imported.get(name)
+        file = home.file if home is not None else ""
+        self.lines.append(Line(2 * depth, name, None, name, str(level), file=file))
+        if name in self._opened and len(self.lines) >= FULL:
+            return None
+        if depth == DEEPEST:
+            if name not in self._opened:
+                self.cut[name] = level
+            return None
+        self._opened.add(name)
+        self.cut.pop(name, None)
+        return self._facts(branch, 2 * depth + 1)
+
+    def _facts(self, branch: StateBranch, depth: int) -> Iterator[str]:
+        """Add a line for every fact; the sub-SBs that expand them."""
+        for digit in _digits(branch):
+            sub = branch.subs.get(digit)
+            values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
+            right = "" if set(values) <= {"0", "1"} else " ".join(values)
+            fact = branch.fact_name(digit)
+            self.lines.append(Line(depth, branch.name, digit, fact, right, sub is not None))
+            if sub is not None:
+                yield sub
 
 
 def _failed(fault: ImportFault) -> Line:
@@ -105,7 +171,7 @@ def _tops(blueprint: Blueprint) -> tuple[str, ...]:
     return (*blueprint.roots, *rest)
 
 
-def _worst(findings: Sequence[Finding]) -> dict[str, str]:
+def worst_of(findings: Sequence[Finding]) -> dict[str, str]:
     """The gravest mark of every SB: errors before warnings; notes are no mark in a tree."""
     found: dict[str, str] = {}
     for finding in findings:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPen
@@ -16,22 +17,50 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.chips import VALUE, paint_chip
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.panels.outline_lines import Line
 from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, mono_font
+from smsl_studio.studio.tips import tip_text
 
 ROW, INDENT = 28, 13
 NAMEABLE = 40
 """Pixels from which on there is room for the name of a file behind that of an SB."""
+_TIP, _LINE = int(Qt.ItemDataRole.ToolTipRole), int(Qt.ItemDataRole.UserRole)
 Index = QModelIndex | QPersistentModelIndex
+
+
+class OutlineItem(QTreeWidgetItem):
+    """One line as an item. Its tool tip is written when somebody looks at it."""
+
+    def __init__(self, above: QTreeWidgetItem, line: Line) -> None:
+        super().__init__(above)
+        self.line = line
+        self.setText(0, line.text)
+        if line.digit is None and not line.fault:
+            self.setFlags(self.flags() | Qt.ItemFlag.ItemIsEditable)
+
+    def show_line(self, line: Line) -> None:
+        """Show a line of the same SB or fact."""
+        self.line = line
+        self.setText(0, line.text)
+
+    def data(self, column: int, role: int) -> Any:
+        """What Qt asks of the line."""
+        if role == _TIP:
+            return tip_text(self.line.tip)
+        return self.line if role == _LINE else super().data(column, role)
 
 
 class OutlineTree(QTreeWidget):
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self._tokens = tokens
+        self._items: list[OutlineItem] = []
+        self._plain: list[tuple[object, ...]] = []
+        self._first: dict[tuple[str, int | None], OutlineItem] = {}
         self.setAccessibleName("State Branches")
         self.setHeaderHidden(True)
         self.setIndentation(INDENT)
@@ -63,21 +92,25 @@ class OutlineTree(QTreeWidget):
         """Whether a name is being edited in place."""
         return self.state() == QTreeWidget.State.EditingState
 
-    def items(self) -> Iterator[QTreeWidgetItem]:
+    def items(self) -> tuple[OutlineItem, ...]:
         """Every item, from top to bottom."""
-        waiting = [self.topLevelItem(at) for at in range(self.topLevelItemCount())]
-        while waiting:
-            item = waiting.pop(0)
-            if item is not None:
-                yield item
-                waiting = [item.child(at) for at in range(item.childCount())] + waiting
+        return tuple(self._items)
+
+    def item_of(self, branch: str, digit: int | None = None) -> OutlineItem | None:
+        """The first item of an SB, or of one of its facts."""
+        if not self._first:
+            for item in reversed(self._items):
+                if not item.line.fault:
+                    self._first[item.line.branch, item.line.digit] = item
+        return self._first.get((branch, digit))
 
     def show_lines(self, lines: Sequence[Line]) -> None:
         """Show these lines; what was closed stays closed, and only what differs is built anew."""
         self.blockSignals(True)
-        if [line.plain for line in lines] == [line_of(item).plain for item in self.items()]:
-            for item, line in zip(self.items(), lines, strict=True):
-                _put(item, line)
+        before, self._plain = self._plain, [line.plain for line in lines]
+        if before == self._plain:
+            for item, line in zip(self._items, lines, strict=True):
+                item.show_line(line)
             self.viewport().update()
         else:
             self._build(lines)
@@ -85,19 +118,23 @@ class OutlineTree(QTreeWidget):
 
     def _build(self, lines: Sequence[Line]) -> None:
         closed = {
-            (line_of(item).branch, line_of(item).digit)
-            for item in self.items()
+            (item.line.branch, item.line.digit)
+            for item in self._items
             if item.childCount() and not item.isExpanded()
         }
+        self._items.clear()
+        self._first.clear()
         self.clear()
         above = [self.invisibleRootItem()]
         for line in lines:
             del above[line.depth + 1 :]
-            item = QTreeWidgetItem(above[-1])
-            _put(item, line)
+            item = OutlineItem(above[-1], line)
+            self._items.append(item)
             above.append(item)
-        for item in self.items():
-            item.setExpanded((line_of(item).branch, line_of(item).digit) not in closed)
+        self.expandAll()
+        for item in self._items if closed else ():
+            if (item.line.branch, item.line.digit) in closed:
+                item.setExpanded(False)
 
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
         if self.selectionModel().isSelected(index):
@@ -142,6 +179,11 @@ class OutlineDelegate(QStyledItemDelegate):
             self._branch(painter, rect, line, chosen)
         else:
             self._fact(painter, rect, line)
+        if chosen and option.state & QStyle.StateFlag.State_HasFocus:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(self.tokens.acc, 2))
+            painter.drawRect(rect.adjusted(1, 1, -1, -1))
         painter.restore()
 
     def _branch(self, painter: QPainter, rect: QRectF, line: Line, chosen: bool) -> None:
@@ -182,7 +224,9 @@ class OutlineDelegate(QStyledItemDelegate):
         font = mono_font(11, 500)
         metrics = QFontMetricsF(font)
         room = max(rect.width() / 2 - 30, 20.0)
-        words = metrics.elidedText(self.active[branch], Qt.TextElideMode.ElideLeft, room)
+        words = metrics.elidedText(
+            plain_text(self.active[branch]), Qt.TextElideMode.ElideLeft, room
+        )
         wide = metrics.horizontalAdvance(words) + 10
         chip = QRectF(right - wide, rect.center().y() - 9, wide, 18)
         painter.setPen(QPen(tokens.acc if live else tokens.accl, 1))
@@ -191,7 +235,7 @@ class OutlineDelegate(QStyledItemDelegate):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(tokens.onacc if live else tokens.acc)
         painter.setFont(font)
-        painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, plain_text(words))
         return chip.left() - 6
 
     def _fact(self, painter: QPainter, rect: QRectF, line: Line) -> None:
@@ -225,11 +269,3 @@ def line_of(item: QTreeWidgetItem) -> Line:
     """The line an item shows."""
     found: Line = item.data(0, Qt.ItemDataRole.UserRole)
     return found
-
-
-def _put(item: QTreeWidgetItem, line: Line) -> None:
-    item.setText(0, line.text)
-    item.setData(0, Qt.ItemDataRole.UserRole, line)
-    item.setToolTip(0, line.tip)
-    if line.digit is None and not line.fault:
-        item.setFlags(item.flags() | Qt.ItemFlag.ItemIsEditable)

@@ -30,7 +30,6 @@ class Properties(QScrollArea):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self._fact: tuple[str, int] | None = None
         self.setAccessibleName("Properties")
         self.setWidgetResizable(True)
         self.setFrameShape(QScrollArea.Shape.NoFrame)
@@ -54,12 +53,12 @@ class Properties(QScrollArea):
 
     def _connect(self) -> None:
         session = self._session
-        session.selection_changed.connect(lambda *_: self._selected())
-        session.branch_changed.connect(lambda *_: self._selected())
+        session.selection_changed.connect(lambda *_: self._show())
+        session.branch_changed.connect(lambda *_: self._show())
         session.blueprint_changed.connect(lambda *_: self._show())
         self.state.fact_wanted.connect(self.show_fact)
         self.header.fact_wanted.connect(self.show_fact)
-        self.fact.left.connect(self._selected)
+        self.fact.left.connect(session.leave_fact)
         self.fact.sub_wanted.connect(session.show_branch)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -71,10 +70,8 @@ class Properties(QScrollArea):
         self.operation.set_plugins(loaded)
 
     def show_fact(self, branch: str, digit: int) -> None:
-        """Show a fact in place of the selection, until something else is chosen."""
-        self._session.show_branch(branch)
-        self._fact = (branch, digit)
-        self._show()
+        """Show a fact in place of the selection, until something else is selected."""
+        self._session.select_fact(branch, digit)
         self.verticalScrollBar().setValue(0)
 
     def show_hazard(self, name: str) -> None:
@@ -88,16 +85,10 @@ class Properties(QScrollArea):
         self.hazards.reveal(name)
         self.ensureWidgetVisible(self.hazards)
 
-    def _selected(self) -> None:
-        """What was selected counts, and no fact any more."""
-        self._fact = None
-        self._show()
-
     def _show(self) -> None:
         blueprint, selection = self._session.blueprint, self._session.selection
         selection = tuple(a for a in selection if a.state and _stands(blueprint, a))
-        fact = self._fact if _is_fact(blueprint, self._fact) else None
-        selection = () if fact else selection
+        fact = self._session.fact
         states = [a for a in selection if not a.operation]
         edges = [a for a in selection if a.operation]
         # The text of a form is settled before it is seen, so that nothing jumps.
@@ -163,13 +154,6 @@ def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
         if len(set(column)) == 1
     ]
     return f"In all of them {', '.join(same)}." if same else "They share no fact."
-
-
-def _is_fact(blueprint: Blueprint, fact: tuple[str, int] | None) -> bool:
-    if fact is None or fact[0] not in blueprint.branches:
-        return False
-    branch = blueprint[fact[0]]
-    return fact[1] < max(branch.num_facts, branch.header.num_facts or 0)
 
 
 def _stands(blueprint: Blueprint, address: Address) -> bool:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QToolButton
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 SIDE = 24
 
@@ -18,8 +20,8 @@ class SmallButton(QToolButton):
         self._picture, self._size = picture, size
         self.setProperty("role", "small")
         self.setFixedSize(SIDE, SIDE)
-        self.setToolTip(words)
-        self.setAccessibleName(words)
+        self.setToolTip(tip_text(words))
+        self.setAccessibleName(plain_text(words))
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:

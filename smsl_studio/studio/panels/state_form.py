@@ -25,6 +25,7 @@ from smsl_studio.studio.panels.note_form import Entry, NoteForm, misfits_of, wri
 from smsl_studio.studio.rows import Row, RowsView
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 MOST_ROWS = 12
@@ -91,7 +92,7 @@ class StateForm(NoteForm):
         one = states[0] if len(states) == 1 else None
         self._heading.setText("State" if one else counted(len(states), "state"))
         self._name.setText(_short(one.state, 24) if one else "")
-        self._name.setToolTip(one.state if one else "")
+        self._name.setToolTip(tip_text(one.state if one else ""))
         self.show_entries(_entries(blueprint, states))
         for widget in (self.naming, self._facts, self._out):
             widget.setVisible(one is not None)

@@ -6,8 +6,10 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QFontMetrics, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.chips import VALUE, paint_chip
 from smsl_studio.studio.theme import Tokens, mono_font
+from smsl_studio.studio.tips import tip_text
 
 
 class Tag(QWidget):
@@ -29,7 +31,7 @@ class Tag(QWidget):
         """Be as wide as a value of several characters needs, within reason."""
         wide = QFontMetrics(mono_font(12, 500)).horizontalAdvance(text) + 10
         self.setFixedSize(max(20, min(wide, 76)), 28)
-        self.setToolTip(text)
+        self.setToolTip(tip_text(text))
 
     def press_with_keys(self, name: str) -> None:
         """Be a button: with the focus, and for keys as well."""
@@ -49,14 +51,14 @@ class Tag(QWidget):
     def show_tag(self, text: str, kind: str, sub: bool) -> None:
         self._text, self._kind, self._sub = text, kind, sub
         words = self._button or (f"Fact {text}" if kind == VALUE else text)
-        self.setAccessibleName(words + (", with a sub-SB" if sub else ""))
+        self.setAccessibleName(plain_text(words + (", with a sub-SB" if sub else "")))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         chip = QRectF(1, 5, self.width() - 2, 18)
         metrics = QFontMetrics(mono_font(12, 500))
         wide = max(18, self.width() - 6)
-        text = metrics.elidedText(self._text, Qt.TextElideMode.ElideMiddle, wide)
+        text = metrics.elidedText(plain_text(self._text), Qt.TextElideMode.ElideMiddle, wide)
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         paint_chip(painter, chip, text, self._kind, self._tokens, sub=self._sub)

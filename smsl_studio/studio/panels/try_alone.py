@@ -87,11 +87,12 @@ class TryAlone(QWidget):
             self._say("Repair the text first")
             return
         world = self.world.currentText()
-        cancelled = self._cancelled = threading.Event()
+        cancelled, loaded = threading.Event(), self._loaded
+        self._cancelled = cancelled
         self.button.setText(CANCEL)
         self._say(f"{edge.operation} is being tried in the world {world}")
         self._beside.do(
-            lambda: _tried(blueprint, edge, world, cancelled),
+            lambda: _tried(blueprint, edge, world, cancelled, loaded),
             lambda found: self._told(edge, world, found),
         )
 
@@ -122,10 +123,10 @@ def _worlds(loaded: Loaded, operation: str) -> tuple[str, ...]:
 
 
 def _tried(
-    blueprint: Blueprint, edge: Address, world: str, cancelled: threading.Event
+    blueprint: Blueprint, edge: Address, world: str, cancelled: threading.Event, loaded: Loaded
 ) -> EdgeSwept | StudioError:
     try:
-        return front.try_edge(blueprint, edge, world, stop_when=cancelled.is_set)
+        return front.try_edge(blueprint, edge, world, stop_when=cancelled.is_set, loaded=loaded)
     except StudioError as error:
         return error
 

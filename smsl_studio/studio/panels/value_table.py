@@ -10,10 +10,12 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import QAbstractButton, QGridLayout, QWidget
 
 from smsl_studio.blueprint.annotations import FactNote
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Field, label
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.theme import CONTROL_ROW, Tokens
+from smsl_studio.studio.tips import tip_text
 
 MOST = 64
 Role = QPalette.ColorRole
@@ -99,7 +101,7 @@ class ValueTable(QWidget):
             one.meaning.settle(note.values.get(value, ""))
             one.on.setChecked(value == on)
             one.on.default = note.on is None
-            one.on.setToolTip(_on_words(value, value == on, note))
+            one.on.setToolTip(tip_text(_on_words(value, value == on, note)))
             one.failure.setChecked(value in note.failure)
             one.on.update()
             kind = "on" if value == on else "value"
@@ -116,13 +118,13 @@ class ValueTable(QWidget):
     def _new_row(self, at: int, value: str) -> ValueRow:
         one = ValueRow(Tag(self._tokens), Field(), Tick(round_=True), Tick())
         one.chip.fit(value)
-        one.meaning.setAccessibleName(f"Meaning of {value}")
-        one.meaning.setToolTip(f"What {value} means, in plain words")
+        one.meaning.setAccessibleName(plain_text(f"Meaning of {value}"))
+        one.meaning.setToolTip(tip_text(f"What {value} means, in plain words"))
         one.meaning.editingFinished.connect(lambda: self._typed(value, one.meaning))
-        one.on.setAccessibleName(f"{value} counts as on")
+        one.on.setAccessibleName(plain_text(f"{value} counts as on"))
         one.on.clicked.connect(lambda: self._on(value, one.on))
-        one.failure.setAccessibleName(f"{value} means failure")
-        one.failure.setToolTip(f"Whether {value} means that something failed")
+        one.failure.setAccessibleName(plain_text(f"{value} means failure"))
+        one.failure.setToolTip(tip_text(f"Whether {value} means that something failed"))
         one.failure.clicked.connect(lambda on: self._fail(value, on))
         centre = Qt.AlignmentFlag.AlignCenter
         self._grid.addWidget(one.chip, at, 0)

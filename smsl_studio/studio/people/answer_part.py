@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.panels.lines.line import Said
 from smsl_studio.studio.people.card_view import CardView, OptionView
@@ -44,10 +45,21 @@ class AnswerPart(QWidget):
         self.button.setProperty("role", "primary")
         self.button.setEnabled(False)
         self.sentence = label("", "hint")
+        self._persons = persons
+        self.enter = QPushButton("Enter who works here…")
+        self.enter.setToolTip("Nobody is known yet: name, role and PIN of who answers")
+        self.enter.clicked.connect(self.who.edit_wanted)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(8)
-        for part in (self.who, self.objection, self.refusal, self.button, self.sentence):
+        for part in (
+            self.who,
+            self.objection,
+            self.enter,
+            self.refusal,
+            self.button,
+            self.sentence,
+        ):
             column.addWidget(part)
         self.button.clicked.connect(self.decided)
         self.who.pin.returnPressed.connect(self._pin_typed)
@@ -56,11 +68,12 @@ class AnswerPart(QWidget):
         """What stands below the answers of this card while ``chosen`` is marked."""
         self.sentence.setText(card.sentence)
         self.objection.say(card.objection)
+        self.enter.setVisible(not self._persons.all)
         self.refusal.say(refusal)
         ready, words = self._state(card, chosen)
         self.button.setEnabled(ready)
         self.button.setText(words)
-        self.button.setAccessibleName(words)
+        self.button.setAccessibleName(plain_text(words))
 
     def _state(self, card: CardView, chosen: OptionView | None) -> tuple[bool, str]:
         if self.who.person is None:

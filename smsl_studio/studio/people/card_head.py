@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
-from smsl_studio.studio.controls import label
+from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.icons import pixmap
 from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.people.card_view import CardView
@@ -23,7 +23,7 @@ class CardHead(QWidget):
 
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
-        self._hand = QLabel()
+        self._hand = Label()
         self.heading, self.left = label("", "strong"), label("", "strong")
         self.count = label("", "small")
         self.before = SmallButton("The task before this one", "chevron-left", tokens)

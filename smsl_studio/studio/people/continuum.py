@@ -14,6 +14,7 @@ from smsl_studio.studio.people.scale import Ends, ScaleRow, WholeRow
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 RECORDED = "Levels were set before the run and are part of its record."
@@ -74,27 +75,33 @@ class Continuum(QWidget):
     def refresh(self) -> None:
         """Look again; nothing is counted where nothing changed, or nobody sees it."""
         blueprint, levels = self._now()
-        state = (levels, self._run.exists)
+        kept = self._kept
+        state = (levels, kept)
         if not self.isVisible() or (blueprint is self._shown and state == self._state):
             return
         self._shown, self._state = blueprint, state
         self._show(continuum_view(blueprint, Levels(blueprint, levels)))
-        self.edit.setEnabled(not self._run.exists)
+        self.edit.setEnabled(not kept)
         self.edit.setToolTip(
-            "A run keeps the levels it began with" if self._run.exists
-            else "Who does, senses, inspects and supervises in the next run"
+            tip_text("A run keeps the levels it began with" if kept
+            else "Who does, senses, inspects and supervises in the next run")
         )  # fmt: skip
         here = counted(len(levels), "level")
         said = f"{here} set for the next run; the others as declared." if levels else DECLARED
-        self.note.setText(RECORDED if self._run.exists else said)
+        self.note.setText(RECORDED if kept else said)
 
     def showEvent(self, event: object) -> None:
         super().showEvent(event)  # type: ignore[arg-type]
         self.refresh()
 
+    @property
+    def _kept(self) -> bool:
+        """Whether the levels are those of the run that is shown, not those of the next one."""
+        return self._run.exists or self._run.is_another(self._session.blueprint)
+
     def _now(self) -> tuple[Blueprint, dict[str, str]]:
         run = self._run
-        if run.exists and run.blueprint is not None and run.choice is not None:
+        if self._kept and run.blueprint is not None and run.choice is not None:
             return run.blueprint, dict(run.choice.levels)
         return self._session.blueprint, dict(self._levels.set)
 

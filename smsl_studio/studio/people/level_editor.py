@@ -24,6 +24,7 @@ from smsl_studio.studio.people.level_table import OUT, LevelModel, LevelTable
 from smsl_studio.studio.people.next_levels import NextLevels
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import CONTROL
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 ABOUT = (
@@ -150,12 +151,12 @@ class LevelEditor(QDialog):
         for button in self.buttons.values():
             button.setEnabled(marked > 0)
         self.out_button.setEnabled(bool(self._written()))
-        self.out_button.setToolTip(OUT_TIP if self._written() else NOT_WRITTEN)
+        self.out_button.setToolTip(tip_text(OUT_TIP if self._written() else NOT_WRITTEN))
         self.write_button.setEnabled(bool(self.model.chosen))
         same = self.model.chosen == dict(self._levels.set)
         taken = OUT in self.model.chosen.values()
         self.use_button.setEnabled(not same and not taken)
-        self.use_button.setToolTip(WRITES if taken else USES)
+        self.use_button.setToolTip(tip_text(WRITES if taken else USES))
 
 
 def _across(*parts: QWidget | None) -> QHBoxLayout:

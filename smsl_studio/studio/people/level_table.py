@@ -7,7 +7,9 @@ from typing import Any
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
+from smsl_studio.studio.controls import NameDelegate, name_parts
 from smsl_studio.studio.people.level_rows import LevelRow
+from smsl_studio.studio.tips import tip_text
 
 Index = QModelIndex | QPersistentModelIndex
 HEADS = ("What", "Where", "Declared", "From", "Chosen here")
@@ -61,7 +63,7 @@ class LevelModel(QAbstractTableModel):
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
         row = self.rows[index.row()]
         if role == Role.ToolTipRole:
-            return row.key
+            return tip_text(row.key)
         if role != Role.DisplayRole:
             return None
         chosen = self.chosen.get(row.key, "")
@@ -82,6 +84,7 @@ class LevelTable(QTableView):
         super().__init__(parent)
         self.setModel(model)
         self.setObjectName("levels")
+        self.setItemDelegate(NameDelegate(self))
         self.setAccessibleName("Levels")
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -89,6 +92,7 @@ class LevelTable(QTableView):
         self.setWordWrap(False)
         self.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.setTabKeyNavigation(False)
+        name_parts(self)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(28)
         heads = self.horizontalHeader()

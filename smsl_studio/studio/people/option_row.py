@@ -6,8 +6,10 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.people.card_view import OptionView
 from smsl_studio.studio.theme import CONTROL_DECISION, RADIUS_CONTROL, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 LEFT, KEY, PAD = 34, 24, 12
 
@@ -26,8 +28,8 @@ class OptionRow(QAbstractButton):
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
-        self.setToolTip(f"{option.words} ({option.letter})")
-        self.setAccessibleName(f"{option.words}, key {option.letter}")
+        self.setToolTip(tip_text(f"{option.words} ({option.letter})"))
+        self.setAccessibleName(plain_text(f"{option.words}, key {option.letter}"))
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
@@ -67,7 +69,7 @@ class OptionRow(QAbstractButton):
         painter.setFont(text_font(13, 600 if chosen else 500))
         room = self.rect().adjusted(LEFT, 0, -(KEY + PAD), 0)
         middle = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
-        painter.drawText(room, middle | Qt.TextFlag.TextWordWrap, self.text())
+        painter.drawText(room, middle | Qt.TextFlag.TextWordWrap, plain_text(self.text()))
         self._key(painter)
         painter.end()
 
@@ -92,4 +94,4 @@ class OptionRow(QAbstractButton):
         painter.drawRoundedRect(box, 4, 4)
         painter.setPen(tokens.tx2)
         painter.setFont(text_font(11, 500))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.option.letter)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, plain_text(self.option.letter))

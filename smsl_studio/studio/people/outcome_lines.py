@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.panels.small_button import SmallButton
@@ -29,7 +30,7 @@ class OutcomeLine(QWidget):
         across.setSpacing(4)
         across.addWidget(words, 1)
         across.addWidget(self.close_button)
-        self.setAccessibleName(words.text())
+        self.setAccessibleName(plain_text(words.text()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         tokens = self._tokens

@@ -17,11 +17,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Field, label
 from smsl_studio.studio.panels.lines.line import Said
 from smsl_studio.studio.people.persons import Person, Persons
 from smsl_studio.studio.people.pin import SHORTEST
 from smsl_studio.studio.theme import CONTROL
+from smsl_studio.studio.tips import tip_text
 
 ABOUT = (
     "Name and role go into the record of a run with every command and answer. A PIN keeps others "
@@ -42,7 +44,7 @@ class PinField(QLineEdit):
         super().__init__()
         self.setEchoMode(QLineEdit.EchoMode.Password)
         self.setPlaceholderText(words)
-        self.setAccessibleName(words)
+        self.setAccessibleName(plain_text(words))
 
 
 class PersonRow(QWidget):
@@ -57,7 +59,7 @@ class PersonRow(QWidget):
         self._person = person
         self.mine = QToolButton()
         self.mine.setText("You" if mine else "Work as")
-        self.mine.setToolTip(f"Commands of this window are those of {person.name}")
+        self.mine.setToolTip(tip_text(f"Commands of this window are those of {person.name}"))
         self.mine.setProperty("role", "tool")
         self.mine.setCheckable(True)
         self.mine.setChecked(mine)
@@ -241,5 +243,5 @@ def _field(words: str, text: str) -> Field:
     field = Field()
     field.settle(text)
     field.setPlaceholderText(words)
-    field.setAccessibleName(words)
+    field.setAccessibleName(plain_text(words))
     return field

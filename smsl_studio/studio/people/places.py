@@ -6,9 +6,11 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.people.card_view import PersonView
 from smsl_studio.studio.theme import RADIUS_CONTROL, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 HEIGHT, LINE, BOXED = 66, 26, 2
 """Pixels of a box, and of a line; more than so many places are lines."""
@@ -23,8 +25,8 @@ class Place(QWidget):
         self.setFixedHeight(HEIGHT if boxed else LINE)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         said = ", ".join(part for part in (person.place, person.name, person.words) if part)
-        self.setAccessibleName(said)
-        self.setToolTip(said)
+        self.setAccessibleName(plain_text(said))
+        self.setToolTip(tip_text(said))
 
     def sizeHint(self) -> QSize:
         return QSize(150, self.height())
@@ -71,7 +73,9 @@ class Place(QWidget):
         painter.setFont(font)
         painter.setPen(ink)
         room = QRectF(left, top, self.width() - left - 8, 18)
-        shown = QFontMetrics(font).elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
+        shown = QFontMetrics(font).elidedText(
+            plain_text(words), Qt.TextElideMode.ElideRight, int(room.width())
+        )
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, shown)
 
 

@@ -6,10 +6,12 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QLinearGradient, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.people.continuum_view import ScaleView
 from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 ROW, LEFT, NAME, GAP, MARGIN = 29, 12, 86, 16, 12
 WORDS, LEAST = 128, 90
@@ -86,8 +88,8 @@ class ScaleRow(Scale):
 
     def show_view(self, view: ScaleView) -> None:
         self.view = view
-        self.setAccessibleName(f"{view.name}: {view.words}")
-        self.setToolTip(f"{view.name}: {view.words}")
+        self.setAccessibleName(plain_text(f"{view.name}: {view.words}"))
+        self.setToolTip(tip_text(f"{view.name}: {view.words}"))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -122,9 +124,12 @@ class WholeRow(Scale):
 
     def show_whole(self, position: float, words: str) -> None:
         self._position, self._words = position, words
-        self.setAccessibleName(f"Whole procedure: {words}")
+        self.setAccessibleName(plain_text(f"Whole procedure: {words}"))
         self.setToolTip(
-            f"Whole procedure: {words}. Inspection, operations, facts and supervision count alike."
+            tip_text(
+                f"Whole procedure: {words}. "
+                "Inspection, operations, facts and supervision count alike."
+            )
         )
         self.update()
 

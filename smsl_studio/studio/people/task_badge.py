@@ -6,9 +6,11 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.people.task_card import TaskCard
 from smsl_studio.studio.theme import Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 HEIGHT, LEFT, TIME, PAD = 24, 30, 36, 10
 
@@ -25,6 +27,7 @@ class TaskBadge(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.setFixedHeight(HEIGHT)
+        self.setAccessibleName("Task")
         card.changed.connect(self.refresh)
         self.refresh()
 
@@ -42,8 +45,8 @@ class TaskBadge(QAbstractButton):
         more = f", {others} more" if others else ""
         self._time = card.left
         self.setText(f"{card.heading}{more}")
-        self.setToolTip(f"{card.question} {card.left} left. Show the task (F4)")
-        self.setAccessibleName(f"{card.heading}{more}: {card.question}")
+        self.setToolTip(tip_text(f"{card.question} {card.left} left. Show the task (F4)"))
+        self.setAccessibleName(plain_text(f"{card.heading}{more}: {card.question}"))
         self.setFixedWidth(self.sizeHint().width())
         self.update()
 
@@ -62,6 +65,6 @@ class TaskBadge(QAbstractButton):
         painter.setFont(self._font)
         side = Qt.AlignmentFlag
         room = self.rect().adjusted(LEFT, 0, -PAD, 0)
-        painter.drawText(room, side.AlignVCenter | side.AlignLeft, self.text())
-        painter.drawText(room, side.AlignVCenter | side.AlignRight, self._time)
+        painter.drawText(room, side.AlignVCenter | side.AlignLeft, plain_text(self.text()))
+        painter.drawText(room, side.AlignVCenter | side.AlignRight, plain_text(self._time))
         painter.end()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QWidget
 
 from smsl_studio.studio.controls import Combo, label
@@ -11,6 +12,21 @@ from smsl_studio.studio.theme import CONTROL
 
 NOBODY = "Choose who you are"
 MORE = "Persons…"
+
+
+class PersonChoice(Combo):
+    """The list of persons. Letters and digits choose nobody here: they go to what is around it.
+
+    In a plain choice a letter chooses the next entry that begins with it. Here that letter may be
+    an answer or a command of Supervise, and the wrong person would be chosen unseen.
+    """
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        text = event.text()
+        if text.isprintable() and text.strip() and not self.view().isVisible():
+            event.ignore()
+            return
+        super().keyPressEvent(event)
 
 
 class Who(QWidget):
@@ -25,7 +41,7 @@ class Who(QWidget):
         self._persons = persons
         self._person: Person | None = persons.me
         self._open = False
-        self.choice = Combo()
+        self.choice = PersonChoice()
         self.choice.setAccessibleName("Answer as")
         self.choice.setToolTip("Who answers; the record of the run has the name and the role")
         self.pin = QLineEdit()

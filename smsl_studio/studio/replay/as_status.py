@@ -36,7 +36,7 @@ def as_status(blueprint: Blueprint, told: Retold) -> DispatchStatus:
         running_since=told.running_since if running else None,
         progress=None,
         route=_all_known(blueprint, told.route),
-        goals=tuple(Address(*Address.split(goal)) for goal in told.goals),
+        goals=tuple(goal for goal in map(Address.read, told.goals) if goal is not None),
         scene=scene,
         check=_check(blueprint, running, configuration, scene),
         possible=(),

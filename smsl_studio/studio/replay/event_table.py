@@ -12,7 +12,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.account_words import told
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, Names, names_of
+from smsl_studio.studio.controls import NameDelegate
 from smsl_studio.studio.theme import mono_font
+from smsl_studio.studio.tips import tip_text
 
 Index = QModelIndex | QPersistentModelIndex
 
@@ -38,7 +40,7 @@ class EventsModel(QAbstractListModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         event = self._events[index.row()]
         if role == Qt.ItemDataRole.ToolTipRole:
-            return event.line()
+            return tip_text(event.line())
         if role not in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             return None
         by = self._by[index.row()]
@@ -56,6 +58,7 @@ class EventTable(QListView):
         super().__init__(parent)
         self._events = EventsModel(self)
         self.setModel(self._events)
+        self.setItemDelegate(NameDelegate(self))
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setObjectName("events")
         self.setFont(mono_font(12))

@@ -6,10 +6,11 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.controls import label
+from smsl_studio.studio.controls import Label, label
+from smsl_studio.studio.places import Places
 from smsl_studio.studio.replay.event_table import EventTable
 from smsl_studio.studio.replay.recording import ANOTHER, Recording
 from smsl_studio.studio.replay.replay import Replay
@@ -42,6 +43,7 @@ class _Held:
 
     def __init__(self, replay: Replay, nothing: Blueprint) -> None:
         self._replay, self._nothing = replay, nothing
+        self.places = Places()
 
     @property
     def blueprint(self) -> Blueprint:
@@ -59,7 +61,7 @@ class ReplayPane(QWidget):
     ) -> None:
         super().__init__(parent)
         self._replay, self._tokens = replay, tokens
-        self.note = QLabel()
+        self.note = Label()
         self.note.setProperty("role", "replay")
         self.note.setWordWrap(True)
         self.canvas = ReplayCanvas(_Held(replay, nothing), replay, tokens)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
@@ -15,6 +16,8 @@ from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.log import FORMAT
 from smsl_studio.runlog.reading import Going, LoggedRun, read_log
 from smsl_studio.runlog.retelling import Retelling
+from smsl_studio.smsl.forms import SUFFIXES
+from smsl_studio.smsl.inputs import read_ordinary
 from smsl_studio.studio.replay.as_status import as_status
 from smsl_studio.studio.replay.whole_story import WholeStory
 from smsl_studio.studio.run.lanes import Lane, lanes
@@ -56,9 +59,8 @@ class Recording:
 def is_recording(path: Path) -> bool:
     """Whether a file is a run log, by how it begins; false where it cannot be read."""
     try:
-        with path.open("rb") as stream:
-            return stream.read(len(_FIRST)) == _FIRST
-    except OSError:
+        return read_ordinary(path, len(_FIRST)).raw.startswith(_FIRST)
+    except (OSError, ValueError):
         return False
 
 
@@ -90,10 +92,10 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
 
 def recordings_in(folder: Path, most: int = 30) -> tuple[Path, ...]:
     """The newest recordings of a folder, newest first."""
-    try:
-        dated = [(path.stat().st_mtime, path) for path in folder.glob(f"*{SUFFIX}")]
-    except OSError:
-        return ()
+    dated = []
+    for path in folder.glob(f"*{SUFFIX}"):
+        with suppress(OSError):  # a link to nothing, or gone by now
+            dated.append((path.stat().st_mtime, path))
     return tuple(path for _, path in sorted(dated, reverse=True)[:most])
 
 
@@ -115,6 +117,8 @@ def _candidates(path: Path, run: LoggedRun, drawn: Blueprint) -> Iterable[Bluepr
     if not isinstance(said, str) or not said:
         return
     for place in (Path(said), path.parent / Path(said).name):
+        if place.suffix.lower() not in SUFFIXES:
+            continue  # A log comes from anybody, and may name any file.
         try:
             yield front.read(place)
         except StudioError:

@@ -52,6 +52,20 @@ class Replay(QObject):
         return self.recording.whole if self.recording is not None else None
 
     @property
+    def shown(self) -> bool:
+        """Whether a recording is there."""
+        return self.recording is not None
+
+    @property
+    def foreign(self) -> bool:
+        """A replay has no drawing beside it but its own."""
+        return False
+
+    def is_another(self, drawn: Blueprint) -> bool:
+        """The same: what is shown is what was recorded."""
+        return False
+
+    @property
     def exists(self) -> bool:
         """Nothing that is over can be commanded."""
         return False

@@ -22,6 +22,8 @@ from smsl_studio.studio.replay.recording import (
 from smsl_studio.studio.replay.replay import Replay
 from smsl_studio.studio.replay.transport import ReplayTransport
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is
 
 KINDS = f"Recorded runs (*{SUFFIX});;All files (*)"
 
@@ -84,8 +86,8 @@ class Replaying(QObject):
         """The newest recordings of the user's folder."""
         menu.clear()
         for path in recordings_in(self._folder):
-            words = recording_words(path).replace("&", "&&")
-            menu.addAction(words, partial(self.open, path)).setToolTip(str(path))
+            words = as_it_is(recording_words(path))
+            menu.addAction(words, partial(self.open, path)).setToolTip(tip_text(str(path)))
         if menu.isEmpty():
             menu.addAction("No run was recorded yet").setEnabled(False)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.replay.marks import COMMIT, FAULT, HELD, KINDS, PERSON
 from smsl_studio.studio.theme import Tokens
 
@@ -50,7 +51,7 @@ class Scrubber(QWidget):
     def show_time(self, time: float) -> None:
         if time != self._time:
             self._time = time
-            self.setAccessibleDescription(f"{time:.2f} of {self._end:.2f} s")
+            self.setAccessibleDescription(plain_text(f"{time:.2f} of {self._end:.2f} s"))
             self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:

@@ -6,12 +6,14 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
-from smsl_studio.studio.controls import Combo, label, rule
+from smsl_studio.studio.controls import Combo, Label, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
+from smsl_studio.studio.frame.precedence import Precedence
 from smsl_studio.studio.replay.replay import Replay
 from smsl_studio.studio.replay.scrubber import Scrubber
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "16×": 16.0, "64×": 64.0}
 MARK = "REPLAY"
@@ -53,10 +55,15 @@ class ReplayTransport(QWidget):
         across = QHBoxLayout(self)
         across.setContentsMargins(0, 0, 0, 0)
         across.setSpacing(8)
+        line = rule(vertical=True, length=24)
         parts = (self.mark, self.scrubber, self.moment, self.phase, self.speed, self.back,
-                 self.step, self.play, rule(vertical=True, length=24), self.leave)  # fmt: skip
+                 self.step, self.play, line, self.leave)  # fmt: skip
         for part in parts:
             across.addWidget(part, 1 if part is self.scrubber else 0)
+        self._precedence = Precedence(
+            self, self.phase, self.speed, line, self.moment, self.back, self.step, self.mark,
+            self.scrubber,
+        )  # fmt: skip
         self._connect()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -69,8 +76,9 @@ class ReplayTransport(QWidget):
         for button in (self.back, self.step, self.play):
             button.set_short(self.width() < WIDE)
         self.play.setMinimumWidth(112 if self.width() >= WIDE else 0)
-        self.phase.setVisible(self.width() >= NARROW)
+        self._precedence.want(self.phase, self.width() >= NARROW)
         self.leave.setText("Close replay" if self.width() >= WIDE else "Close")
+        self._precedence.fit()
 
     def _connect(self) -> None:
         replay = self._replay
@@ -95,7 +103,7 @@ class ReplayTransport(QWidget):
         self.step.setEnabled(replay.index < replay.count)
         words, kind = phase_words(replay.phase)
         self.phase.setText(words)
-        self.phase.setToolTip(replay.sentence)
+        self.phase.setToolTip(tip_text(replay.sentence))
         if self.phase.property("kind") != kind:
             self.phase.setProperty("kind", kind)
             self.phase.style().unpolish(self.phase)
@@ -105,7 +113,7 @@ class ReplayTransport(QWidget):
 
 
 def _chip(words: str, kind: str) -> QLabel:
-    chip = QLabel(words)
+    chip = Label(words)
     chip.setProperty("role", "phase")
     chip.setProperty("kind", kind)
     chip.setAlignment(Qt.AlignmentFlag.AlignCenter)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterable
+from itertools import chain
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.account_words import Causes
@@ -35,7 +36,9 @@ class WholeStory:
         self._trail: dict[str, dict[Address, int]] = {}
         for index, event in enumerate(retelling.events, 1):
             for text in event.operations if isinstance(event, Committed) else ():
-                address = Address(*Address.split(text))
+                address = Address.read(text)
+                if address is None:
+                    continue
                 self._trail.setdefault(address.branch, {}).setdefault(address, index)
 
     def until(self, told: Retold) -> Story:
@@ -52,10 +55,10 @@ class WholeStory:
 
     def _close(self, end: float) -> None:
         """What still held when the run ended is shown until then."""
-        lanes = (*self.story.states.values(), self.story.operations, *self.story.facts.values())
-        for lane in lanes:
-            if lane and lane[-1].end is None:
-                lane[-1].end = end
+        last = (lane[-1:] for lane in (*self.story.states.values(), *self.story.facts.values()))
+        for span in chain(self.story.operations, *last):
+            if span.end is None:
+                span.end = end
 
 
 def _first(lane: Iterable[Span]) -> list[Span]:

@@ -8,7 +8,9 @@ from PySide6.QtWidgets import QFrame, QListWidget, QListWidgetItem, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.account_words import told
 from smsl_studio.runlog import events as run
+from smsl_studio.studio.controls import NameDelegate
 from smsl_studio.studio.theme import mono_font
+from smsl_studio.studio.tips import tip_text
 
 QUIET = (run.FactChanged,)
 LONGEST = 5000
@@ -25,6 +27,7 @@ class EventList(QListWidget):
         super().__init__(parent)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setObjectName("events")
+        self.setItemDelegate(NameDelegate(self))
         self.setFont(mono_font(12))
         self.setUniformItemSizes(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -42,7 +45,7 @@ class EventList(QListWidget):
                 continue
             item = QListWidgetItem(f"{event.t:6.2f} s  {sentence(event)}")
             item.setData(Qt.ItemDataRole.UserRole, getattr(event, "address", ""))
-            item.setToolTip(f"{sentence(event)}\n{event.line()}")
+            item.setToolTip(tip_text(f"{sentence(event)}\n{event.line()}"))
             self.addItem(item)
         while self.count() > LONGEST:
             self.takeItem(0)

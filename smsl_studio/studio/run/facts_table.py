@@ -15,10 +15,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.chips import paint_chip
+from smsl_studio.studio.controls import name_parts
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.run.freshness import age_of, age_words, bars
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
 WIDTHS = (82, 62, 57, 58)
@@ -88,6 +91,9 @@ class FactsModel(QAbstractTableModel):
             if role == Qt.ItemDataRole.TextAlignmentRole:
                 right = Qt.AlignmentFlag.AlignRight if section == 3 else Qt.AlignmentFlag.AlignLeft
                 return right | Qt.AlignmentFlag.AlignVCenter
+        elif role == Qt.ItemDataRole.DisplayRole:
+            # The header of rows is hidden, but a screen reader reads it out.
+            return self.rows[section].name
         return None
 
     def data(self, index: Index, role: int = 0) -> object:
@@ -98,7 +104,7 @@ class FactsModel(QAbstractTableModel):
             return (row.name, row.believed, sensed, age, row.words)[index.column()]
         if role == Qt.ItemDataRole.ToolTipRole:
             old = "" if row.age is None else f"; {age_of(row.age, row.limit)}"
-            return f"{row.name}: {row.words}{old}"
+            return tip_text(f"{row.name}: {row.words}{old}")
         if role == Qt.ItemDataRole.UserRole:
             return row
         return None
@@ -139,7 +145,9 @@ class _Cells(QStyledItemDelegate):
                 painter.setFont(text_font(13))
                 # Names of facts often begin alike.
                 middle = Qt.TextElideMode.ElideMiddle
-                shown = painter.fontMetrics().elidedText(words, middle, int(room.width()) - 16)
+                shown = painter.fontMetrics().elidedText(
+                    plain_text(words), middle, int(room.width()) - 16
+                )
                 self._words(painter, room.adjusted(12, 0, 0, 0), shown, self.tokens.tx)
         painter.restore()
 
@@ -158,7 +166,7 @@ class _Cells(QStyledItemDelegate):
         painter.setPen(colour)
         side = Qt.AlignmentFlag.AlignRight if right else Qt.AlignmentFlag.AlignLeft
         shown = painter.fontMetrics().elidedText(
-            words, Qt.TextElideMode.ElideRight, int(room.width())
+            plain_text(words), Qt.TextElideMode.ElideRight, int(room.width())
         )
         painter.drawText(room, side | Qt.AlignmentFlag.AlignVCenter, shown)
 
@@ -184,7 +192,7 @@ class _Cells(QStyledItemDelegate):
         painter.drawRoundedRect(box, RADIUS_CHIP, RADIUS_CHIP)
         painter.setPen(ink)
         shown = painter.fontMetrics().elidedText(
-            words, Qt.TextElideMode.ElideMiddle, int(box.width() - 6)
+            plain_text(words), Qt.TextElideMode.ElideMiddle, int(box.width() - 6)
         )
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, shown)
 
@@ -238,6 +246,7 @@ class FactsTable(QTableView):
         self.setTabKeyNavigation(False)
         self.setShowGrid(False)
         self.setFrameShape(QTableView.Shape.NoFrame)
+        name_parts(self)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(ROW)
         self.verticalHeader().setMinimumSectionSize(24)

@@ -17,9 +17,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label, rule
 from smsl_studio.studio.icons import draw, icon
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 HEAD = 36
 MIDDLE = 22
@@ -122,8 +124,8 @@ def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
     style = Qt.ToolButtonStyle
     made.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
     made.setFixedHeight(26)
-    made.setToolTip(tip)
-    made.setAccessibleName(words or tip)
+    made.setToolTip(tip_text(tip))
+    made.setAccessibleName(plain_text(words or tip))
     return made
 
 

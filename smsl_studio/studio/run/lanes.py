@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.host.protocol import SensorInfo
@@ -50,9 +51,15 @@ def lanes(
         if branch.name in story.states:
             coming = soon[1:] if status.running and status.running.branch == branch.name else ()
             blocks = (*_states(branch, story), *coming)
-            found.append(Lane(branch.name if several else "State", "state", blocks))
+        elif branch.name in status.configuration:
+            # Until people have said what holds, the start is believed and nobody has confirmed it.
+            name = short_name(branch, status.configuration[branch.name])
+            blocks = (Block(0.0, None, name, "unknown"),)
+        else:
+            continue
+        found.append(Lane(branch.name if several else "State", "state", blocks))
     if found:
-        found.append(Lane("Operation", "operation", (*_operations(story), *soon[:1])))
+        found += _operations(story, status.running, soon[:1])
     for branch in blueprint:
         for digit in range(branch.num_facts if branch.table else 0):
             spans = story.facts.get((branch.name, digit))
@@ -86,10 +93,32 @@ def _states(branch: StateBranch, story: Story) -> Iterator[Block]:
         yield Block(span.start, span.end, short_name(branch, span.words), look)
 
 
-def _operations(story: Story) -> Iterator[Block]:
+def _operations(story: Story, running: Address | None, soon: tuple[Block, ...]) -> Iterator[Lane]:
+    """The operations, in as many rows as are under way at the same time; ``soon`` is the rest of
+    the running one, and stands behind it."""
+    rows: list[list[Span]] = [[]]
     for span in story.operations:
-        look = "now" if span.end is None else "past" if span.good else "bad"
-        yield Block(span.start, span.end, span.words.rpartition("/")[2], look)
+        free = (row for row in rows if not row or _is_over(row[-1], span.start))
+        row = next(free, None)
+        if row is None:
+            row = []
+            rows.append(row)
+        row.append(span)
+    name = str(running) if running is not None else ""
+    going = next((row for row in rows if row and row[-1].words == name), rows[0])
+    for number, row in enumerate(rows, 1):
+        label = "Operation" if number == 1 else f"Operation {number}"
+        rest = soon if row is going else ()
+        yield Lane(label, "operation", (*map(_operation, row), *rest))
+
+
+def _is_over(span: Span, time: float) -> bool:
+    return span.end is not None and span.end <= time
+
+
+def _operation(span: Span) -> Block:
+    look = "now" if span.end is None else "past" if span.good else "bad"
+    return Block(span.start, span.end, span.words.rpartition("/")[2], look)
 
 
 def _facts(

@@ -10,9 +10,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
 
-from smsl_studio import front
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
@@ -35,9 +33,10 @@ from smsl_studio.studio.run.framing import (
     words_over,
 )
 from smsl_studio.studio.run.lanes import lanes
+from smsl_studio.studio.run.next_run import NextRun
 from smsl_studio.studio.run.possible_panel import PossiblePanel
 from smsl_studio.studio.run.run_canvas import RunCanvas
-from smsl_studio.studio.run.run_session import RunChoice, RunSession
+from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.run.state_check import StateCheckView
 from smsl_studio.studio.run.status_words import Words, status_words
 from smsl_studio.studio.run.timeline import Timeline
@@ -67,6 +66,8 @@ class RunPane(QWidget):
     """Other ``words`` tell how the run stands."""
     reset_wanted = Signal()
     """A stop shall be unlatched, and what is shown instead of this has to ask for it."""
+    named = Signal()
+    """``other`` may be another one than it was."""
     moved = Signal(object, str)
     """(active state of every SB, SB in which an operation runs): empty where there is no run."""
 
@@ -85,8 +86,8 @@ class RunPane(QWidget):
         self.timeline = Timeline(tokens)
         self.events = EventList()
         self.monitoring = Monitoring(self.run, tokens, self)
-        self._offered = self._foreign = False
-        self._loaded: Loaded | None = None
+        self.next = NextRun(session, self.run, self.transport, self.levels)
+        self._asked = False
         self._begin_later: bool | None = None
         self.recordings: Callable[[], Path | None] = lambda: None
         """The folder into which runs are recorded; None: they are not."""
@@ -105,17 +106,19 @@ class RunPane(QWidget):
     # What is asked of the run.
 
     def play(self) -> None:
-        """Start a run, or go on with the one that is paused, holds or waits for a hand. Of one that
-        is stopped it is asked whether it shall be reset."""
-        if self.run.phase == "running":
-            return
+        """Start a run, or go on with the one that is paused, holds or waits for a hand. One that is
+        about to pause goes on from there. Of one that is stopped it is asked whether it shall be
+        reset."""
         if self.run.phase == "stopped" and self.run.exists:
             self._ask_reset()
-        elif self.run.exists:
+        elif not self.run.exists:
+            self._begin(stepping=False)
+        elif self.run.pausing:
+            self.transport.by_hand.setChecked(False)
+            self.run.play_on()
+        elif self.run.phase != "running":
             self.transport.by_hand.setChecked(False)
             self.run.play()
-        else:
-            self._begin(stepping=False)
 
     def _ask_reset(self) -> None:
         if self.isVisible():
@@ -158,9 +161,10 @@ class RunPane(QWidget):
 
     def set_plugins(self, loaded: Loaded) -> None:
         """The plugins were found: worlds can be offered, and what waited for that begins."""
-        self._loaded, self._offered = loaded, False
+        self.next.loaded = loaded
+        self.next.forget_offer()
         if self.isVisible() or self._begin_later is not None:
-            self._offer()
+            self.next.offer()
         stepping, self._begin_later = self._begin_later, None
         if stepping is not None and not self.run.exists:
             self._begin(stepping)
@@ -178,43 +182,36 @@ class RunPane(QWidget):
         self._refresh()
 
     @property
-    def next_run(self) -> tuple[Blueprint, str, int] | None:
-        """Blueprint, world and seed of the run that Play would begin; None where there is none."""
-        world = self.transport.world.currentData()
-        if self.run.exists or self._loaded is None or self._session.broken is not None or not world:
-            return None
-        return self._session.blueprint, world, int(self.transport.seed.text() or 0)
+    def other(self) -> str:
+        """The file of the run that is shown where another one is drawn; else the empty text."""
+        run = self.run
+        shown = run.foreign and run.shown and run.blueprint is not None
+        return Path(run.blueprint.file).name if shown and run.blueprint is not None else ""
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._offer()
+        self.next.offer()
 
     def _begin(self, stepping: bool) -> None:
         if self._session.broken is not None:
             self._say_refused(self._session.broken.refusal)
             return
-        self._offer()
-        if self._loaded is None:
+        if self.canvas.moved_on:
+            self.run.forget()
+        self.next.offer()
+        if self.next.loaded is None:
             # Where the plugins are still being looked at nobody knows which worlds there are.
             self._begin_later = stepping
             self.canvas.say("Looking at the plugins, the run begins when they are known")
             return
-        transport = self.transport
-        choice = RunChoice(
-            world=transport.world.currentData(),
-            start=transport.start.currentData() or "",
-            goal=transport.goal.currentData() or "",
-            seed=int(transport.seed.text() or 0),
-            by_hand=transport.by_hand.isChecked(),
-            levels=self.levels.set,
-        )
-        self._foreign = False
+        choice = self.next.choice
         self.events.clear()
         self.world.clear()
         self.canvas.show_refusal("")
         self.run.recordings = self.recordings()
-        speed = transport.speed.currentData()
-        self.run.begin(self._session.blueprint, choice, speed, stepping, self._loaded)
+        speed = self.transport.speed.currentData()
+        self.run.begin(self._session.blueprint, choice, speed, stepping, self.next.loaded)
+        self.named.emit()
         self._frames.start()
 
     # Building.
@@ -286,6 +283,7 @@ class RunPane(QWidget):
         self.run.refused.connect(self._say_refused)
         self.possible.chosen.connect(self.ask)
         self.canvas.chosen.connect(self.ask)
+        self.canvas.drawing_wanted.connect(self.show_drawing)
         self.events.jump_wanted.connect(self.canvas.jump)
         self._session.opened.connect(self._another_file)
         self._session.blueprint_changed.connect(self._drawing_changed)
@@ -293,22 +291,34 @@ class RunPane(QWidget):
 
     # What is shown.
 
+    def file_asked(self) -> None:
+        """Another file shall be opened; until it is, questions may stay open for long."""
+        self._asked = self.run.exists
+
     def _another_file(self) -> None:
-        """What was shown of another file's run says nothing about this one. A run that is there
-        goes on, and only the outline, which shows the new file, no longer speaks of it."""
-        self._foreign = self.run.exists
-        if not self.run.exists:
-            self.events.clear()
-            self.world.clear()
-            self._world_name.setText("")
-            self._world_tools.hide()
-            self.run.forget()
+        """What was shown of another file's run says nothing about this one. A run that was there
+        when the file was asked for is shown on, also when it has ended meanwhile; and the outline,
+        which shows the new file, no longer speaks of it."""
+        self.run.foreign = self.run.exists or (self._asked and self.run.shown)
+        self._asked = False
+        if not self.run.foreign:
+            self.show_drawing()
+        self.named.emit()
         self._refresh()
 
+    def show_drawing(self) -> None:
+        """Let go of the results of a run that is over, and show what is drawn."""
+        self.events.clear()
+        self.world.clear()
+        self._world_name.setText("")
+        self._world_tools.hide()
+        self.run.forget()
+        self.named.emit()
+
     def _drawing_changed(self) -> None:
-        self._offered = False
+        self.next.forget_offer()
         if self.isVisible():
-            self._offer()
+            self.next.offer()
         self.canvas.drawing_changed()
         self._say()
 
@@ -316,20 +326,11 @@ class RunPane(QWidget):
         if self._session.broken is None:
             self.canvas.show_refusal("")
 
-    def _offer(self) -> None:
-        """Fill the transport's choices from the blueprint that is drawn now."""
-        if not self._offered:
-            self._offered = True
-            blueprint = self._session.blueprint
-            starts, goals = view.choices(blueprint)
-            known = self._loaded is not None
-            worlds = front.worlds_for(blueprint, loaded=self._loaded) if known else ()
-            self.transport.offer(worlds, starts, goals)
-
     def _refresh(self) -> None:
         run, status, blueprint = self.run, self.run.status, self.run.blueprint
         self.transport.show_phase(run.phase, run.exists, run.sentence)
-        self.transport.lock(run.exists)
+        if self.isVisible():
+            self.next.offer()
         self.canvas.refresh()
         self._say()
         if status is None or blueprint is None:
@@ -346,7 +347,7 @@ class RunPane(QWidget):
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running
         self._facts_note.setText(f"{running.operation} in transit" if running else "")
-        active = {} if self._foreign else status.configuration
+        active = {} if run.foreign else status.configuration
         self.moved.emit(active, running.branch if running and active else "")
 
     def _show_nothing(self) -> None:

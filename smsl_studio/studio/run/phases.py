@@ -22,6 +22,12 @@ PHASES: dict[str, tuple[str, str]] = {
 }
 """The words of each, and how the badge is dressed."""
 
+HOLDS: dict[str, str] = {
+    "guard_lost": "Guarded fact lost",
+    "goal_unconfirmed": "Goal not confirmed",
+}
+"""The heading of a fault hold that is of a kind of its own."""
+
 LATCHED = ("stopped", "fault_hold", "no_route", "taken_over")
 """The run states in which nothing moves until a person has decided."""
 

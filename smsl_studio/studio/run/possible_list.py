@@ -9,7 +9,6 @@ from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent, QR
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -19,9 +18,12 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.controls import label
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.icons import icon, pixmap
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is
 
 ROW = 35
 REASONED = ("refused", "pruned")
@@ -165,8 +167,9 @@ class PossibleList(QScrollArea):
             room = button.maximumWidth() - PADDING
             middle = Qt.TextElideMode.ElideMiddle
             metrics = QFontMetrics(text_font(13, 500))
-            button.setText(metrics.elidedText(row.name, middle, room))
-            button.setAccessibleName(row.name)
+            words = metrics.elidedText(plain_text(row.name), middle, room)
+            button.setText(as_it_is(words))
+            button.setAccessibleName(plain_text(row.name))
         else:
             plain = row.kind in ("waits", "pruned", "refused", "later")
             across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
@@ -186,8 +189,10 @@ class PossibleList(QScrollArea):
             across.addWidget(label(row.cost, "mono"))
             if row.kind in PRUNABLE:
                 across.addWidget(self._scissors(row))
-        line.setToolTip(f"{row.address} to {row.target}: {row.words}")
-        line.setAccessibleName(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
+        line.setToolTip(tip_text(f"{row.address} to {row.target}: {row.words}"))
+        line.setAccessibleName(
+            plain_text(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
+        )
         return line
 
     def _fixed(self, widget: QWidget, column: int) -> QWidget:
@@ -213,7 +218,7 @@ class PossibleList(QScrollArea):
             "next": ("chevron-right", self._tokens.acc),
             "later": ("chevron-right", self._tokens.acc),
         }.get(kind, ("minus", self._tokens.tx3))
-        mark = QLabel()
+        mark = Label()
         ratio = self.devicePixelRatioF()
         mark.setPixmap(pixmap(name, colour, self._tokens.surf, 14, ratio))
         mark.setFixedWidth(16)
@@ -224,8 +229,8 @@ class PossibleList(QScrollArea):
         prune.setProperty("role", "small")
         prune.setIcon(icon("scissors", self._tokens, 14))
         prune.setFixedSize(26, 26)
-        prune.setToolTip(f"Prune {row.name}…: shut it out until it is restored")
-        prune.setAccessibleName(f"Prune {row.name}")
+        prune.setToolTip(tip_text(f"Prune {row.name}…: shut it out until it is restored"))
+        prune.setAccessibleName(plain_text(f"Prune {row.name}"))
         prune.clicked.connect(lambda _=False: self.prune_wanted.emit(row.address))
         return prune
 
@@ -233,17 +238,17 @@ class PossibleList(QScrollArea):
     def _button(words: str, hint: str, signal: SignalInstance, row: PossibleRow) -> QPushButton:
         button = QPushButton(words)
         button.setProperty("role", "row")
-        button.setToolTip(hint)
+        button.setToolTip(tip_text(hint))
         button.clicked.connect(lambda _=False: signal.emit(row.address))
         return button
 
 
-class _Words(QLabel):
+class _Words(Label):
     """A sentence that ends in an ellipsis where there is no room; the row's tooltip has it all."""
 
     def __init__(self, words: str) -> None:
         super().__init__(words)
-        self.setToolTip(words)
+        self.setToolTip(tip_text(words))
         self.setProperty("role", "small")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
@@ -251,6 +256,6 @@ class _Words(QLabel):
         painter = QPainter(self)
         painter.setPen(self.palette().windowText().color())
         right = Qt.TextElideMode.ElideRight
-        shown = self.fontMetrics().elidedText(self.text(), right, self.width())
+        shown = self.fontMetrics().elidedText(plain_text(self.text()), right, self.width())
         painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, shown)
         painter.end()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFontMetrics, QResizeEvent, QShowEvent
@@ -10,17 +11,20 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.graph.layout import place_states
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.marks import Marks
-from smsl_studio.studio.canvas.places import Places, Position
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import icon
+from smsl_studio.studio.places import Position
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_over
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.shown import Drawn, ShownRun
 from smsl_studio.studio.theme import Tokens, text_font
-from smsl_studio.studio.words import capital, counted
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is, capital, counted
 
 TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "taken_over")
 ADVICE = {
@@ -37,6 +41,9 @@ TOOLS, PADDING = 180, 16
 """Pixels that the tools at the right take, and each SB's button beside its words."""
 NOTHING = "There is no state to run yet. Draw the first one in Draw mode"
 MOVED_ON = "The drawing has moved on. This run holds the version it started with"
+RESULTS = "The drawing has moved on. These are the results of the version that ran"
+ANOTHER = "{drawn} is open in Draw mode now. This is {what} of {run}"
+"""What a run says that is not of the drawing."""
 
 
 class RunCanvas(QWidget):
@@ -48,6 +55,8 @@ class RunCanvas(QWidget):
 
     chosen = Signal(object)
     """The address of an operation whose arrow was clicked."""
+    drawing_wanted = Signal()
+    """The results of another version shall go, and the drawing shall be shown."""
 
     def __init__(
         self, session: Drawn, run: ShownRun, tokens: Tokens, parent: QWidget | None = None
@@ -56,7 +65,6 @@ class RunCanvas(QWidget):
         self._session, self._run, self._tokens = session, run, tokens
         self._shown: tuple[Blueprint, str] | None = None
         self._branch = ""
-        self._places = Places()
         self._banner = self._refusal = ""
         self.canvas = Canvas(tokens)
         self.canvas.editing = False
@@ -76,9 +84,15 @@ class RunCanvas(QWidget):
         self._fit = tool("", "fit", "Fit everything (F)", tokens)
         self._fit.clicked.connect(self.canvas.fit)
         self._dress_follow()
-        whole = laid_over(
-            self.canvas, words_over(buttons, self._steps), tools_over(self._follow, self._fit)
+        self.to_drawing = tool(
+            "Show the drawing",
+            "pencil",
+            "Leave these results; the next run is of the drawing",
+            tokens,
         )
+        self.to_drawing.clicked.connect(self.drawing_wanted)
+        tools = tools_over(self.to_drawing, self._follow, self._fit)
+        whole = laid_over(self.canvas, words_over(buttons, self._steps), tools)
         self.setMinimumWidth(280)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
@@ -96,10 +110,8 @@ class RunCanvas(QWidget):
 
     @property
     def moved_on(self) -> bool:
-        """Whether the drawing means something else now than the run that is there."""
-        held = self._run.blueprint
-        drawn = self._session.blueprint
-        return self._run.exists and held is not drawn and held != drawn
+        """Whether the drawing is another one now than that of the run which is shown."""
+        return self._run.is_another(self._session.blueprint)
 
     def refresh(self) -> None:
         """Show the run as it stands now. What nobody sees is drawn when it is shown: routing its
@@ -110,6 +122,7 @@ class RunCanvas(QWidget):
         self._show_banner()
 
     def _draw(self) -> None:
+        self.to_drawing.setVisible(self.moved_on and not self._run.exists)
         blueprint = self._blueprint()
         if self._branch not in blueprint.branches:
             self._branch = next(iter(blueprint.roots), next(iter(blueprint.branches), ""))
@@ -143,11 +156,29 @@ class RunCanvas(QWidget):
 
     def _show_banner(self) -> None:
         why = self._refusal if self._blueprint().state_count else NOTHING
-        words = [why, self._trouble(), MOVED_ON if self.moved_on else ""]
+        words = [why, self._trouble(), *self._notes(), self._moved_words()]
         said = "\n".join(word for word in words if word)
         if said != self._banner:
             self._banner = said
             self.canvas.show_banner(said)
+
+    def _moved_words(self) -> str:
+        """That the drawing is another one than what is shown; the empty text where it is not."""
+        run = self._run
+        if not self.moved_on:
+            return ""
+        if run.foreign and run.blueprint is not None:
+            drawn, ran = (Path(one.file).name for one in (self._session.blueprint, run.blueprint))
+            what = "the run" if run.exists else "the result"
+            return ANOTHER.format(drawn=drawn, what=what, run=ran)
+        return MOVED_ON if run.exists else RESULTS
+
+    def _notes(self) -> tuple[str, ...]:
+        """What is to be known of the run's route."""
+        run = self._run
+        if run.status is None or not run.exists or run.blueprint is not self._blueprint():
+            return ()
+        return run.status.notes
 
     def _trouble(self) -> str:
         """Why the run holds, or ended before its goal."""
@@ -183,25 +214,30 @@ class RunCanvas(QWidget):
         self.canvas.set_tokens(tokens)
         self._dress_follow()
         self._fit.setIcon(icon("fit", tokens))
+        self.to_drawing.setIcon(icon("pencil", tokens))
 
     def _dress_follow(self) -> None:
         colour = self._tokens.acc if self._follow.isChecked() else self._tokens.tx2
         self._follow.setIcon(icon("eye", self._tokens, 16, colour))
 
     def _blueprint(self) -> Blueprint:
-        """The run's snapshot while a run is there or was the last of this drawing."""
-        held, drawn = self._run.blueprint, self._session.blueprint
-        return held if held is not None and (self._run.exists or held == drawn) else drawn
+        """The run's snapshot while a run or its results are shown, else the drawing."""
+        held = self._run.blueprint
+        return held if held is not None and self._run.shown else self._session.blueprint
 
     def _show(self, blueprint: Blueprint) -> None:
         if self._shown == (blueprint, self._branch) and self._shown[0] is blueprint:
             return
-        if self._shown is None or self._shown[0].file != blueprint.file:
-            self._places.clear()
         self._shown = (blueprint, self._branch)
         branch = blueprint.branches.get(self._branch)
-        places = _filling(branch, self._places.of(branch)) if branch else None
+        places = _filling(branch, self._places_of(blueprint, branch)) if branch else None
         self.canvas.show_branch(blueprint, self._branch, places)
+
+    def _places_of(self, blueprint: Blueprint, branch: StateBranch) -> dict[str, Position]:
+        """Where the drawing shows the states, if it is the drawing of this blueprint's file."""
+        if blueprint.file == self._session.blueprint.file and not self._run.foreign:
+            return self._session.places.shown(branch)
+        return place_states(branch)
 
     def _name_branches(self, blueprint: Blueprint) -> None:
         status = self._run.status if self._run.blueprint is blueprint else None
@@ -218,9 +254,11 @@ class RunCanvas(QWidget):
             if index < len(names):
                 name = names[index]
                 state = states.get(name, "")
-                button.setText(words[index])
-                button.setToolTip(f"Show {name}" + (f": {state} is active" if state else ""))
-                button.setAccessibleName(f"{name}, {state} active" if state else name)
+                button.setText(as_it_is(words[index]))
+                button.setToolTip(
+                    tip_text(f"Show {name}" + (f": {state} is active" if state else ""))
+                )
+                button.setAccessibleName(plain_text(f"{name}, {state} active" if state else name))
                 button.setChecked(name == self._branch)
                 running = status.running if status else None
                 live = running is not None and running.branch == name
@@ -234,14 +272,14 @@ class RunCanvas(QWidget):
         short = {n: view.short_name(blueprint[n], s) for n, s in states.items() if n in names}
         full = [f"{name}  {short[name]}" if short.get(name) else name for name in names]
         metrics = QFontMetrics(text_font(13, 600))
-        room = self.width() - TOOLS - PADDING * len(names)
+        room = self.width() - self._tools_wide - PADDING * len(names)
         here = [words if name == self._branch else name
                 for name, words in zip(names, full, strict=True)]  # fmt: skip
         for words in (full, here, names):
             if sum(map(metrics.horizontalAdvance, words)) <= room:
                 return words
         middle, share = Qt.TextElideMode.ElideMiddle, max(room // len(names), 24)
-        return [metrics.elidedText(name, middle, share) for name in names]
+        return [metrics.elidedText(plain_text(name), middle, share) for name in names]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -251,7 +289,15 @@ class RunCanvas(QWidget):
     def _fit_steps(self) -> None:
         """How far the run is, where it does not run into the tools."""
         wide = self._steps.fontMetrics().horizontalAdvance(self._steps.text()) + PADDING
-        self._steps.setVisible(self._buttons.sizeHint().width() + wide <= self.width() - TOOLS)
+        self._steps.setVisible(
+            self._buttons.sizeHint().width() + wide <= self.width() - self._tools_wide
+        )
+
+    @property
+    def _tools_wide(self) -> int:
+        """Pixels that the tools at the right take."""
+        more = 0 if self.to_drawing.isHidden() else self.to_drawing.sizeHint().width()
+        return TOOLS + more
 
     def _button(self, index: int) -> QToolButton:
         button = QToolButton()

@@ -30,11 +30,13 @@ from smsl_studio.library.loading import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.studio.run.runner import Command, Runner
+from smsl_studio.studio.run.inbox import Command
+from smsl_studio.studio.run.runner import Runner
 from smsl_studio.studio.run.story import Story
 from smsl_studio.studio.run.verbs import Verbs
 from smsl_studio.world.protocol import Shape
 
+PLANNING = "the way is being planned"
 FRAME = 33
 """Milliseconds between two looks at the run."""
 
@@ -78,9 +80,14 @@ class RunSession(QObject, Verbs):
         self.faults: tuple[str, ...] = ()
         """What can be injected into the world of the run."""
         self.choice: RunChoice | None = None
+        self.foreign = False
+        """Whether another file was opened since this run began."""
+        self._compared: tuple[Blueprint, Blueprint, bool] | None = None
         self._runner: Runner | None = None
         self._dispatcher: Dispatcher | None = None
         self._exists = False
+        self._steps_first = False
+        self._goes_on = False
         self.recordings: Path | None = None
         """The folder into which the next run is recorded; None: it is not."""
         self.record: Path | None = None
@@ -97,6 +104,22 @@ class RunSession(QObject, Verbs):
         return self._exists
 
     @property
+    def shown(self) -> bool:
+        """Whether there is anything to show: the run, or the results of the last one."""
+        return self.blueprint is not None and (self._exists or self.status is not None)
+
+    def is_another(self, drawn: Blueprint) -> bool:
+        """Whether what is shown is not what is drawn: another file, or another meaning."""
+        held = self.blueprint
+        if not self.shown or held is None:
+            return False
+        before = self._compared
+        if before is None or before[0] is not held or before[1] is not drawn:
+            # It is asked at every frame, and to compare large blueprints takes a while.
+            before = self._compared = (held, drawn, held is not drawn and held != drawn)
+        return self.foreign or before[2]
+
+    @property
     def phase(self) -> str:
         """One word for how the run stands: the dispatcher's phase, or why it ended."""
         if self._runner is None:
@@ -110,7 +133,10 @@ class RunSession(QObject, Verbs):
         """Why the run holds or ended; the empty text while it goes on."""
         if self.story.finished is not None:
             return self.story.finished.sentence
-        return self.status.sentence if self.status is not None else ""
+        if self.status is None:
+            return ""
+        planning = PLANNING if self.status.planning and self.status.phase == "running" else ""
+        return self.status.sentence or planning
 
     @property
     def latency(self) -> float | None:
@@ -124,6 +150,15 @@ class RunSession(QObject, Verbs):
         world = host.inner if isinstance(host, WithRemote) else host
         return world.pid if isinstance(world, ProcessHost) else None
 
+    @property
+    def pausing(self) -> bool:
+        """Whether it will pause by itself: it was started with a step, or carries one out."""
+        return self._steps_first or (self.status is not None and self.status.pausing)
+
+    def play_on(self) -> None:
+        """Go on as soon as the run has paused by itself; any other command calls this off."""
+        self._goes_on = True
+
     def begin(
         self,
         blueprint: Blueprint,
@@ -134,11 +169,11 @@ class RunSession(QObject, Verbs):
     ) -> None:
         """Start a run of ``blueprint`` as it is now; a run that is there is closed first.
 
-        ``stepping`` carries out one operation and pauses. ``loaded`` are the plugins whose
-        versions stand in its record.
+        ``stepping`` carries out one operation and pauses. ``loaded`` are the plugins as
+        they were found last: the run loads those anew that its world needs.
         """
         self.close()
-        self.blueprint, self.choice = blueprint, choice
+        self.blueprint, self.choice, self.foreign = blueprint, choice, False
         self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
         self.record, folder, who = None, self.recordings, self.who()
 
@@ -148,11 +183,12 @@ class RunSession(QObject, Verbs):
             return log
 
         spare = self.spare
-        runner = Runner(lambda: _opened(blueprint, choice, spare), speed, self, record)
+        runner = Runner(lambda: _opened(blueprint, choice, loaded, spare), speed, self, record)
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
         self._runner = runner
+        self._steps_first, self._goes_on = stepping, False
         self._set_exists(True)
         if stepping:
             by = self.who()
@@ -194,13 +230,14 @@ class RunSession(QObject, Verbs):
         if not self._exists and self.blueprint is not None:
             self.close()
             self.blueprint, self.status, self.choice = None, None, None
-            self.record = None
+            self.record, self.foreign, self._compared = None, False, None
             self.story, self.shapes, self.sensors = Story(), (), ()
             self.changed.emit()
 
-    def _command(self, command: Command) -> None:
+    def _command(self, command: Command, word: str = "") -> None:
+        self._goes_on = False
         if self._runner is not None and self._exists:
-            self._runner.command(command)
+            self._runner.command(command, word)
 
     def _open(self, dispatcher: Dispatcher) -> None:
         if self.sender() is self._runner:
@@ -224,6 +261,12 @@ class RunSession(QObject, Verbs):
         if self.story.finished is not None:
             self._clock.stop()
             self._set_exists(False)
+        # The first news of a run are older than the step with which it was started.
+        self._steps_first &= status.phase == "running" and not status.pausing
+        if self._goes_on and not self.pausing and status.phase != "waiting":
+            self._goes_on = False
+            if status.phase in ("paused", "ready"):
+                self.play()
         self.changed.emit()
 
     def _refuse(self, error: StudioError) -> None:
@@ -245,7 +288,9 @@ class RunSession(QObject, Verbs):
             self.exists_changed.emit(exists)
 
 
-def _opened(blueprint: Blueprint, choice: RunChoice, spare: Spare | None) -> Dispatcher:
+def _opened(
+    blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, spare: Spare | None
+) -> Dispatcher:
     return front.open_run(
         blueprint,
         choice.world,
@@ -255,6 +300,7 @@ def _opened(blueprint: Blueprint, choice: RunChoice, spare: Spare | None) -> Dis
         automatic=not choice.by_hand,
         attended=True,
         levels=choice.levels,
+        loaded=loaded,
         spare=spare,
     )
 

@@ -7,7 +7,6 @@ the window. Wall time only paces: it decides when a tick is taken, never what th
 from __future__ import annotations
 
 import math
-import queue
 import threading
 from collections.abc import Callable
 from dataclasses import replace
@@ -16,12 +15,16 @@ from time import monotonic
 from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.looking import look_at_nothing
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.front.recording import Recording
 from smsl_studio.front.script.acting import Acting
+from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.log import RunLog
+from smsl_studio.stop import Stopped, heed, heeding, is_restartable
+from smsl_studio.studio.run.inbox import Command, Inbox
 
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
@@ -31,10 +34,11 @@ LAG = 0.25
 """Wall seconds a run may fall behind its pace before it stops trying to catch up."""
 FASTEST = 1e6
 """Stands for "as fast as it can", in simulated seconds per wall second."""
+LOOK, LONGEST_LOOK = 0.01, 1.0
+"""Wall seconds in which routes are looked for that are only shown; of a run that stands still it is
+twice as long each time, up to the longest."""
 
-Command = Callable[[Dispatcher], None]
 News = tuple[tuple[Event, ...], DispatchStatus]
-CLOSED = "The window let go of the run while it went on."
 
 
 def _no_log() -> None:
@@ -67,17 +71,20 @@ class Runner(QThread):
         super().__init__(parent)
         self._make, self._record, self._acting = make, record, acting
         self._speed = speed
-        self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
-        self._closing = False
+        self._inbox = Inbox()
+        self._look = LOOK
         self._dispatcher: Dispatcher | None = None
         self._lock = threading.Lock()
         self._news: News | None = None
         self.latency = 0.0
         """Wall seconds the slowest of the newest ticks took, from command to answer."""
 
-    def command(self, command: Command) -> None:
-        """Have the loop call ``command`` before its next tick."""
-        self._commands.put(command)
+    def command(self, command: Command, word: str = "") -> None:
+        """Have the loop call ``command`` before its next tick; ``word`` is that of the command.
+
+        What the run is at is called off for it: its planning for any command, all else for a stop.
+        """
+        self._inbox.put(command, word)
 
     def set_speed(self, speed: float) -> None:
         """Simulated seconds per wall second; ``FASTEST`` runs as fast as it can."""
@@ -85,7 +92,7 @@ class Runner(QThread):
         def change(_: Dispatcher) -> None:
             self._speed = speed
 
-        self._commands.put(change)
+        self._inbox.put(change)
 
     def take(self) -> News | None:
         """What happened since this was asked last, and how things stand; None where nothing did.
@@ -106,8 +113,7 @@ class Runner(QThread):
 
         The world is ended from here, so that nobody waits for one that hangs or is still opening.
         """
-        self._closing = True
-        self._commands.put(None)
+        self._inbox.close()
         dispatcher = self._dispatcher
         if dispatcher is not None:
             dispatcher.close()
@@ -123,26 +129,34 @@ class Runner(QThread):
             self.broke.emit(error)
 
     def _live(self) -> None:
-        dispatcher = self._dispatcher = self._make()
-        if self._closing:
-            return
         heard: list[Event] = []
-        recording: Recording | None = None
+        recording = Recording(heard.append)
         try:
-            recording = Recording(heard.append, self._record())
-            self._tell(recording, dispatcher.open())
+            with heeding(self._inbox.heed_opening):
+                dispatcher = self._dispatcher = self._make()
+                heed()
+                recording.log = self._record()
+                self._tell(recording, self._heeded(dispatcher.open()))
             self.opened.emit(dispatcher)
             self._loop(dispatcher, recording, heard)
+        except Stopped:
+            recording.stop(self._dispatcher)
+            self._report(heard, self._stopped(recording.last))
         except SaveError as error:
-            if recording is None or not recording.told:
+            if self._dispatcher is None or not recording.told:
                 raise
-            recording.end("failed", str(error), dispatcher)
-            phase = replace(dispatcher.status, phase="fault_hold", running=None, carrying=None)
-            self._report(heard, phase)
+            recording.end("failed", str(error), self._dispatcher)
+            status = self._dispatcher.status
+            self._report(heard, replace(status, phase="fault_hold", running=None, carrying=None))
         finally:
-            dispatcher.close()
-            if recording is not None:
-                recording.close()
+            if self._dispatcher is not None:
+                self._dispatcher.close()
+            recording.close()
+
+    def _stopped(self, last: Event | None) -> DispatchStatus:
+        """How a run stands that was stopped before its world did."""
+        assert isinstance(last, RunFinished)
+        return look_at_nothing("stopped", (), last)
 
     def _loop(self, dispatcher: Dispatcher, recording: Recording, heard: list[Event]) -> None:
         """Tick until closed. ``heard`` are the events that the window was not told of yet."""
@@ -151,30 +165,55 @@ class Runner(QThread):
         most = 1.0 if opened is not None and opened.remote is not None else math.inf
         pace = _Pace(dispatcher.time, min(self._speed, most))
         reported, slowest, told = -math.inf, 0.0, None
-        while not self._closing:
+        while not self._inbox.closed:
             paused = dispatcher.phase == "paused" and not self._says(dispatcher)
             still = dispatcher.finished or paused
-            new = dispatcher.status is not told if still else monotonic() - reported >= FRAME
-            if new:
-                self.latency, slowest, told = slowest, 0.0, dispatcher.status
-                self._report(heard, told)
-                heard.clear()
+            if still or monotonic() - reported >= FRAME:
+                status = self._seen(dispatcher, still)
+                if status is not told:
+                    self.latency, slowest, told = slowest, 0.0, status
+                    self._report(heard, told)
+                    heard.clear()
                 reported = monotonic()
-            obeyed = self._obey(dispatcher, _patience(dispatcher, pace))
+            obeyed = self._inbox.obey(dispatcher, _patience(dispatcher, pace))
             if still and not obeyed:
                 # Nothing asks the world anything now, and its process may end all the same.
                 recording.tell(self._heeded(dispatcher.watch()))
                 continue
             if obeyed or pace.speed != min(self._speed, most):
                 pace = _Pace(dispatcher.time, min(self._speed, most))
-            if not self._closing and pace.ahead(dispatcher.time) <= 0:
+            if not self._inbox.closed and pace.ahead(dispatcher.time) <= 0:
                 began = monotonic()
                 if self._acting is not None:
                     self._acting.before(dispatcher)
-                self._tell(recording, self._heeded(dispatcher.tick()))
+                self._tell(recording, self._heeded(self._ticked(dispatcher, told)))
                 slowest = max(slowest, monotonic() - began)
         if not isinstance(recording.last, RunFinished):
-            recording.end("stopped", CLOSED, dispatcher)
+            recording.end("stopped", LET_GO, dispatcher)
+
+    def _seen(self, dispatcher: Dispatcher, still: bool) -> DispatchStatus:
+        """How the run stands, as far as it is known in the time there is to look."""
+        self._inbox.until = monotonic() + self._look
+        with heeding(lambda: self._inbox.heed(dispatcher)):
+            status = dispatcher.status
+        self._inbox.until = math.inf
+        longer = status.planning and still
+        self._look = min(2 * self._look, LONGEST_LOOK) if longer else LOOK
+        return status
+
+    def _ticked(self, dispatcher: Dispatcher, told: DispatchStatus | None) -> tuple[Event, ...]:
+        """One tick; while it plans for long, the window is told so."""
+        late = monotonic() + FRAME
+
+        def listen() -> None:
+            nonlocal told
+            self._inbox.heed(dispatcher)
+            if told is not None and not told.planning and is_restartable() and monotonic() > late:
+                told = replace(told, planning=True)
+                self._report([], told)
+
+        with heeding(listen):
+            return dispatcher.tick()
 
     def _tell(self, recording: Recording, events: tuple[Event, ...]) -> None:
         recording.tell(events)
@@ -189,21 +228,7 @@ class Runner(QThread):
         """What a tick told. Whoever closes a run ends its world, which is no failure of it."""
         last = events[-1] if events else None
         failed = isinstance(last, RunFinished) and last.reason == "failed"
-        return events[:-2] if failed and self._closing else events
-
-    def _obey(self, dispatcher: Dispatcher, wait: float | None) -> bool:
-        """Carry out what was commanded; ``wait`` seconds for the first (None: until one comes)."""
-        obeyed = False
-        while not self._closing:
-            try:
-                command = self._commands.get(block=wait != 0, timeout=wait or None)
-            except queue.Empty:
-                return obeyed
-            if command is not None:
-                command(dispatcher)
-                obeyed = True
-            wait = 0.0
-        return obeyed
+        return events[:-2] if failed and self._inbox.closed else events
 
 
 def _patience(dispatcher: Dispatcher, pace: _Pace) -> float | None:

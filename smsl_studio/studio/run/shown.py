@@ -6,6 +6,7 @@ from typing import Protocol
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.studio.places import Places
 from smsl_studio.studio.run.story import Story
 
 
@@ -14,6 +15,8 @@ class Drawn(Protocol):
 
     @property
     def blueprint(self) -> Blueprint: ...
+    @property
+    def places(self) -> Places: ...
 
 
 class ShownRun(Protocol):
@@ -25,6 +28,11 @@ class ShownRun(Protocol):
     def status(self) -> DispatchStatus | None: ...
     @property
     def story(self) -> Story: ...
+    @property
+    def shown(self) -> bool: ...
+    @property
+    def foreign(self) -> bool: ...
+    def is_another(self, drawn: Blueprint) -> bool: ...
     @property
     def exists(self) -> bool: ...
     @property

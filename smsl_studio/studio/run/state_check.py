@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.controls import label
+from smsl_studio.legible import markup
+from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.theme import Tokens
 
 SIGNS = {True: "✓", False: "✗", None: "…"}
@@ -28,14 +28,13 @@ class StateCheckView(QWidget):
         first.addWidget(label("State check", "heading"))
         self._name = label("", "mono")
         first.addWidget(self._name, 1)
-        self._verdict = QLabel()
+        self._verdict = Label()
         self._verdict.setProperty("role", "phase")
         first.addWidget(self._verdict)
         column.addLayout(first)
-        self._terms = QLabel()
+        self._terms = Label(rich=True)
         self._terms.setWordWrap(True)
         self._terms.setProperty("role", "terms")
-        self._terms.setTextFormat(Qt.TextFormat.RichText)
         column.addWidget(self._terms)
         self._why = label("", "hint")
         column.addWidget(self._why)
@@ -90,6 +89,6 @@ class StateCheckView(QWidget):
             colour = {True: t.ok, False: t.bad, None: t.acc if waiting else t.unk}[truth]
             name = branch.fact_name(term.fact[1]).lower() if term.fact[0] == branch.name else ""
             words = f"{SIGNS[truth]} {name or term.fact[0]} = {term.wanted}"
-            safe = words.replace("&", "&amp;").replace("<", "&lt;").replace(" ", "&nbsp;")
+            safe = markup(words).replace(" ", "&nbsp;")
             found.append(f'<span style="color:{colour.name()}">{safe}</span>')
         return found

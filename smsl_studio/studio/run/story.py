@@ -26,7 +26,9 @@ class Span:
 
 @dataclass
 class Story:
-    """What has happened so far. Lanes are lists of spans in order of time."""
+    """What has happened so far. Lanes are lists of spans in order of time; in ``operations`` those
+    of several SBs may overlap.
+    """
 
     time: float = 0.0
     finished: run.RunFinished | None = None
@@ -36,6 +38,8 @@ class Story:
     trail: dict[str, list[Address]] = field(default_factory=dict)
     risky: dict[str, str] = field(default_factory=dict)
     pruned: dict[str, str] = field(default_factory=dict)
+    _open: dict[str, Span] = field(default_factory=dict)
+    """By address: the operations that are under way, of each SB one at most."""
     _functions: dict[str, str] = field(default_factory=dict)
     _took: dict[str, list[float]] = field(default_factory=dict)
 
@@ -64,43 +68,57 @@ class Story:
                 lane = self.facts.setdefault((event.branch, event.digit), [])
                 _next(lane, event.t, value, event.value is not None)
             case run.OperationStarted():
-                self._end_operation(event.t)
-                self._functions[event.address] = event.function
-                _next(self.operations, event.t, event.address)
+                self._start_operation(event)
             case run.OperationEnded() if event.outcome != "returned":
-                self._end_operation(event.t, good=False)
+                self._end_operation(event.address, event.t, good=False)
             case run.Committed():
                 self._commit(event)
             case run.Relocalised():
                 self._enter(event.t, event.configuration)
             case run.OperationRisky():
                 self.risky[event.address] = event.reason
+                self._end_operation(event.address, event.t, good=False)
             case run.OperationPruned():
                 self.pruned[event.address] = event.reason
             case run.OperationRestored():
                 self.risky.pop(event.address, None)
                 self.pruned.pop(event.address, None)
             case run.Held() | run.Mismatch():
-                self._end_operation(event.t, good=False)
+                self._end_operations(event.t, good=False)
             case run.RunFinished():
                 self.finished = event
-                self._end_operation(event.t, good=event.reason == "goal_reached")
+                self._end_operations(event.t, good=event.reason == "goal_reached")
             case _:
                 pass
 
-    def _end_operation(self, time: float, good: bool = True) -> None:
-        if not self.operations or self.operations[-1].end is not None:
+    def _start_operation(self, event: run.OperationStarted) -> None:
+        """An operation of a base and those of its sub-SB are under way together."""
+        branch = event.address.partition("/")[0]
+        for other in [one for one in self._open if one.partition("/")[0] == branch]:
+            self._end_operation(other, event.t)
+        self._functions[event.address] = event.function
+        span = self._open[event.address] = Span(event.t, event.address)
+        self.operations.append(span)
+
+    def _end_operation(self, address: str, time: float, good: bool = True) -> None:
+        span = self._open.pop(address, None)
+        if span is None:
             return
-        span = self.operations[-1]
         span.end, span.good = time, good
-        function = self._functions.get(span.words, "")
+        function = self._functions.get(address, "")
         if good and function:
             self._took.setdefault(function, []).append(time - span.start)
 
+    def _end_operations(self, time: float, good: bool) -> None:
+        for address in list(self._open):
+            self._end_operation(address, time, good)
+
     def _commit(self, event: run.Committed) -> None:
-        self._end_operation(event.t)
         for text in event.operations:
-            address = Address(*Address.split(text))
+            self._end_operation(text, event.t)
+            address = Address.read(text)
+            if address is None:
+                continue
             self.trail.setdefault(address.branch, []).append(address)
         self._enter(event.t, event.configuration)
 

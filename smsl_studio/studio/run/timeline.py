@@ -12,11 +12,14 @@ from typing import Any
 
 import pyqtgraph as pg
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QScrollArea, QWidget
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QWidget
 
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Label
 from smsl_studio.studio.run.lanes import Block, Lane
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
 
 AXIS = 27
 LABELS, WIDEST, EMPTY = 94, 190, 160
@@ -26,6 +29,8 @@ EARLY = 0.0125
 PITCH = {"state": 27, "operation": 27, "fact": 22}
 NARROW = 2.0
 """Pixels below which a block has no corners and no words."""
+BESIDE = 4.0
+"""Pixels between a block and its words where they stand behind it."""
 SPANS = (0.5, 1.0, 2.0, 4.0, 8.0)
 """Simulated seconds shown of a run that is young; later the whole run is shown."""
 
@@ -51,7 +56,7 @@ class Timeline(QScrollArea):
         self._axis = _Seconds("top")
         self._plot = pg.PlotWidget(viewBox=self._box, axisItems={"top": self._axis})
         self._now = pg.InfiniteLine(angle=90)
-        self._badge = QLabel(self._plot)
+        self._badge = Label("", self._plot)
         self._build()
         self._following = True
         self._time = 0.0
@@ -87,6 +92,8 @@ class Timeline(QScrollArea):
         self._following = True
         ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
         needed = max(self._time * 1.05, *ends) if ends else SPANS[-1]
+        beside = self._lanes.beside(needed, self._box.width())
+        needed = max(needed, self._time / (1 - beside / max(self._box.width(), 1.0)))
         end = next((span for span in SPANS if span >= needed), needed)
         self._box.setXRange(-EARLY * end, end, padding=0)
 
@@ -165,8 +172,8 @@ class _Labels(QWidget):
         metrics = QFontMetricsF(text_font(12))
         needed = max((metrics.horizontalAdvance(lane.label) for lane in lanes), default=0.0) + 22
         self.setFixedWidth(int(min(max(needed, LABELS), WIDEST)) if lanes else EMPTY)
-        self.setAccessibleName(", ".join(lane.label for lane in lanes))
-        self.setToolTip("\n".join(lane.label for lane in lanes))
+        self.setAccessibleName(plain_text(", ".join(lane.label for lane in lanes)))
+        self.setToolTip(tip_text("\n".join(lane.label for lane in lanes)))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -184,7 +191,7 @@ class _Labels(QWidget):
         for lane in self._lanes:
             room = QRectF(12, top, self.width() - 20, PITCH[lane.kind])
             shown = painter.fontMetrics().elidedText(
-                lane.label, Qt.TextElideMode.ElideMiddle, int(room.width())
+                plain_text(lane.label), Qt.TextElideMode.ElideMiddle, int(room.width())
             )
             painter.drawText(room, middle, shown)
             top += PITCH[lane.kind]
@@ -275,11 +282,14 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         pixel = NARROW / max(transform.m11(), 1e-12)
         for lane, starts in zip(self.lanes, self._starts, strict=True):
             narrow = self._colours(lane.kind, "past")[0]
+            last = len(lane.blocks) - 1
             pitch = float(PITCH[lane.kind])
             for at in _seen(lane.blocks, starts, left, right, pixel):
                 block = lane.blocks[at]
                 end = self.time if block.end is None else block.end
                 room = transform.mapRect(QRectF(block.start, top, end - block.start, pitch))
+                if at == last and room.width() < _wide(lane.kind, block.words):
+                    self._say_beside(painter, room, lane.kind, block)
                 if room.width() < NARROW:
                     painter.fillRect(room.adjusted(0, 2, NARROW, -2), narrow)
                     continue
@@ -288,6 +298,29 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
                 self._paint(painter, room, clip, lane.kind, block, look)
             top += pitch
         painter.restore()
+
+    def beside(self, until: float, width: float) -> float:
+        """Pixels that the words of the last blocks need at their right, where ``until`` simulated
+        seconds are shown in ``width`` pixels; at most a third of them."""
+        needed = 0.0
+        for lane in self.lanes:
+            for block in lane.blocks[-1:]:
+                wide = _wide(lane.kind, block.words)
+                end = self.time if block.end is None else block.end
+                if (end - block.start) / max(until, 1e-9) * width < wide:
+                    needed = max(needed, wide + BESIDE)
+        return min(needed, width / 3)
+
+    def _say_beside(self, painter: QPainter, room: QRectF, kind: str, block: Block) -> None:
+        """The last words of a lane stand behind their block where that is too short for them, so
+        that the goal of a long run can be read."""
+        if block.look == "predicted":
+            return
+        painter.setFont(_font(kind))
+        painter.setPen(self.tokens.tx)
+        left = max(room.right(), room.left() + NARROW) + BESIDE
+        words = QRectF(left, room.top(), _wide(kind, block.words), room.height())
+        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, plain_text(block.words))
 
     def _holds(self, block: Block) -> bool:
         """Whether a past moment is shown, and this block held then."""
@@ -304,12 +337,11 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         painter.setPen(QPen(line, 1.2, style) if line is not None else Qt.PenStyle.NoPen)
         painter.setBrush(fill)
         painter.drawRoundedRect(box, 3 if line is not None else 0, 3 if line is not None else 0)
-        font = text_font(12, 600) if kind == "operation" else mono_font(12, 500)
-        painter.setFont(font)
+        painter.setFont(_font(kind))
         seen = box.intersected(clip)
-        if QFontMetricsF(font).horizontalAdvance(block.words) + 6 <= seen.width():
+        if _wide(kind, block.words) <= seen.width():
             painter.setPen(ink)
-            painter.drawText(seen, Qt.AlignmentFlag.AlignCenter, block.words)
+            painter.drawText(seen, Qt.AlignmentFlag.AlignCenter, plain_text(block.words))
 
     def _colours(self, kind: str, look: str) -> tuple[QColor, QColor | None, QColor]:
         t = self.tokens
@@ -324,13 +356,23 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         return (t.accs, t.accl, t.acc) if look == "beyond" else (t.sunk, None, t.tx)
 
 
+def _font(kind: str) -> QFont:
+    return text_font(12, 600) if kind == "operation" else mono_font(12, 500)
+
+
+def _wide(kind: str, words: str) -> float:
+    """Pixels that the words of a block need."""
+    return QFontMetricsF(_font(kind)).horizontalAdvance(words) + 6
+
+
 def _seen(
     blocks: Sequence[Block], starts: Sequence[float], left: float, right: float, pixel: float
 ) -> Iterator[int]:
-    """Which blocks lie between two times; of those that share a place, the first."""
+    """Which blocks lie between two times. Of those that share a place the first, and the last: it
+    may go on for long."""
     at = max(bisect_right(starts, left) - 1, 0)
     while at < len(blocks) and starts[at] <= right:
         yield at
         end = blocks[at].end
         narrow = end is not None and end - starts[at] < pixel
-        at = max(bisect_left(starts, starts[at] + pixel), at + 1) if narrow else at + 1
+        at = max(bisect_left(starts, starts[at] + pixel) - 1, at + 1) if narrow else at + 1

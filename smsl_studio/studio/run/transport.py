@@ -8,11 +8,14 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIntValidator, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
-from smsl_studio.studio.controls import Combo, Field, label, rule
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Combo, Field, Label, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
+from smsl_studio.studio.frame.precedence import Precedence
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
 LONGEST = 150
@@ -51,7 +54,7 @@ class Transport(QWidget):
         across.setSpacing(8)
         across.addWidget(self._choices, 1)
         across.addStretch(0)
-        self.phase = QLabel()
+        self.phase = Label()
         self.phase.setProperty("role", "phase")
         self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.phase.setFixedHeight(32)
@@ -70,9 +73,12 @@ class Transport(QWidget):
         self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
-        parts = (self.by_hand, self.speed, self.step, self.play, rule(vertical=True, length=24))
-        for part in (*parts, self.stop):
+        line = rule(vertical=True, length=24)
+        for part in (self.by_hand, self.speed, self.step, self.play, line, self.stop):
             across.addWidget(part)
+        self._precedence = Precedence(
+            self, self._choices, line, self.speed, self.by_hand, self.phase, self.step, self.play
+        )
         self._name_play()
         self.show_phase("", exists=False)
 
@@ -90,6 +96,15 @@ class Transport(QWidget):
         _fill(self.start, starts)
         _fill(self.goal, goals)
 
+    def show_choice(self, world: str, start: str, goal: str, seed: int) -> None:
+        """Show what a run was begun with; an empty address is the first choice, the default."""
+        for combo, data in ((self.world, world), (self.start, start), (self.goal, goal)):
+            at = combo.findData(data) if data else 0
+            if at >= 0 and at != combo.currentIndex():
+                combo.setCurrentIndex(at)
+        if self.seed.text() != str(seed):
+            self.seed.settle(str(seed))
+
     def lock(self, locked: bool) -> None:
         """While a run exists, what it started from cannot be changed."""
         for widget in (self.world, self.start, self.goal, self.seed):
@@ -99,18 +114,19 @@ class Transport(QWidget):
         """Show how the run stands; ``exists`` says whether there is one to stop."""
         words, kind = phase_words(phase)
         self.phase.setText(f"●  {words}" if kind != "quiet" else words)
-        self.phase.setToolTip(tip)
+        self.phase.setToolTip(tip_text(tip))
         if self.phase.property("kind") != kind:
             self.phase.setProperty("kind", kind)
             self.phase.style().unpolish(self.phase)
             self.phase.style().polish(self.phase)
         self.stop.setToolTip(
-            "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
+            tip_text("A controlled stop, at any time (F8)" if exists else "Nothing runs now")
         )
         running, stopped = phase in ("running", "opening"), exists and phase == "stopped"
         if (running, stopped) != (self._running, self._stopped):
             self._running, self._stopped = running, stopped
             self._name_play()
+        self._precedence.fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
         for button in (self.step, self.play, self.stop):
@@ -124,7 +140,7 @@ class Transport(QWidget):
         else:
             words, key, tip = "Play", "F5", "Run to the goal (F5)"
         self.play.set_words(words, key, "pause" if self._running else "play")
-        self.play.setToolTip(tip)
+        self.play.setToolTip(tip_text(tip))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Where it is narrow, words give way before buttons; Stop never does."""
@@ -135,7 +151,9 @@ class Transport(QWidget):
         for button in (self.step, self.play):
             button.set_short(wide < NARROW)
         self.seed.setVisible(wide >= SEEDED)
-        self._choices.setVisible(wide >= NARROWEST)
+        self.play.setMinimumWidth(112 if wide >= NARROW else 0)
+        self._precedence.want(self._choices, wide >= NARROWEST)
+        self._precedence.fit()
 
     def _by_hand(self) -> QToolButton:
         button = QToolButton()
@@ -176,7 +194,7 @@ class Transport(QWidget):
     def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> _Choice:
         self._label(across, words)
         combo = _Choice(width, tip)
-        combo.setAccessibleName(words)
+        combo.setAccessibleName(plain_text(words))
         across.addWidget(combo)
         return combo
 
@@ -195,7 +213,7 @@ class _Choice(Combo):
     def say(self) -> None:
         """The tooltip has the whole of what is chosen, for where there is no room to show it."""
         chosen = self.currentText()
-        self.setToolTip(f"{self._tip}: {chosen}" if chosen else self._tip)
+        self.setToolTip(tip_text(f"{self._tip}: {chosen}" if chosen else self._tip))
 
     def sizeHint(self) -> QSize:
         metrics = self.fontMetrics()

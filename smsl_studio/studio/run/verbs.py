@@ -12,7 +12,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.studio.run.runner import Command
+from smsl_studio.studio.run.inbox import Command
 
 SOMEBODY = "a person"
 
@@ -28,8 +28,8 @@ class Verbs:
     who = staticmethod(nobody_named)
 
     @abstractmethod
-    def _command(self, command: Command) -> None:
-        """Have the run obey before its next tick."""
+    def _command(self, command: Command, word: str = "") -> None:
+        """Have the run obey before its next tick; ``word`` is what the command is called."""
 
     def command(self, word: str, *said: Any, by: str = "") -> None:
         """Any command by its word."""
@@ -42,7 +42,7 @@ class Verbs:
             else:
                 verb(*said)
 
-        self._command(obey)
+        self._command(obey, word)
 
     def play(self) -> None:
         """Go on: after a pause, after a hold, by hand along the route."""

@@ -177,8 +177,8 @@ def _running_words(blueprint: Blueprint, status: DispatchStatus, story: Story) -
 
 
 def _at(branch: str, written: Mapping[str, str]) -> frozenset[Address]:
-    addresses = (Address(*Address.split(text)) for text in written)
-    return frozenset(address for address in addresses if address.branch == branch)
+    addresses = map(Address.read, written)
+    return frozenset(one for one in addresses if one is not None and one.branch == branch)
 
 
 def _shut(branch: str, status: DispatchStatus, pruned: Mapping[str, str]) -> frozenset[Address]:

@@ -9,18 +9,19 @@ from PySide6.QtCore import QObject, QTimer
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.hosting import make_ready
 from smsl_studio.host.spare import Spare
+from smsl_studio.library.loading import Loaded
 
 QUIET = 700
 """Milliseconds without a change after which it is worth building a world."""
 
-Wanted = tuple[Blueprint, str, int]
+Wanted = tuple[Blueprint, str, int, Loaded]
 
 
 class Warming(QObject):
     """Keeps a spare child ready for the run that the person would begin now.
 
-    ``wanted`` tells blueprint, world and seed of that run, None where there would be none. Without
-    a ``spare`` nothing is kept ready, and runs start their own children.
+    ``wanted`` tells blueprint, world, seed and plugins of that run, None where there would be none.
+    Without a ``spare`` nothing is kept ready, and runs start their own children.
     """
 
     def __init__(self, wanted: Callable[[], Wanted | None], parent: QObject) -> None:

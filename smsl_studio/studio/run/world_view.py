@@ -23,9 +23,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.run.camera import VIEWS, Camera
 from smsl_studio.studio.run.renderer import Look, Renderer, open_renderer
 from smsl_studio.studio.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.world.protocol import Shape
 
 LIMIT = 0.025
@@ -88,7 +90,7 @@ class WorldView(QWidget):
                 self._renderer.load(self._shapes)
             else:
                 self._sentence = "No graphics here. The run goes on"
-                self.setToolTip(f"OpenGL is not to be had: {self._renderer}")
+                self.setToolTip(tip_text(f"OpenGL is not to be had: {self._renderer}"))
         self.update()
 
     def clear(self) -> None:
@@ -208,7 +210,7 @@ class WorldView(QWidget):
         painter.setPen(self._tokens.tx3)
         room = self.rect().adjusted(24, 24, -24, -24)
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-        painter.drawText(room, flags, self._sentence)
+        painter.drawText(room, flags, plain_text(self._sentence))
 
     def _paint_labels(self, painter: QPainter) -> None:
         painter.setFont(mono_font(12, 600))
@@ -241,4 +243,4 @@ class WorldView(QWidget):
         painter.setBrush(self._tokens.surf)
         painter.drawRoundedRect(box, radius, radius)
         painter.setPen(colour)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, plain_text(words))

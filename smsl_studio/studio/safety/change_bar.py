@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton
 
-from smsl_studio.studio.controls import label
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.icons import pixmap
 from smsl_studio.studio.theme import Tokens
 
@@ -18,7 +19,7 @@ class ChangeBar(QFrame):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self.setObjectName("change_bar")
-        self._mark = QLabel()
+        self._mark = Label()
         self.said = label("", "heading")
         self.difference = QPushButton("Show difference")
         self.theirs = QPushButton("Take theirs")
@@ -51,4 +52,4 @@ class ChangeBar(QFrame):
         if names:
             more = f" (and {len(names) - 1} more)" if len(names) > 1 else ""
             self.said.setText(f"{names[0]} was changed by another program{more}.")
-            self.setAccessibleName(self.said.text())
+            self.setAccessibleName(plain_text(self.said.text()))

@@ -7,6 +7,8 @@ import traceback
 from collections.abc import Callable
 from types import TracebackType
 
+from smsl_studio.legible import whole_text
+
 Hook = Callable[[type[BaseException], BaseException, TracebackType | None], None]
 
 
@@ -14,7 +16,7 @@ def crash_hook(keep: Callable[[], bool], say: Callable[[str], None]) -> Hook:
     """An excepthook: print the trace, keep the unsaved work, say so, and go on."""
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
-        traceback.print_exception(kind, error, trace, file=sys.stderr)
+        print(whole_text("".join(traceback.format_exception(kind, error, trace))), file=sys.stderr)
         if issubclass(kind, KeyboardInterrupt):
             raise SystemExit(130)
         kept = " Your unsaved work is kept: the next start offers it." if keep() else ""

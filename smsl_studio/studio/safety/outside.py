@@ -13,9 +13,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.revising import with_document
-from smsl_studio.errors import EditRefused, ReadError, StudioError
-from smsl_studio.smsl.files import read_document
+from smsl_studio.blueprint.revising import imported_anew
+from smsl_studio.errors import EditRefused
 from smsl_studio.studio.broken import Broken, Reading, read_text
 from smsl_studio.studio.compare.versions import Version
 from smsl_studio.studio.files.files import Files
@@ -259,12 +258,8 @@ class Outside(QObject):
             # Importing it would put the last text that read in the place of what is typed.
             self._signs[file] = None
             return
-        try:
-            reading = with_document(self._session.blueprint, read_document(file))
-        except ReadError:
-            return
-        except StudioError as error:
-            self.refused.emit(error)
+        reading = imported_anew(self._session.blueprint)
+        if all(os.path.realpath(document.file) != file for document in reading.documents):
             return
         name = Path(file).name
         self._session.take(f"Import {name}", reading, self._session.blueprint.file)
@@ -299,5 +294,5 @@ def _missing(blueprint: Blueprint) -> list[str]:
     """The files that are imported and could not be read."""
     imports = blueprint.imports
     here = {os.path.realpath(document.file) for document in blueprint.documents}
-    chains = [failure.chain for failure in imports.failures] if imports else []
-    return [chain[-1] for chain in chains if chain and chain[-1] not in here]
+    wanted = [failure.wanted for failure in imports.failures] if imports else []
+    return [file for file in wanted if file and file not in here]

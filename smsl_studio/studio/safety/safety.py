@@ -14,7 +14,7 @@ from smsl_studio.studio.journal.entry import Kept
 from smsl_studio.studio.journal.keeping import Unsaved
 from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left
-from smsl_studio.studio.journal.restoring import keep_text, restore
+from smsl_studio.studio.journal.restoring import keep_text, on_disk, restore
 from smsl_studio.studio.journal.writing import Journal
 from smsl_studio.studio.safety.change_bar import ChangeBar
 from smsl_studio.studio.safety.outside import Compare, Outside
@@ -79,8 +79,16 @@ class Safety(QObject):
         files, session = self._files, self._session
         return files.path is None and files.name == UNTITLED and not session.edited
 
-    def recover(self, left: Left) -> None:
-        """Show what a window has left behind; it is given up when this one keeps it."""
+    def recover(self, left: Left) -> bool:
+        """Show what a window has left behind; it is given up when this one keeps it.
+
+        False where the person called it off, because a save of its files was interrupted.
+        """
+        before = on_disk(left.entry)
+        if before is not None:
+            path = Path(left.entry.path)
+            if self._files.settle_interrupted(path, before) == "called off":
+                return False
         restored = restore(left.entry, self._files, self._session)
         for file in restored.changed:
             self.outside.ask(file)
@@ -90,6 +98,7 @@ class Safety(QObject):
             left.drop()
         else:
             left.keep()
+        return True
 
     def close(self) -> None:
         """The window closes; its work is saved, or given up by the person."""

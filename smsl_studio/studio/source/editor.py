@@ -28,6 +28,7 @@ from smsl_studio.studio.source.sheet import Sheet
 from smsl_studio.studio.source.spelling import from_units, units
 from smsl_studio.studio.source.surface import Surface
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 TOGETHER = 300
 """Patches from which on they are made as one."""
@@ -224,7 +225,7 @@ class Editor(Surface):
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             place = self.place_at(event.pos())
             words = self.words_at(*place) if place else ""
-            QToolTip.showText(event.globalPos(), words, self.viewport())
+            QToolTip.showText(event.globalPos(), tip_text(words), self.viewport())
             return True
         return super().viewportEvent(event)
 

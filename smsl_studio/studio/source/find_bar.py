@@ -8,11 +8,13 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QPushButton, QToolButton, QVBoxLayout, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Elided, row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.source.find import Found, Match, Search, find, replaced
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 _OURS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_F3, Qt.Key.Key_Escape)
@@ -203,7 +205,7 @@ class FindBar(QWidget):
         else:
             said = f"{total} found"
         self.count.setText(said)
-        self.count.setToolTip(said)
+        self.count.setToolTip(tip_text(said))
 
     def _toggle(self, words: str, name: str) -> QToolButton:
         made = QToolButton()
@@ -211,8 +213,8 @@ class FindBar(QWidget):
         made.setCheckable(True)
         made.setProperty("role", "small")
         made.setFixedSize(28, 24)
-        made.setToolTip(name)
-        made.setAccessibleName(name)
+        made.setToolTip(tip_text(name))
+        made.setAccessibleName(plain_text(name))
         made.toggled.connect(lambda _: self._ask())
         return made
 
@@ -221,8 +223,8 @@ class FindBar(QWidget):
         made.setProperty("role", "small")
         made.setProperty("picture", picture)
         made.setFixedSize(26, 28)
-        made.setToolTip(name)
-        made.setAccessibleName(name.partition(" (")[0])
+        made.setToolTip(tip_text(name))
+        made.setAccessibleName(plain_text(name.partition(" (")[0]))
         made.clicked.connect(call)
         return made
 
@@ -230,5 +232,5 @@ class FindBar(QWidget):
 def _field(words: str) -> QLineEdit:
     made = QLineEdit()
     made.setPlaceholderText(words)
-    made.setAccessibleName(words)
+    made.setAccessibleName(plain_text(words))
     return made

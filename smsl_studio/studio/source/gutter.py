@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.source import regions
+from smsl_studio.studio.tips import tip_text
 
 if TYPE_CHECKING:
     from smsl_studio.studio.source.surface import Surface
@@ -110,7 +111,8 @@ class Gutter(QWidget):
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             line = self._editor.row_at(event.pos().y())
             mark = self.marks.get(-1 if line is None else line)
-            QToolTip.showText(event.globalPos(), mark.words if mark else "", self)
+            words = tip_text(mark.words) if mark else ""
+            QToolTip.showText(event.globalPos(), words, self)
             return True
         return super().event(event)
 

@@ -49,7 +49,7 @@ class Marking:
         broken = self._session.broken
         if (broken is not None and broken.file == self._pane.file) or not self._pane.elements.exact:
             return ()
-        return tuple(one for one in self._findings if one.place.file == self._pane.file)
+        return tuple(one for one in self._findings if one.places_in(self._pane.file))
 
     def mark(self) -> None:
         """Draw bands and wavy lines anew; while one types the old ones move with the text."""
@@ -58,12 +58,12 @@ class Marking:
             return
         findings, faults = self.findings_here(), self.faults_here()
         selected, active = self.lines_of_selection(), self._lines_of(self.active)
-        editor.gutter.marks = marks.by_line(editor.sheet, findings, faults)
+        editor.gutter.marks = marks.by_line(editor.sheet, findings, faults, pane.file)
         editor.gutter.banded, editor.gutter.active = frozenset(selected), frozenset(active)
         colour = editor.tokens.accs
         editor.setExtraSelections([
             *(marks.band(editor, line, colour) for line in sorted({*selected, *active})),
-            *marks.of_findings(editor, findings),
+            *marks.of_findings(editor, findings, pane.file),
             *marks.of_faults(editor, faults),
             *marks.of_matches(editor, pane.find_bar.found.matches),
         ])  # fmt: skip

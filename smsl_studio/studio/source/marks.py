@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
 
 from PySide6.QtGui import QColor, QTextCharFormat, QTextCursor, QTextFormat
 from PySide6.QtWidgets import QTextEdit
@@ -21,6 +22,8 @@ from smsl_studio.studio.words import capital, whole_sentence
 Selection = QTextEdit.ExtraSelection
 MANY = 400
 """Pieces that are underlined at most."""
+MANY_WORDS = 12
+"""Marks of one line whose words are shown."""
 
 
 def offset_of(sheet: Sheet, place: Place) -> int:
@@ -67,20 +70,25 @@ def fault_span(sheet: Sheet, fault: ReadError) -> tuple[int, int]:
     return start, max(start, min(end, start + max(1, fault.length)))
 
 
-def finding_span(sheet: Sheet, finding: Finding, form: str) -> tuple[int, int]:
-    """The offsets of the word a finding is about."""
-    start = offset_of(sheet, finding.place)
+def word_span(sheet: Sheet, place: Place, form: str) -> tuple[int, int]:
+    """The offsets of the word at a place."""
+    start = offset_of(sheet, place)
     line, column = sheet.where(start)
     word = next((one for one in tokens(sheet.shown_piece(line), form) if one.end > column), None)
     return (start, start + word.end - max(word.start, column)) if word else (start, start)
 
 
-def of_findings(editor: Editor, findings: Sequence[Finding]) -> Iterator[Selection]:
-    """The findings of this text, underlined; notes are not."""
-    for finding in findings[:MANY]:
-        if finding.severity.value != "I":
-            start, end = finding_span(editor.sheet, finding, editor.form)
-            yield wavy(editor, start, end, finding.severity.value)
+def of_findings(editor: Editor, findings: Iterable[Finding], file: str) -> Iterator[Selection]:
+    """What findings are about in this file, underlined; notes are not."""
+    shown = (
+        (place, finding.severity.value)
+        for finding in findings
+        if finding.severity.value != "I"
+        for place in finding.places_in(file)
+    )
+    for place, letter in islice(shown, MANY):
+        start, end = word_span(editor.sheet, place, editor.form)
+        yield wavy(editor, start, end, letter)
 
 
 def of_faults(editor: Editor, faults: Sequence[ReadError]) -> Iterator[Selection]:
@@ -100,21 +108,24 @@ def of_matches(editor: Editor, matches: Sequence[Match]) -> Iterator[Selection]:
 
 
 def by_line(
-    sheet: Sheet, findings: Iterable[Finding], faults: Iterable[ReadError]
+    sheet: Sheet, findings: Iterable[Finding], faults: Iterable[ReadError], file: str
 ) -> dict[int, Mark]:
-    """The gravest mark of each line, with the words of all of them."""
-    found: dict[int, Mark] = {}
+    """The gravest mark of each line, with the words of the first few of them."""
+    found: dict[int, list[Mark]] = {}
     for fault in faults:
         line = sheet.where(fault_span(sheet, fault)[0])[0]
-        _add(found, line, Mark("E", f"{capital(fault.sentence)} {fault.advice}".strip()))
+        words = f"{capital(fault.sentence)} {fault.advice}".strip()
+        found.setdefault(line, []).append(Mark("E", words))
     for finding in sorted(findings, key=lambda one: "EWI".index(one.severity.value)):
-        line = sheet.where(offset_of(sheet, finding.place))[0]
         words = f"{whole_sentence(finding)} {finding.advice}".strip()
-        _add(found, line, Mark(finding.severity.value, words))
-    return found
+        for place in finding.places_in(file):
+            line = sheet.where(offset_of(sheet, place))[0]
+            found.setdefault(line, []).append(Mark(finding.severity.value, words))
+    return {line: _together(marks) for line, marks in found.items()}
 
 
-def _add(found: dict[int, Mark], line: int, mark: Mark) -> None:
-    before = found.get(line)
-    words = f"{before.words}\n{mark.words}" if before else mark.words
-    found[line] = Mark(before.severity if before else mark.severity, words)
+def _together(marks: Sequence[Mark]) -> Mark:
+    words = [mark.words for mark in marks[:MANY_WORDS]]
+    if len(marks) > MANY_WORDS:
+        words.append(f"And {len(marks) - MANY_WORDS:,} more.")
+    return Mark(marks[0].severity, "\n".join(words))

@@ -13,6 +13,8 @@ from smsl_studio.studio.icons import icon
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.source.repairs import Repair
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is
 
 if TYPE_CHECKING:
     from smsl_studio.studio.source.pane import Source
@@ -46,7 +48,7 @@ class Bulb(QToolButton):
         """Show it if there is something to fix, and say what."""
         self.setVisible(bool(repairs))
         if repairs:
-            self.setToolTip("\n".join((*(one.words for one in repairs), "(Ctrl+.)")))
+            self.setToolTip(tip_text("\n".join((*(one.words for one in repairs), "(Ctrl+.)"))))
             self._place()
 
     def _follow(self) -> None:
@@ -109,7 +111,7 @@ def text_menu(pane: Source, repairs: Sequence[Repair], at: QPoint) -> QMenu:
 
 def _add_repairs(menu: QMenu, repairs: Sequence[Repair]) -> None:
     for repair in repairs:
-        menu.addAction(repair.words, repair.apply)
+        menu.addAction(as_it_is(repair.words), repair.apply)
 
 
 def _passing(pane: Source) -> QMenu:

@@ -9,9 +9,11 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.controls import NameDelegate
 from smsl_studio.studio.source.around import Around, around
 from smsl_studio.studio.source.completion import Offer, offers, written
 from smsl_studio.studio.source.editor import Editor
+from smsl_studio.studio.tips import tip_text
 
 ROW, ROWS, WIDE = 22, 8, 260
 _NONE, _CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
@@ -30,6 +32,7 @@ class Popup(QListWidget):
         self._here: Around | None = None
         self._line, self._asked, self._goes_on = 0, False, False
         self.setProperty("role", "float")
+        self.setItemDelegate(NameDelegate(self))
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setAccessibleName("Names that fit")
         self.setUniformItemSizes(True)
@@ -105,7 +108,7 @@ class Popup(QListWidget):
             words = f"{offer.name}   {offer.detail}" if offer.detail else offer.name
             item = QListWidgetItem(words, self)
             item.setData(Qt.ItemDataRole.UserRole, offer)
-            item.setToolTip(words)
+            item.setToolTip(tip_text(words))
             item.setSizeHint(QSize(0, ROW))
         self.setCurrentRow(0)
         self._place()

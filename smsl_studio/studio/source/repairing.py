@@ -27,7 +27,7 @@ class Repairing:
         pane, sheet = self._pane, self._pane.editor.sheet
         if self._session.broken is not None:
             return tuple(of_faults(self._session, sheet, pane.marking.faults_here()))
-        return tuple(of_findings(self._session, sheet, pane.marking.findings_here()))
+        return tuple(of_findings(self._session, sheet, pane.marking.findings_here(), pane.file))
 
     def at(self, line: int) -> tuple[Repair, ...]:
         """The fixes of one line."""

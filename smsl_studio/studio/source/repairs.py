@@ -8,6 +8,7 @@ from functools import partial
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.repair import mend
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.marks import fault_span, offset_of
 from smsl_studio.studio.source.sheet import Sheet
@@ -30,13 +31,17 @@ def of_faults(session: Session, sheet: Sheet, faults: Sequence[ReadError]) -> It
             yield Repair(fault.fix.words, line, _text_fix(session, fault.fix))
 
 
-def of_findings(session: Session, sheet: Sheet, findings: Sequence[Finding]) -> Iterator[Repair]:
+def of_findings(
+    session: Session, sheet: Sheet, findings: Sequence[Finding], file: str
+) -> Iterator[Repair]:
     """The fixes of findings, as the panel of findings applies them."""
     for finding in findings:
         fix = finding.fix
         if fix is not None:
-            line = sheet.where(offset_of(sheet, finding.place))[0]
-            yield Repair(fix.words, line, partial(session.edit, fix.words, fix.apply))
+            line = sheet.where(offset_of(sheet, finding.places_in(file)[0]))[0]
+            yield Repair(
+                fix.words, line, partial(session.edit, fix.words, partial(mend, finding=finding))
+            )
 
 
 def _text_fix(session: Session, fix: TextFix) -> Callable[[], None]:

@@ -9,10 +9,12 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.errors import ReadError
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Combo, label
 from smsl_studio.studio.icons import pixmap
 from smsl_studio.studio.theme import Tokens
-from smsl_studio.studio.words import counted
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is, counted
 
 YAML_NOTE = "YAML is written whole: comments may move"
 STANDS = "the graph is the last one that read"
@@ -44,7 +46,7 @@ class FileRow(QWidget):
             for file in files:
                 self.choice.addItem(PurePath(file).name or file, file)
         self.choice.setCurrentIndex(self.choice.findData(shown))
-        self.choice.setToolTip(shown)
+        self.choice.setToolTip(tip_text(shown))
         self.setVisible(len(files) > 1)
 
 
@@ -57,7 +59,7 @@ class Strip(QFrame):
         self._icon = icon
         self._mark, self.said = label("", "small"), label("", "small")
         self.said.setWordWrap(True)
-        self.setAccessibleName(name)
+        self.setAccessibleName(plain_text(name))
         self.buttons = QHBoxLayout()
         self.buttons.setSpacing(6)
         layout = QHBoxLayout(self)
@@ -94,7 +96,7 @@ class FaultStrip(Strip):
     def __init__(self) -> None:
         super().__init__("error", "Faults of the text")
         self.show_button = self.button("Show")
-        self.fix_button = self.button("", "soft")
+        self.fix_button = self.button("Fix", "soft")
         self.buttons.addStretch(1)
         self.show_button.clicked.connect(self.show_wanted)
         self.fix_button.clicked.connect(self.fix_wanted)
@@ -109,14 +111,14 @@ class FaultStrip(Strip):
         graph = SALVAGED if salvaged else STANDS
         name = f" in {PurePath(file).name}" if file else ""
         self.said.setText(f"{count}{name}: {where}{error.sentence}; {graph}.")
-        self.said.setToolTip(error.advice)
+        self.said.setToolTip(tip_text(error.advice))
         first = next((fault for fault in error.faults if fault.fix), None)
         fix = first.fix if first else None
         line = first.place.line if first and first.place else 0
         # The sentence is about the first fault; a fix of another one says where it is.
         other = f"Line {line}: " if first is not error.faults[0] and line else ""
         self.fix_button.setVisible(fix is not None)
-        self.fix_button.setText(f"{other}{fix.words}" if fix else "")
+        self.fix_button.setText(as_it_is(f"{other}{fix.words}") if fix else "")
 
 
 class YamlStrip(Strip):

@@ -11,6 +11,7 @@ from PySide6.QtCore import QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextCursor, QWheelEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.source.colours import Colours
 from smsl_studio.studio.source.folds import Folds
 from smsl_studio.studio.source.gutter import Gutter
@@ -101,7 +102,9 @@ class Surface(QPlainTextEdit):
                 painter.fillRect(band, self.tokens.sunk)
                 painter.setPen(self.tokens.tx2)
                 words = self.folds.words(fold, self.sheet, self.form)
-                painter.drawText(band.adjusted(16, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, words)
+                painter.drawText(
+                    band.adjusted(16, 0, 0, 0), Qt.AlignmentFlag.AlignVCenter, plain_text(words)
+                )
         painter.end()
 
     def wheelEvent(self, event: QWheelEvent) -> None:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QPushButto
 
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.supervise.decisions import Decision
-from smsl_studio.studio.words import capital
+from smsl_studio.studio.words import as_it_is, capital
 
 
 class Asking(QFrame):
@@ -30,7 +30,7 @@ class Asking(QFrame):
         self.reason.setAccessibleName("Reason")
         self.reason.textEdited.connect(lambda _: self.refuse(""))
         self._refusal = label("", "refusal")
-        self.do = QPushButton()
+        self.do = QPushButton("Do it")
         self.do.setProperty("role", "primary")
         self.do.clicked.connect(self.confirm)
         self.leave = QPushButton("Let it be")
@@ -71,7 +71,7 @@ class Asking(QFrame):
         _say(self._sentence, decision.sentence)
         _say(self._detail, decision.detail)
         self.reason.setVisible(decision.reasoned)
-        self.do.setText(decision.verb)
+        self.do.setText(as_it_is(decision.verb))
         for part in (self.do, self._keys[0]):
             part.setVisible(bool(decision.verb))
         self.leave.setText("Let it be" if decision.verb else "Close")

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QWidget
 
-from smsl_studio.studio.controls import label, rule
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Label, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
+from smsl_studio.studio.frame.precedence import Precedence
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens
+from smsl_studio.studio.tips import tip_text
 
 NARROW = 620
 """Pixels from which the buttons have their words."""
@@ -34,7 +37,7 @@ class SuperviseBar(QWidget):
         self._kind = ""
         self._goal, self._person = label("", "strong"), label("", "strong")
         self._said = [label("Goal", "small"), label("Supervisor", "small")]
-        self.phase = QLabel()
+        self.phase = Label()
         self.phase.setProperty("role", "phase")
         self.phase.setFixedHeight(32)
         self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -70,16 +73,21 @@ class SuperviseBar(QWidget):
             across.addWidget(button)
         across.addWidget(self.step)
         across.addWidget(self.play)
-        across.addWidget(rule(vertical=True, length=24))
+        line = rule(vertical=True, length=24)
+        across.addWidget(line)
         across.addWidget(self.stop)
+        self._precedence = Precedence(
+            self, self._said[1], self._person, self._said[0], self._goal, line, self.phase,
+            self.step, self.end, self.play, self.reset,
+        )  # fmt: skip
         self.show_run("", exists=False, tip="", goal="", person="")
 
     def show_run(self, phase: str, exists: bool, tip: str, goal: str, person: str) -> None:
         """Show how the run stands, where it goes, and in whose name one commands it."""
         words, kind = phase_words(phase)
         self.phase.setText(words if kind == "quiet" else f"●  {words}")
-        self.phase.setToolTip(tip)
-        self.phase.setAccessibleName(f"The run: {words}")
+        self.phase.setToolTip(tip_text(tip))
+        self.phase.setAccessibleName(plain_text(f"The run: {words}"))
         if kind != self._kind:
             self._kind = kind
             self.phase.setProperty("kind", kind)
@@ -87,18 +95,18 @@ class SuperviseBar(QWidget):
             self.phase.style().polish(self.phase)
         pairs = ((self._goal, goal), (self._person, person))
         for before, (part, said) in zip(self._said, pairs, strict=True):
-            part.setToolTip(said)
+            part.setToolTip(tip_text(said))
             metrics = part.fontMetrics()
             room = max(LONGEST, self.width() // 4)
-            part.setText(metrics.elidedText(said, Qt.TextElideMode.ElideMiddle, room))
-            part.setVisible(bool(said))
-            before.setVisible(bool(said))
+            part.setText(metrics.elidedText(plain_text(said), Qt.TextElideMode.ElideMiddle, room))
+            self._precedence.want(part, bool(said))
+            self._precedence.want(before, bool(said))
         latched = phase == "stopped" and exists
-        self.reset.setVisible(latched)
-        self.end.setVisible(latched)
+        for button in (self.reset, self.end):
+            self._precedence.want(button, latched)
         # What would only be refused is not offered: step in is where one gives back.
         for button in (self.step, self.play):
-            button.setVisible(not latched and phase != "taken_over")
+            self._precedence.want(button, not latched and phase != "taken_over")
         self._pauses = exists and phase in ("running", "opening", "waiting")
         if self._pauses:
             self.play.set_words("Pause", "F6", "pause")
@@ -106,9 +114,10 @@ class SuperviseBar(QWidget):
         else:
             words = {"paused": "Resume", "ready": "Play"}.get(phase, "Resume")
             self.play.set_words(words if exists else "Run", "F5", "play")
-            self.play.setToolTip("Go on (F5)" if exists else "Run to the goal (F5)")
+            self.play.setToolTip(tip_text("Go on (F5)" if exists else "Run to the goal (F5)"))
         tip = "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
-        self.stop.setToolTip(tip)
+        self.stop.setToolTip(tip_text(tip))
+        self._precedence.fit()
 
     @property
     def person(self) -> str:
@@ -125,6 +134,7 @@ class SuperviseBar(QWidget):
         super().resizeEvent(event)
         for button in (self.step, self.play):
             button.set_short(self.width() < NARROW)
+        self._precedence.fit()
 
     def _play_or_pause(self) -> None:
         (self.pause_wanted if self._pauses else self.play_wanted).emit()

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QIcon, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QStyle, QStyleOptionButton
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import Type
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens, text_font
@@ -21,13 +22,13 @@ class StepInButton(QPushButton):
         self._key, self._icon, self._tokens, self._hint = key, name, tokens, hint
         self.setFixedHeight(CONTROL_DECISION)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(words.rstrip("…"))
+        self.setAccessibleName(plain_text(words.rstrip("…")))
 
     def set_words(self, words: str, hint: str, name: str) -> None:
         """Do something else from now on."""
         self._hint, self._icon = hint, name
         self.setText(words)
-        self.setAccessibleName(words.rstrip("…"))
+        self.setAccessibleName(plain_text(words.rstrip("…")))
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import Type, draw_sub_mark, faded, hatch, pen, rounded_rect
 from smsl_studio.studio.icons import ACTOR_ICON, draw
 from smsl_studio.studio.supervise.partial import (
@@ -24,6 +25,7 @@ from smsl_studio.studio.supervise.partial import (
     Card,
 )
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 HEIGHT = 50
 ROOM = 160
@@ -62,8 +64,8 @@ class CardButton(QAbstractButton):
     def show_card(self, card: Card, chosen: bool) -> None:
         """Show another standing of the same operation, or another operation."""
         self.card, self._chosen = card, chosen
-        self.setAccessibleName(card_words(card, chosen))
-        self.setToolTip(_tip(card))
+        self.setAccessibleName(plain_text(card_words(card, chosen)))
+        self.setToolTip(tip_text(_tip(card)))
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -202,7 +204,7 @@ class CardButton(QAbstractButton):
         painter.setFont(plain.font)
         painter.setPen(ink)
         right = Qt.TextElideMode.ElideRight
-        shown = plain.metrics.elidedText(words, right, box.right() - 6 - left)
+        shown = plain.metrics.elidedText(plain_text(words), right, box.right() - 6 - left)
         painter.drawText(QPointF(left, y + plain.rise), shown)
 
 

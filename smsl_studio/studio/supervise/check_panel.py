@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import Ink, Type, draw_unknown
-from smsl_studio.studio.controls import Elided, label
+from smsl_studio.studio.controls import Elided, Label, label
 from smsl_studio.studio.run.facts_table import FactsTable, as_they_were
 from smsl_studio.studio.supervise.facts import check_view
 from smsl_studio.studio.supervise.partial import Outside, PartialView, outside_facts
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.tips import tip_text
 
 HEAD = 36
 
@@ -29,7 +31,7 @@ class CheckPanel(QWidget):
         self.setAccessibleName("State check")
         self._state, self._written = label("", "mono"), _Written()
         self._written.setProperty("role", "mono")
-        self._verdict = QLabel()
+        self._verdict = Label()
         self._verdict.setProperty("role", "phase")
         self._verdict.setFixedHeight(24)
         self.table = FactsTable(tokens, quality="Source and quality")
@@ -103,7 +105,7 @@ class CheckPanel(QWidget):
             self._written.write(found.written.partition(" := ")[2])
             tip = f"{found.written}\n{found.terms}"
             for part in (self._state, self._written, self._verdict):
-                part.setToolTip(tip)
+                part.setToolTip(tip_text(tip))
             self._show_verdict(found.verdict, found.kind)
             self.table.show_rows(as_they_were(found.rows) if over else found.rows)
             self.table.setMinimumHeight(self.table.maximumHeight())
@@ -157,8 +159,8 @@ class _OutsideLines(QWidget):
             said = "\n".join(
                 f"{one.name} {one.words}, blocks {', '.join(one.blocks)}" for one in lines
             )
-            self.setToolTip(said)
-            self.setAccessibleName(f"Outside this branch: {said}")
+            self.setToolTip(tip_text(said))
+            self.setAccessibleName(plain_text(f"Outside this branch: {said}"))
             self.setVisible(bool(lines))
             self.setFixedHeight(len(lines) * self.LINE + 12)
             self.update()
@@ -199,6 +201,6 @@ class _OutsideLines(QWidget):
             painter.setFont(plain.font)
             painter.setPen(t.unk if value is None else t.tx2)
             right = Qt.TextElideMode.ElideRight
-            shown = plain.metrics.elidedText(words, right, self.width() - 12 - x)
+            shown = plain.metrics.elidedText(plain_text(words), right, self.width() - 12 - x)
             painter.drawText(round(x), round(y + plain.rise), shown)
         painter.end()

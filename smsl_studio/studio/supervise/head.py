@@ -8,6 +8,7 @@ from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import Type
 from smsl_studio.studio.controls import row
 from smsl_studio.studio.icons import icon
@@ -15,6 +16,8 @@ from smsl_studio.studio.run.framing import tool
 from smsl_studio.studio.supervise.columns import Columns
 from smsl_studio.studio.supervise.surface import draw_dots
 from smsl_studio.studio.theme import Tokens, text_font
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is
 
 HIGH, LOW = 64, 40
 """With the names of the columns, and without."""
@@ -96,7 +99,7 @@ class Head(QWidget):
             "Every state and operation of this State Branch. That it was looked at stands in the "
             "record." if possible else "It is logged in a run's record, and no run is there."
         )  # fmt: skip
-        self.map.setAccessibleName(self.map.text().strip())
+        self.map.setAccessibleName(plain_text(self.map.text().strip()))
         self._dress_map()
 
     def _dress_map(self) -> None:
@@ -121,9 +124,10 @@ class Head(QWidget):
             found.setVisible(at < len(self._names))
             if at < len(self._names):
                 name = self._names[at]
-                found.setText(metrics.elidedText(name, middle, max(share, 30)))
-                found.setToolTip(f"Show {name}")
-                found.setAccessibleName(name)
+                words = metrics.elidedText(plain_text(name), middle, max(share, 30))
+                found.setText(as_it_is(words))
+                found.setToolTip(tip_text(f"Show {name}"))
+                found.setAccessibleName(plain_text(name))
                 found.setChecked(name == self._shown)
                 live = name == self._live and len(self._names) > 1
                 if bool(found.property("live")) != live:
@@ -165,5 +169,5 @@ class Head(QWidget):
                 (found.neighbours, "Neighbours"),
             ):
                 room = QRectF(x - 40 - self._shift, TOP, wide + 80, 18)
-                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, words)
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, plain_text(words))
         painter.end()

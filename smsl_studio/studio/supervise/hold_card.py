@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QApplication, QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.status import DispatchStatus, Offer
-from smsl_studio.studio.controls import label, row
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Label, label, row
 from smsl_studio.studio.people.room import Room
-from smsl_studio.studio.run.phases import LATCHED, phase_words
+from smsl_studio.studio.run.phases import HOLDS, LATCHED, phase_words
 from smsl_studio.studio.supervise.decisions import Decision, offered, offers
-from smsl_studio.studio.words import capital
+from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import as_it_is, capital
 
 BUTTON = 132
 MOST = 180
@@ -33,10 +35,9 @@ class HoldCard(QFrame):
         self.setAccessibleName("Why it holds")
         self._heading, self._sentence = label("", "strong"), label("", "small")
         self._sentence.setWordWrap(True)
-        self._details = QLabel()
+        self._details = Label()
         self._details.setProperty("role", "small")
         self._details.setWordWrap(True)
-        self._details.setTextFormat(Qt.TextFormat.PlainText)
         self._details.setAlignment(Qt.AlignmentFlag.AlignTop)
         inner = QWidget()
         rows = QVBoxLayout(inner)
@@ -74,6 +75,7 @@ class HoldCard(QFrame):
             self._offer(())
             return
         words, kind = phase_words(status.phase)
+        words = HOLDS.get(status.reason, words) if status.phase == "fault_hold" else words
         self._heading.setText(words + (f" by {status.by}" if status.by else ""))
         sentence = capital(status.sentence)
         if sentence == f"{self._heading.text()}.":
@@ -115,17 +117,18 @@ class HoldCard(QFrame):
     def _row(self, decision: Decision) -> QWidget:
         """The button, and what it does beside it."""
         line = QWidget()
-        button = QPushButton(decision.verb)
+        button = QPushButton()
         metrics = button.fontMetrics()
         middle = Qt.TextElideMode.ElideMiddle
-        button.setText(metrics.elidedText(decision.verb, middle, BUTTON - 28))
+        words = metrics.elidedText(plain_text(decision.verb), middle, BUTTON - 28)
+        button.setText(as_it_is(words))
         button.setFixedWidth(BUTTON)
-        button.setAccessibleName(decision.verb)
-        button.setToolTip(f"{decision.verb}: {decision.detail}")
+        button.setAccessibleName(plain_text(decision.verb))
+        button.setToolTip(tip_text(f"{decision.verb}: {decision.detail}"))
         button.clicked.connect(lambda _=False: self._want(decision))
-        words = label(decision.detail, "hint")
+        said = label(decision.detail, "hint")
         across = row(button)
-        across.addWidget(words, 1)
+        across.addWidget(said, 1)
         line.setLayout(across)
         return line
 

@@ -6,6 +6,7 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import Type, draw_sub_mark
 from smsl_studio.studio.supervise.partial import PRUNED, UNKNOWN
 from smsl_studio.studio.supervise.wires import wire_pen
@@ -41,7 +42,7 @@ class Legend(QWidget):
         return [*lines, f"“{self._sub}” turns on, off, or with others"] if self._sub else lines
 
     def _say(self) -> None:
-        self.setAccessibleName("Legend: " + "; ".join(self._lines()))
+        self.setAccessibleName(plain_text("Legend: " + "; ".join(self._lines())))
 
     def sizeHint(self) -> QSize:
         kind = Type(text_font(12))

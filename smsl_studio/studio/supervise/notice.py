@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_session import RunSession
@@ -48,15 +51,20 @@ class Notice(QWidget):
         self._refusal = capital(why.strip())
         self._why.setText(self._refusal)
 
-    def show_run(self, run: RunSession) -> None:
-        """Follow the run."""
+    def show_run(self, run: RunSession, drawn: Blueprint) -> None:
+        """Follow the run; ``drawn`` is what the next one would be of."""
         if run.exists:
             self._refusal = ""
             self._title.setText("Opening the world")
             self._why.setText("")
         elif run.story.finished is not None:
             self._title.setText(phase_words(run.phase)[0])
-            self._why.setText(f"{capital(run.sentence)}\nF5 starts another run.")
+            again = (
+                f"F5 runs {Path(drawn.file).name} as it is drawn now."
+                if run.is_another(drawn)
+                else "F5 starts another run."
+            )
+            self._why.setText(f"{capital(run.sentence)}\n{again}")
         else:
             self._title.setText("No run")
             self._why.setText(

@@ -7,7 +7,6 @@ from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
-    QScrollArea,
     QSplitter,
     QStackedWidget,
     QVBoxLayout,
@@ -16,6 +15,8 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.studio.controls import rule
+from smsl_studio.studio.people.room import Room
 from smsl_studio.studio.run.run_canvas import RunCanvas
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.session import Session
@@ -50,7 +51,7 @@ class SupervisePane(QWidget):
         self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
-        self._run = run
+        self._session, self._run = session, run
         self._chosen_branch = self._branch = ""
         self._view: PartialView | None = None
         self.setAccessibleName("Supervise")
@@ -192,25 +193,35 @@ class SupervisePane(QWidget):
         column.addWidget(self._sides)
 
     def _right(self) -> QWidget:
+        """What people are asked and why it holds scroll where they need more than there is, and
+        stepping in stays in view below them."""
         inner = QWidget()
-        inner.setProperty("role", "panel")
         column = QVBoxLayout(inner)
-        column.setContentsMargins(12, 12, 12, 12)
+        column.setContentsMargins(12, 12, 12, 0)
         column.setSpacing(12)
         self.task_slot = QVBoxLayout()
         self.task_slot.setContentsMargins(0, 0, 0, 0)
         self.task_slot.setSpacing(12)
         column.addLayout(self.task_slot)
         column.addWidget(self.hold)
-        column.addWidget(self.step_in)
-        column.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidget(inner)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        return scroll
+        below = QVBoxLayout()
+        below.setContentsMargins(12, 12, 12, 12)
+        below.addWidget(self.step_in)
+        right = QWidget()
+        right.setProperty("role", "panel")
+        right.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        whole = QVBoxLayout(right)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        room, edge = Room(inner), rule()
+        edge.hide()
+        # The line says that what stands above it goes on.
+        room.verticalScrollBar().rangeChanged.connect(lambda _, most: edge.setVisible(most > 0))
+        whole.addWidget(room)
+        whole.addWidget(edge)
+        whole.addLayout(below)
+        whole.addStretch(1)
+        return right
 
     def add_levels(self, widget: QWidget) -> None:
         """Show how far people and automation lead, beside the state check."""
@@ -220,6 +231,7 @@ class SupervisePane(QWidget):
     def _connect(self) -> None:
         run, bar = self._run, self.bar
         run.changed.connect(self.refresh)
+        self._session.blueprint_changed.connect(lambda *_: self.refresh())
         run.refused.connect(lambda error: self.notice.say(f"{error.sentence} {error.advice}"))
         self.board.card_chosen.connect(self.pick)
         self.board.columns_moved.connect(lambda _: self._place_heads())
@@ -266,7 +278,7 @@ class SupervisePane(QWidget):
         self.head.show_map(mapped, run.exists and status is not None)
         if mapped:
             self.full_map.refresh()
-        self.notice.show_run(run)
+        self.notice.show_run(run, self._session.blueprint)
         self.check.show_status(
             blueprint, status, self._view, run.phase == "failed", over=not run.exists
         )

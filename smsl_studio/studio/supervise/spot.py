@@ -9,11 +9,13 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.levels import FULL_SIZE
 from smsl_studio.picture.picture import Face
 from smsl_studio.studio.canvas.ink import Ink, Type
 from smsl_studio.studio.canvas.node_paint import NodeLook, full_width, paint_node
 from smsl_studio.studio.theme import text_font
+from smsl_studio.studio.tips import tip_text
 
 AROUND = 26
 """Room for the glow and the ring."""
@@ -58,8 +60,8 @@ class Spot(QWidget):
         self._face, self._look, (self._strong, self._soft) = face, look, words
         facts = [f"{branch.fact_name(digit)}: {chip.text}" for digit, chip in enumerate(face.chips)]
         title = [face.title] if face.title else []
-        self.setAccessibleName(", ".join([f"{role} state {face.name}", *title, *facts]))
-        self.setToolTip("\n".join([face.name, *title, *facts]))
+        self.setAccessibleName(plain_text(", ".join([f"{role} state {face.name}", *title, *facts])))
+        self.setToolTip(tip_text("\n".join([face.name, *title, *facts])))
         self.resize(self.sizeHint())
         self.update()
 

@@ -8,12 +8,14 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.supervise.asking import Asking
 from smsl_studio.studio.supervise.buttons import StepInButton
 from smsl_studio.studio.supervise.decisions import Decision
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 OVER = ("", "opening", "idle", "done", "finished")
 NOBODY_MOVES = ("stopped", "taken_over")
@@ -85,15 +87,17 @@ class StepIn(QWidget):
         self._subject = subject if exists else None
         whole = f"on {subject.operation}" if self._subject and subject else ""
         metrics = self._on.fontMetrics()
-        self._on.setText(metrics.elidedText(whole, Qt.TextElideMode.ElideMiddle, self.width() - 90))
-        self._on.setToolTip(str(self._subject or ""))
+        self._on.setText(
+            metrics.elidedText(plain_text(whole), Qt.TextElideMode.ElideMiddle, self.width() - 90)
+        )
+        self._on.setToolTip(tip_text(str(self._subject or "")))
         for button, why in (
             (self.veto, self._no_veto()),
             (self.prune, self._no_prune()),
             (self.hand, self._no_hand()),
         ):
             button.setEnabled(not why)
-            button.setToolTip(why)
+            button.setToolTip(tip_text(why))
         taken = self._status is not None and self._status.phase == "taken_over"
         if taken:
             self.hand.set_words("Give back", "the scene is read first", "hand")

@@ -10,9 +10,11 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Face, Picture
 from smsl_studio.studio.canvas.ink import Ink, Type, draw_sub_mark
 from smsl_studio.studio.canvas.node_paint import NodeLook, full_width
+from smsl_studio.studio.controls import Label
 from smsl_studio.studio.supervise.card import HEIGHT, INSET, CardButton
 from smsl_studio.studio.supervise.columns import NARROWEST, Columns, columns
 from smsl_studio.studio.supervise.legend import Legend
@@ -20,6 +22,7 @@ from smsl_studio.studio.supervise.partial import Card, PartialView
 from smsl_studio.studio.supervise.spot import Spot
 from smsl_studio.studio.supervise.wires import LIT, draw_way, draw_wire, fan
 from smsl_studio.studio.theme import Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 PITCH = 64
 TOP, BOTTOM = 8, 12
@@ -45,7 +48,7 @@ class Surface(QWidget):
         self._previous, self._current = Spot(self._ink, self), Spot(self._ink, self)
         self._neighbours: list[Spot] = []
         self._stays: list[QLabel] = []
-        self._via = QLabel(self)
+        self._via = Label("", self)
         self._legend = Legend(tokens, self)
         self._centres: dict[str, float] = {}
         self._told: object = None
@@ -193,8 +196,8 @@ class Surface(QWidget):
         self._via.setFont(kind.font)
         self._via.setText(shown)
         self._via.setStyleSheet(f"color: {self._tokens.acc.name()}; background: transparent")
-        self._via.setToolTip(str(view.via))
-        self._via.setAccessibleName(f"came by {view.via.operation}")
+        self._via.setToolTip(tip_text(str(view.via)))
+        self._via.setAccessibleName(plain_text(f"came by {view.via.operation}"))
         self._via.adjustSize()
         shift = 14 if view.via_mark else 0
         at = (left + right - 8 - self._via.width() - shift) / 2 + shift
@@ -215,7 +218,7 @@ class Surface(QWidget):
                 spot.place(QPointF(x + most / 2, self._centres[name]))
         staying = [button for button in self.cards if button.card.stays]
         while len(self._stays) < len(staying):
-            self._stays.append(QLabel(self))
+            self._stays.append(Label("", self))
         for at, label in enumerate(self._stays):
             label.setVisible(at < len(staying))
             if at < len(staying):
@@ -227,7 +230,7 @@ class Surface(QWidget):
         kind, whole = Type(text_font(12)), f"stays in {view.state}"
         label.setFont(kind.font)
         label.setText(kind.elided(whole, self.width() - left - 8))
-        label.setToolTip(whole if label.text() != whole else "")
+        label.setToolTip(tip_text(whole if label.text() != whole else ""))
         label.setProperty("role", "small")
         label.adjustSize()
         y = button.y() + button.height() / 2

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage, QPainter, QRegion
@@ -29,3 +31,18 @@ def test_what_lies_below_is_not_seen_through_the_names(qtbot: QtBot, tokens: Tok
     seen = picture.pixelColor(crumb.place_of(0).toRect().right() + 2, 3)
     wanted = tokens.canvas
     assert abs(seen.lightness() - wanted.lightness()) < 24, seen.name()
+
+
+def test_what_is_drawn_in_a_grid_because_it_is_so_large_says_so(
+    qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    view = QWidget()
+    qtbot.addWidget(view)
+    crumb = Breadcrumb(view, LIGHT)
+    chain = {f"S{i}": {"go": f"S{i + 1}"} for i in range(70)}
+    blueprint = read_blueprint(parse_json(json.dumps({"B": {**chain, "S70": {}}}), "a.json"))
+    crumb.show_branch(blueprint, "B")
+    assert crumb.note == "71 states, 70 operations"
+    monkeypatch.setattr("smsl_studio.graph.layout.MOST_SPREAD", 70)
+    crumb.show_branch(blueprint, "B")
+    assert crumb.note.endswith(", too many for distances: in columns from S0")

@@ -17,7 +17,10 @@ from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
 from smsl_studio.studio.canvas import accessible_tree
 from smsl_studio.studio.canvas.marks import Marks
+from smsl_studio.studio.canvas.node_item import NodeItem
 from smsl_studio.studio.theme import DARK
+from tests.bombs.table import BY_NAME
+from tests.bombs.test_work import read
 from tests.stories.at_canvas import Drawer, sample
 
 ROOMY = Spacing()
@@ -326,3 +329,13 @@ def test_gestures_leave_nothing_stale_on_the_screen(hfsm: Drawer) -> None:
     same_when_painted_whole("pan")
     hfsm.canvas.camera.zoom_at(1.3, QPointF(300, 300))
     same_when_painted_whole("zoom")
+
+
+def test_states_that_are_not_near_have_no_item(qtbot: QtBot) -> None:
+    drawer = Drawer(qtbot, sample("hfsm.json"))
+    drawer.canvas.show_branch(read(BY_NAME["states_in_a_ring"], "json", 60_000), "B")
+    assert drawer.canvas.sheet is not None
+    assert len(drawer.canvas.sheet.picture) > 1_000
+    assert drawer.canvas.sheet.level is Level.DOT
+    items = [one for one in drawer.canvas.scene().items() if isinstance(one, NodeItem)]
+    assert len(items) <= 50

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.files.asking import Answer
+from smsl_studio.studio.files.asking import Answer, Interrupted
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.fresh import empty_blueprint
 from smsl_studio.studio.session import Session
@@ -31,11 +31,17 @@ class Nobody:
     def unsaved(self, said: str) -> Answer:
         raise AssertionError(said)
 
+    def interrupted(self, names: str, when: str) -> Interrupted:
+        raise AssertionError(names)
+
     def may_overwrite(self, names: str) -> bool:
         raise AssertionError(names)
 
     def may_leave_comments(self, name: str, form: str) -> bool:
         raise AssertionError(name)
+
+    def may_lose(self, said: str) -> bool:
+        raise AssertionError(said)
 
     def may_save_broken(self, name: str, faults: str) -> bool:
         return True

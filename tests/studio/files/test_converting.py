@@ -44,16 +44,20 @@ def test_an_unknown_suffix_keeps_the_form() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "name", "found"),
     [
-        ("/x", "/x/y", "b.json", "../b.json"),
-        ("/x", "/", "b.json", "x/b.json"),
-        ("/x", "/z", "../b.json", "../b.json"),
-        ("/x", "/z", "/abs/b.json", "/abs/b.json"),
-        ("/x", "/x", "./b.json", "./b.json"),
+        ("x", "x/y", "b.json", "../b.json"),
+        ("x", ".", "b.json", "x/b.json"),
+        ("x", "z", "../b.json", "../b.json"),
+        ("x", "z", "/abs/b.json", "/abs/b.json"),
+        ("x", "x", "./b.json", "./b.json"),
     ],
 )
-def test_imports_are_named_from_the_new_folder(old: str, new: str, name: str, found: str) -> None:
-    given = document(f'{{"_imports": ["{name}", 3]}}', f"{old}/a.json")
-    assert moved(given, Path(new) / "a.json").document.values["_imports"] == [found, 3]
+def test_imports_are_named_from_the_new_folder(
+    tmp_path: Path, old: str, new: str, name: str, found: str
+) -> None:
+    (tmp_path / "smsl.toml").touch()
+    given = document(f'{{"_imports": ["{name}", 3]}}', f"{tmp_path / old}/a.json")
+    target = tmp_path / new / "a.json"
+    assert moved(given, target).document.values["_imports"] == [found, 3]
 
 
 def test_a_text_that_does_not_read_goes_on_in_its_own_form_alone() -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
 
 from smsl_studio.studio.journal.entry import Entry, Kept, encode
 from smsl_studio.studio.journal.place import Place
@@ -40,6 +43,31 @@ def test_what_one_program_offers_no_other_offers(tmp_path: Path) -> None:
     (again,) = left_behind(tmp_path)
     again.drop()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_another_user_left_is_not_offered(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = leave(tmp_path, entry())
+    me = os.geteuid()
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "geteuid", lambda: me + 1)
+        assert left_behind(tmp_path) == ()
+    assert path.exists()
+    (left,) = left_behind(tmp_path)
+    left.drop()
+
+
+def test_what_is_no_ordinary_file_is_neither_read_nor_written(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.journal")
+    (tmp_path / "zero.journal").symlink_to("/dev/zero")
+    (tmp_path / "folder.journal").mkdir()
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (tmp_path / "x.lock").symlink_to(elsewhere / "made")
+    leave(tmp_path, entry()).rename(tmp_path / "x.journal")
+    assert left_behind(tmp_path) == ()
+    assert list(elsewhere.iterdir()) == []
 
 
 def test_the_lock_of_a_process_that_died_is_free(tmp_path: Path) -> None:

@@ -79,6 +79,19 @@ def test_a_conflict_shows_both_values_and_who_says_them(hanoi: Blueprint) -> Non
     assert summary(tuple(rows.values())) == "2 facts: 1 known, 1 in conflict"
 
 
+def test_two_speakers_are_a_conflict_with_both_names(hanoi: Blueprint) -> None:
+    monitor = FactMonitor(SENSORS)
+    for node in ("bench", "intruder"):
+        monitor.accept([Sample("SB1", 1, "scale", "a", 0.0, 1, received=9.8, node=node)], 0.0)
+    scene, sources = monitor.scene(10.0, 10.0), monitor.sources(10.0, 10.0)
+    status = replace(_status(hanoi), time=10.0, scene=scene, sources=sources)
+    rows = _rows(hanoi, status)
+    scale = rows["SB1", "1"]
+    assert scale.cells[2:4] == ("?", "two speakers for scale: bench, intruder")
+    assert scale.standing == "conflict"
+    assert summary(tuple(rows.values())) == "2 facts: 1 unknown, 1 in conflict"
+
+
 def test_a_stale_reading_is_no_value(hanoi: Blueprint) -> None:
     rows = _rows(hanoi, _status(hanoi, eye="a", ear="a"))
     scale = rows["SB1", "1"]

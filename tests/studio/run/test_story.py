@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from pytestqt.qtbot import QtBot
+
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
@@ -11,8 +13,10 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.runlog import events as told
 from smsl_studio.studio.run import view
-from smsl_studio.studio.run.lanes import lanes
+from smsl_studio.studio.run.lanes import Block, Lane, lanes
 from smsl_studio.studio.run.story import Story
+from smsl_studio.studio.run.timeline import Timeline, _seen, _wide
+from smsl_studio.studio.theme import LIGHT
 
 SAMPLES = Path(__file__).parents[3] / "samples"
 
@@ -132,3 +136,63 @@ def test_choices_begin_with_what_the_blueprint_says() -> None:
 def test_worlds_that_suit_stand_before_the_table() -> None:
     assert front.worlds_for(front.read(SAMPLES / "hanoi-corrected.json")) == ("hanoi", "table")
     assert front.worlds_for(front.read(SAMPLES / "registration.json")) == ("table",)
+
+
+def test_operations_of_a_base_and_its_sub_are_under_way_together() -> None:
+    blueprint, dispatcher, story = _opened("hfsm.json")
+    _until(dispatcher, story, 99)
+    spans = [(span.words.rpartition("/")[2], span.start, span.end) for span in story.operations]
+    assert [(name, round(a, 2), round(b or 0, 2)) for name, a, b in spans] == [
+        ("Operation000", 0.0, 0.05),
+        ("Operation100B", 0.05, 0.15),
+        ("Operation0", 0.05, 0.15),
+    ]
+    rows = [lane for lane in lanes(blueprint, dispatcher.status, story) if lane.kind == "operation"]
+    assert [lane.label for lane in rows] == ["Operation", "Operation 2"]
+    assert [[block.words for block in lane.blocks] for lane in rows] == [
+        ["Operation000", "Operation100B"],
+        ["Operation0"],
+    ]
+
+
+def test_a_base_goes_on_while_its_sub_commits_and_a_mismatch_ends_both() -> None:
+    base, sub = "A/a0/go", "B/b0/step"
+    story = Story()
+    story.tell([told.OperationStarted(t=0.0, address=base, target="a1")])
+    story.tell([told.OperationStarted(t=0.0, address=sub, target="b1")])
+    story.tell([told.Committed(t=1.0, operations=(sub,), configuration={"B": "b1"})])
+    assert [span.end for span in story.operations] == [None, 1.0]
+    story.tell([told.OperationStarted(t=1.0, address="B/b1/on", target="b2")])
+    story.tell([told.Mismatch(t=2.0, facts=())])
+    assert [(span.end, span.good) for span in story.operations] == [
+        (2.0, False), (1.0, True), (2.0, False),
+    ]  # fmt: skip
+
+
+def test_a_block_too_narrow_to_see_hides_none_that_follows_it() -> None:
+    blocks = [Block(0.0, 1.0, "a", "past"), *(Block(1.0, 1.0, "b", "past"),) * 3,
+              Block(1.0, 9.0, "c", "past"), Block(9.0, None, "d", "now")]  # fmt: skip
+    starts = [block.start for block in blocks]
+    assert list(_seen(blocks, starts, 0.0, 10.0, 0.1)) == [0, 1, 4, 5]
+
+
+def test_the_states_are_shown_while_people_are_asked_before_the_start() -> None:
+    blueprint, dispatcher, story = _opened("registration-people.json")
+    found = lanes(blueprint, dispatcher.status, story)
+    assert [(lane.label, lane.kind) for lane in found[:3]] == [
+        ("HEAD", "state"), ("REGISTRATION", "state"), ("Operation", "operation"),
+    ]  # fmt: skip
+    assert [(b.words, b.look) for b in found[0].blocks] == [("0", "unknown")]
+
+
+def test_the_goal_of_a_long_run_has_room_for_its_words(qtbot: QtBot) -> None:
+    timeline = Timeline(LIGHT)
+    qtbot.addWidget(timeline)
+    timeline.resize(1200, 160)
+    timeline.show()
+    blocks = (Block(0.0, 60.0, "acc", "past"), Block(60.0, 60.02, "ccccccccc", "past"))
+    timeline.show_lanes((Lane("State", "state", blocks),), 60.02)
+    timeline.follow()
+    box = timeline.plot.getViewBox()
+    (left, right), _ = box.viewRange()
+    assert (right - 60.02) / (right - left) * box.width() >= _wide("state", "ccccccccc")

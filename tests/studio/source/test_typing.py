@@ -74,7 +74,7 @@ def test_an_edit_from_the_canvas_waits_for_what_is_typed(at_text: At) -> None:
 def test_a_canvas_edit_patches_the_lines_it_changes(at_text: At) -> None:
     writer = at_text()
     kept = writer.pane.editor.document().findBlockByNumber(3).revision()
-    writer.session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_3"))
+    writer.session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
     assert writer.lines == writer.text.split("\n") == writer.session.texts["a.json"].split("\n")
     assert writer.pane.editor.document().findBlockByNumber(3).revision() == kept
 

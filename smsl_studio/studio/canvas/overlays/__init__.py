@@ -15,6 +15,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays.breadcrumb import Breadcrumb
+from smsl_studio.studio.canvas.overlays.focus_ring import FocusRing
 from smsl_studio.studio.canvas.overlays.hover_pad import HoverPad
 from smsl_studio.studio.canvas.overlays.key import Key
 from smsl_studio.studio.canvas.overlays.legend import Legend, RunLegend
@@ -50,6 +51,7 @@ class Overlays:
         self.banner = Banner(canvas, tokens)
         self.word = Word(canvas, tokens)
         self.empty = EmptyHint(canvas, tokens)
+        self.ring = FocusRing(canvas, tokens)
         self._hush = QTimer(canvas)
         self._hush.setSingleShot(True)
         self._hush.setInterval(SPOKEN)
@@ -59,7 +61,7 @@ class Overlays:
     def set_tokens(self, tokens: Tokens) -> None:
         for widget in (self.zoom, self.map, self.pad, self.banner, self.word, self.empty):
             widget.set_tokens(tokens)
-        for plain in (self.breadcrumb, self.legend, self.run_legend, self.key):
+        for plain in (self.breadcrumb, self.legend, self.run_legend, self.key, self.ring):
             plain.tokens = tokens
             plain.update()
 
@@ -123,7 +125,7 @@ class Overlays:
         corners = [QPoint(left, bottom), QPoint(right, top), QPoint(left, top)]
         if self._dimmed:
             corners = [*reversed(corners), QPoint(right, bottom)]
-        free = (c for c in corners if not self._covers(c, size) and not self._taken(c, size))
+        free = (c for c in corners if not self._hides(c, size) and not self._taken(c, size))
         place = next(free, None)
         legend.setVisible(place is not None and not legend.empty)
         if place is not None:
@@ -171,6 +173,8 @@ class Overlays:
     def view_moved(self) -> None:
         """The picture moved under the floating widgets."""
         self.pad.go()
+        if not self._canvas.camera.fitted:
+            self._place_legend()
         if not self.map.isHidden():
             self.map.update()
         elif self._canvas.editing and not self._canvas.camera.fitted:
@@ -202,6 +206,15 @@ class Overlays:
         free = (p for p in places if not self._covers(p, zoom.size()))
         zoom.move(next(free, places[-2] if clear else place))
 
+    def _hides(self, corner: QPoint, size: QSize) -> bool:
+        """Whether what stands at this corner covers the drawing of a fit, or states of any view."""
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if sheet is None or canvas.camera.fitted:
+            return self._covers(corner, size)
+        near = canvas.mapToScene(corner - QPoint(6, 6))
+        far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
+        return bool(sheet.states_in(near.x(), near.y(), far.x(), far.y()))
+
     def _covers(self, corner: QPoint, size: QSize) -> bool:
         """Whether what stands at this corner covers nodes or lines of a fitted picture."""
         canvas = self._canvas
@@ -216,6 +229,7 @@ class Overlays:
         """Put everything where it belongs in the view's size."""
         canvas = self._canvas
         width, height = canvas.width(), canvas.height()
+        self.ring.place(width, height)
         self.breadcrumb.move(EDGE, 10)
         self.breadcrumb.resize(self.breadcrumb.sizeHint())
         self.zoom.resize(self.zoom.sizeHint())

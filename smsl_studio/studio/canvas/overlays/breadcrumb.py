@@ -15,8 +15,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.graph.layout import is_grid
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 EDGE, NARROWEST, VEIL = 14, 72.0, 235
 """Pixels beside it in the view, and to which a name is shortened at most where room is short;
@@ -59,14 +62,21 @@ class Breadcrumb(QWidget):
             states, operations = len(shown.table), shown.edge_count
             home = blueprint.imported.get(branch)
             where = f"in {PurePath(home.file).name}, " if home is not None else ""
-            self.setToolTip(home.file if home is not None else blueprint.file)
+            self.setToolTip(tip_text(home.file if home is not None else blueprint.file))
             self._note = (
                 f"{where}{states:,} state{'' if states == 1 else 's'}, "
                 f"{operations:,} operation{'' if operations == 1 else 's'}"
             )
-        self.setAccessibleDescription(" > ".join((self._file, *self._chain)))
+            if is_grid(shown):
+                self._note += f", too many for distances: in columns from {shown.initial}"
+        self.setAccessibleDescription(plain_text(" > ".join((self._file, *self._chain))))
         self.resize(self.sizeHint())
         self.update()
+
+    @property
+    def note(self) -> str:
+        """What is said of the SB behind its name."""
+        return self._note
 
     @property
     def words(self) -> tuple[str, ...]:
@@ -147,7 +157,7 @@ class Breadcrumb(QWidget):
             painter.setPen(tokens.tx if last else tokens.acc if i == self._under else tokens.tx2)
             baseline = QPointF(rect.left(), 13.0 + QFontMetricsF(font).capHeight() / 2)
             shown = QFontMetricsF(font).elidedText(
-                text, Qt.TextElideMode.ElideMiddle, rect.width() + 0.5
+                plain_text(text), Qt.TextElideMode.ElideMiddle, rect.width() + 0.5
             )
             painter.drawText(baseline, shown)
             if not last and i < len(places) - 1:
@@ -157,7 +167,7 @@ class Breadcrumb(QWidget):
             painter.setFont(text_font(13))
             painter.setPen(tokens.tx3)
             base = 13.0 + QFontMetricsF(text_font(13)).capHeight() / 2
-            painter.drawText(QPointF(places[-1].right() + 12.0, base), self._note)
+            painter.drawText(QPointF(places[-1].right() + 12.0, base), plain_text(self._note))
         painter.end()
 
 

@@ -6,9 +6,11 @@ from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QGraphicsDropShadowEffect, QLabel, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN, faded
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import RADIUS_CONTROL, Tokens, text_font
+from smsl_studio.studio.tips import tip_text
 
 
 class Card(QWidget):
@@ -78,8 +80,8 @@ class IconButton(QAbstractButton):
         self._icon = icon
         self.accent = False
         self._inside = False
-        self.setToolTip(name)
-        self.setAccessibleName(name)
+        self.setToolTip(tip_text(name))
+        self.setAccessibleName(plain_text(name))
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
 
@@ -110,7 +112,7 @@ class IconButton(QAbstractButton):
         if self.text():
             painter.setFont(text_font(13, 500))
             painter.setPen(colour)
-            painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, self.text())
+            painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, plain_text(self.text()))
         else:
             side = 16.0
             box = QRectF(0, 0, side, side)

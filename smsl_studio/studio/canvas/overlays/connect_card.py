@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.studio.canvas.overlays.card import PassingCard, tint
 from smsl_studio.studio.canvas.overlays.choices import Choices
 from smsl_studio.studio.canvas.overlays.name_line import NameLine, complain, error_label
+from smsl_studio.studio.controls import Label
 from smsl_studio.studio.theme import Tokens, text_font
 
 ROWS = 4
@@ -42,11 +43,11 @@ class ConnectCard(PassingCard):
         self.target.setVisible(target is not None)
         self.choices = Choices(self, tokens)
         self.error = error_label(self, tokens)
-        self._to = QLabel("to state", self)
+        self._to = Label("to state", self)
         self._to.setFont(text_font(11, 500))
         tint(self._to, tokens.tx3)
         self._to.setVisible(target is not None)
-        self._new = QLabel("New operation. Enter adds it", self)
+        self._new = Label("New operation. Enter adds it", self)
         self._new.setFont(text_font(11, 500))
         tint(self._new, tokens.tx3)
         layout = QVBoxLayout(self)

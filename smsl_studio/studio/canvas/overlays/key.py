@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.ink import Type
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
@@ -43,7 +44,7 @@ class Key(QWidget):
         if picture is not None and picture.prefix and compact and picture.operations:
             rows.append((picture.label(0), f"short for {picture.operations[0]}"))
         self._rows = tuple(rows)
-        self.setAccessibleName("; ".join(f"{code}: {words}" for code, words in rows))
+        self.setAccessibleName(plain_text("; ".join(f"{code}: {words}" for code, words in rows)))
         self.resize(self.sizeHint())
         self.setVisible(bool(rows))
         self.update()

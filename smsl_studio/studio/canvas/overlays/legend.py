@@ -7,6 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.legible import plain_text
 from smsl_studio.picture.guards import MEANING
 from smsl_studio.studio.canvas.guard_sign import DECLARED, HOLDS, MISSES, UNKNOWN, draw_guard
 from smsl_studio.studio.canvas.ink import (
@@ -51,7 +52,7 @@ class Legend(QWidget):
         }
         words["guard"] = MEANING
         self._words = tuple((kind, text) for kind, text in words.items() if kind in kinds)
-        self.setAccessibleName("; ".join(text for _, text in self._words))
+        self.setAccessibleName(plain_text("; ".join(text for _, text in self._words)))
         self.resize(self.sizeHint())
         self.update()
 
@@ -98,7 +99,7 @@ class RunLegend(QWidget):
         changed = words != self.words
         if changed:
             self.words = words
-            self.setAccessibleName("Legend: " + ", ".join(words))
+            self.setAccessibleName(plain_text("Legend: " + ", ".join(words)))
             self.resize(self.sizeHint())
             self.update()
         return changed

@@ -6,7 +6,9 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLabel, QLineEdit, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.overlays.card import tint
+from smsl_studio.studio.controls import Label
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 
@@ -22,7 +24,7 @@ class NameLine(QLineEdit):
         super().__init__(parent)
         self.setFont(mono_font(12))
         self.setPlaceholderText(hint)
-        self.setAccessibleName(hint)
+        self.setAccessibleName(plain_text(hint))
         self.setFrame(False)
         self.setStyleSheet(
             f"QLineEdit {{ background: {tokens.surf.name()}; color: {tokens.tx.name()};"
@@ -61,11 +63,10 @@ class NameLine(QLineEdit):
 
 
 def error_label(parent: QWidget, tokens: Tokens) -> QLabel:
-    label = QLabel("", parent)
+    label = Label("", parent)
     label.setFont(text_font(12))
     label.setWordWrap(True)
     label.setContentsMargins(7, 0, 7, 2)
-    label.setTextFormat(Qt.TextFormat.PlainText)
     tint(label, tokens.bad)
     label.hide()
     return label
@@ -75,5 +76,5 @@ def complain(label: QLabel, reason: str, width: int) -> None:
     label.setText(reason)
     label.setFixedWidth(width)
     label.setFixedHeight(label.heightForWidth(width) if reason else 0)
-    label.setAccessibleName(reason)
+    label.setAccessibleName(plain_text(reason))
     label.setVisible(bool(reason))

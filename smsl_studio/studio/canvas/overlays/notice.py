@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.overlays.card import Card, tint
+from smsl_studio.studio.controls import Label
 from smsl_studio.studio.theme import Tokens, text_font
 
 
@@ -16,9 +18,8 @@ class Banner(QWidget):
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
         self.tokens = tokens
-        self._text = QLabel(self)
+        self._text = Label("", self)
         self._text.setFont(text_font(12, 500))
-        self._text.setTextFormat(Qt.TextFormat.PlainText)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(14, 5, 14, 5)
         layout.addWidget(self._text)
@@ -33,7 +34,7 @@ class Banner(QWidget):
 
     def show_text(self, text: str) -> None:
         self._text.setText(text)
-        self.setAccessibleName(text)
+        self.setAccessibleName(plain_text(text))
         self.setVisible(bool(text))
 
     def fit(self, room: int) -> None:
@@ -64,9 +65,8 @@ class Word(Card):
         super().__init__(parent, tokens)
         self.float_up()
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self._label = QLabel(self)
+        self._label = Label("", self)
         self._label.setFont(text_font(12))
-        self._label.setTextFormat(Qt.TextFormat.PlainText)
         self._label.setWordWrap(False)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(10, 5, 10, 5)
@@ -81,7 +81,7 @@ class Word(Card):
     def say(self, text: str) -> None:
         self._label.setText(text)
         tint(self._label, self.tokens.tx)
-        self.setAccessibleName(text)
+        self.setAccessibleName(plain_text(text))
         self.adjustSize()
         self.setVisible(True)
         self.raise_()
@@ -95,7 +95,7 @@ class EmptyHint(QWidget):
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
         self.tokens = tokens
-        self._label = QLabel("Double-click to add the first state", self)
+        self._label = Label("Double-click to add the first state", self)
         self._label.setFont(text_font(14))
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
         # A double click on the words is meant for the canvas below them.

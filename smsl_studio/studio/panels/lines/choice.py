@@ -7,8 +7,10 @@ from typing import Any
 
 from PySide6.QtWidgets import QPushButton
 
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Combo, Switch, label
 from smsl_studio.studio.panels.lines.line import NOT_SAID, VARIOUS, Line, Shown, same
+from smsl_studio.studio.tips import tip_text
 
 Choices = tuple[tuple[str, str], ...]
 _STANDARD, _VARIOUS = object(), object()
@@ -66,8 +68,8 @@ class SwitchLine(Line):
         self.answer = label("", "second")
         self.clear = QPushButton("Clear")
         self.clear.setProperty("role", "link")
-        self.clear.setToolTip(f"{words}: leave it to the default")
-        self.clear.setAccessibleName(f"Clear: {words}")
+        self.clear.setToolTip(tip_text(f"{words}: leave it to the default"))
+        self.clear.setAccessibleName(plain_text(f"Clear: {words}"))
         super().__init__(words, self.field, tip, self.answer, None, self.clear)
         self.field.clicked.connect(lambda on: self.given.emit(on))
         self.clear.clicked.connect(lambda: self.given.emit(None))

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QCompleter
 from smsl_studio.blueprint.address import fact_text, split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import did_you_mean
+from smsl_studio.studio.controls import NameDelegate
 
 MOST = 4096
 """So many facts are offered; any other can still be typed."""
@@ -40,6 +41,7 @@ class FactCompleter(QCompleter):
         popup = self.popup()
         if popup is not None:
             popup.setMinimumWidth(220)
+            popup.setItemDelegate(NameDelegate(popup))
 
     def pathFromIndex(self, index: QModelIndex | QPersistentModelIndex) -> str:
         return str(index.data(TEXT))

@@ -18,10 +18,12 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import split_fact
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.controls import Field, label, row
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Field, NameDelegate, label, row
 from smsl_studio.studio.panels.lines.fact_completer import FactCompleter, fact_fault, fact_model
 from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.theme import Tokens, mono_font
+from smsl_studio.studio.tips import tip_text
 
 
 @dataclass
@@ -101,8 +103,8 @@ class FactRows(QWidget):
         one = FactRow("", fact, value, gone, layout)
         for field, words in ((fact, "Fact, as SB/digit"), (value, "Value of the fact")):
             field.setFont(mono_font(12))
-            field.setAccessibleName(words)
-            field.setToolTip(words)
+            field.setAccessibleName(plain_text(words))
+            field.setToolTip(tip_text(words))
         fact.setPlaceholderText("SB/digit")
         fact.textEdited.connect(lambda *_: self._complete(one))
         value.setPlaceholderText("value")
@@ -160,8 +162,11 @@ class FactRows(QWidget):
             return
         branch, digit = self._blueprint[fact[0]], fact[1]
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
-        one.fact.setToolTip(f"{branch.fact_name(digit)}, fact {digit} of {branch.name}")
-        one.value.setToolTip(f"{branch.fact_name(digit)} takes {', '.join(values[:24])}")
+        one.fact.setToolTip(tip_text(f"{branch.fact_name(digit)}, fact {digit} of {branch.name}"))
+        one.value.setToolTip(tip_text(f"{branch.fact_name(digit)} takes {', '.join(values[:24])}"))
         completer = QCompleter(list(values[:64]), one.value)
         completer.setCompletionMode(QCompleter.CompletionMode.UnfilteredPopupCompletion)
         one.value.setCompleter(completer)
+        popup = completer.popup()
+        if popup is not None:
+            popup.setItemDelegate(NameDelegate(popup))

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from smsl_studio.studio.controls import label, row
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import Label, label, row
+from smsl_studio.studio.tips import tip_text
 
 LABEL = 80
 NOT_SAID, VARIOUS = "Not said", "Various"
@@ -32,13 +34,12 @@ class Shown:
         return self.standard if self.written is None else self.written
 
 
-class Said(QLabel):
+class Said(Label):
     """A sentence in one of the style sheet's roles, which takes no room while it is empty."""
 
     def __init__(self, role: str, left: int = 0) -> None:
         super().__init__()
         self.setProperty("role", role)
-        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setWordWrap(True)
         self.setContentsMargins(left, 0, 0, 2)
         self.hide()
@@ -56,8 +57,8 @@ class Line(QWidget):
     def __init__(self, words: str, field: QWidget, tip: str, *beside: QWidget | None) -> None:
         super().__init__()
         self.words, self.field = words, field
-        field.setAccessibleName(words)
-        field.setToolTip(tip)
+        field.setAccessibleName(plain_text(words))
+        field.setToolTip(tip_text(tip))
         self.hint, self.refusal = Said("hint", LABEL), Said("refusal", LABEL)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -8,9 +8,11 @@ from typing import Any
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.legible import plain_text
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
 from smsl_studio.studio.panels.lines.line import Line, Shown, same
 from smsl_studio.studio.theme import Tokens
+from smsl_studio.studio.tips import tip_text
 
 
 class RequiresLine(Line):
@@ -19,8 +21,8 @@ class RequiresLine(Line):
     def __init__(self, words: str, tip: str, tokens: Tokens) -> None:
         super().__init__(words, QWidget(), tip)
         self.facts = FactRows(tokens, "Require a fact")
-        self.facts.setToolTip(tip)
-        self.facts.setAccessibleName(words)
+        self.facts.setToolTip(tip_text(tip))
+        self.facts.setAccessibleName(plain_text(words))
         self._blueprint: Blueprint | None = None
         column = self.layout()
         assert column is not None

@@ -6,9 +6,8 @@ without being asked is remembered here, so that an edit never moves a state that
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.layout import place_states
 
 Position = tuple[float, float]
@@ -30,7 +29,7 @@ class Places:
         """The place of every state of an SB now."""
         former = self._placed.get(branch.name)
         if former is None:
-            former = self._first(branch)
+            former = {}
         else:
             self._follow_rename(branch, former)
         places = place_states(branch, former)
@@ -40,14 +39,27 @@ class Places:
         self._order[branch.name] = tuple(branch.table)
         return places
 
-    def _first(self, branch: StateBranch) -> dict[str, Position]:
-        """The automatic picture of an SB in which a few states were moved."""
-        layout = branch.notes.layout
-        kept = sum(name in branch.table for name in layout)
-        if not kept or kept * 2 >= len(branch.table):
-            return {}
-        fields = {k: v for k, v in branch.fields.items() if k != "_layout"}
-        return place_states(replace(branch, fields=fields))
+    def shown(self, branch: StateBranch) -> dict[str, Position]:
+        """The place of every state as another view shows it: the same, and nothing is kept."""
+        return place_states(branch, self._placed.get(branch.name))
+
+    def completed(self, before: Blueprint, after: Blueprint) -> Blueprint:
+        """``after`` with the places of all states of an SB in which an edit placed some by hand.
+
+        With one place written alone, the file would be laid out anew around it when it is opened.
+        """
+        for name, branch in after.branches.items():
+            layout = branch.notes.layout
+            missing = branch.table.keys() - layout.keys()
+            if not layout or not missing:
+                continue
+            former = before.branches.get(name)
+            if former is not None and set(layout.values()) <= set(former.notes.layout.values()):
+                continue
+            places = self.of(branch)
+            rest = {state: places[state] for state in branch.table if state in missing}
+            after = editing.set_layout(after, name, rest)
+        return after
 
     def _follow_rename(self, branch: StateBranch, former: dict[str, Position]) -> None:
         """States that were renamed, one or many at once, keep their places."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.studio.canvas.places import Places
+from smsl_studio.studio.places import Places
 
 
 def branch(*names: str) -> StateBranch:

@@ -1,0 +1,81 @@
+"""Walks the tree that a program shows to assistive tools, as a screen reader does.
+
+Called by Debian's Python, which has ``pyatspi``: ``walker.py PROCESS WALKS OUT``. Every thing is
+asked for all it offers: name, role, state, relations, interfaces, place, actions. OUT becomes a
+JSON list with each thing of the last walk as ``[role, name, path of names, whether a label names
+it]``.
+"""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import sys
+import threading
+from typing import Any
+
+import pyatspi
+from gi.repository import GLib
+
+DEEPEST = 60
+PATIENCE = 600
+"""How often the program is looked for, every 0.1 s."""
+
+Seen = list[tuple[str, str, list[str], bool]]
+
+
+def application(process: int) -> Any:
+    """The program with this process number, once it has come onto the bus."""
+    for _ in range(PATIENCE):
+        for one in pyatspi.Registry.getDesktop(0):
+            if one is not None and one.get_process_id() == process:
+                return one
+        threading.Event().wait(0.1)
+    sys.exit("the program did not come onto the accessibility bus")
+
+
+def walk(thing: Any, path: list[str], seen: Seen) -> None:
+    """Ask a thing and all below it for everything they offer; some go while the window works."""
+    try:
+        ask(thing, path, seen)
+    except GLib.GError as error:
+        if "No such object path" not in str(error):
+            raise
+
+
+def ask(thing: Any, path: list[str], seen: Seen) -> None:
+    """Ask one thing for everything, then walk through its children."""
+    role, name = thing.getRoleName(), thing.name or ""
+    labelled = any(
+        one.getRelationType() == pyatspi.RELATION_LABELLED_BY for one in thing.getRelationSet()
+    )
+    seen.append((role, name, path, labelled))
+    assert thing.description is not None
+    thing.getState().getStates()
+    thing.get_interfaces()
+    for query in (thing.queryComponent, thing.queryAction, thing.queryText, thing.queryValue):
+        try:
+            offered = query()
+        except NotImplementedError:
+            continue
+        if query == thing.queryComponent:
+            offered.getExtents(pyatspi.DESKTOP_COORDS)
+    if len(path) < DEEPEST:
+        for index in range(thing.childCount):
+            child = thing.getChildAtIndex(index)
+            if child is not None:
+                walk(child, [*path, name or role], seen)
+
+
+def main() -> None:
+    """Walk round as often as asked for, and write down what the last walk saw."""
+    process, walks, out = int(sys.argv[1]), int(sys.argv[2]), pathlib.Path(sys.argv[3])
+    top = application(process)
+    seen: Seen = []
+    for _ in range(walks):
+        seen = []
+        walk(top, [], seen)
+    out.write_text(json.dumps(seen))
+
+
+main()

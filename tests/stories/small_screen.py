@@ -1,0 +1,87 @@
+"""A window on the screen of this process, run through its modes; tells where Stop is in each.
+
+``python -m tests.stories.small_screen FILE``: one line of JSON. The screen and its scale come from
+the environment, as they do for a person.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.app import make_application, make_window
+from smsl_studio.studio.plugins import Plugins
+from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.style import dress
+from smsl_studio.studio.theme import LIGHT
+from smsl_studio.studio.window import Window
+from smsl_studio.studio.windows import Windows
+
+Box = tuple[int, int, int, int]
+
+
+def _box(rect: QRect) -> Box:
+    return rect.x(), rect.y(), rect.width(), rect.height()
+
+
+def stop_of(window: Window) -> QPushButton:
+    """The button that is shown and stops the run; there is exactly one."""
+    found = [
+        button
+        for button in window.mode_bar.findChildren(QPushButton)
+        if button.accessibleName() == "Stop" and button.isVisible()
+    ]
+    assert len(found) == 1, f"{window.mode}: {len(found)} Stops"
+    return found[0]
+
+
+def until(condition: Callable[[], bool]) -> None:
+    """Let the window go on until something is so."""
+    for _ in range(3_000):
+        if condition():
+            return
+        QTest.qWait(10)
+    raise AssertionError("it did not come about")
+
+
+def main(file: str) -> dict[str, Box]:
+    application = make_application(sys.argv)
+    dress(application, LIGHT)
+    home = Path(tempfile.mkdtemp())
+    windows = Windows(application, Settings(home), Plugins(Loaded))
+    window = make_window(windows, file)
+    until(lambda: windows.plugins.known)
+    QTest.qWait(400)
+    window.activateWindow()
+    QTest.keyClick(window, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
+    window.run_pane.transport.world.setCurrentText("table")
+    QTest.keyClick(window, Qt.Key.Key_F10)
+    until(lambda: window.run_pane.run.exists)
+    told = {"screen": _box(window.screen().availableGeometry())}
+    for key, mode in ((Qt.Key.Key_1, "draw"), (Qt.Key.Key_3, "supervise"), (Qt.Key.Key_2, "run")):
+        QTest.keyClick(window, key, Qt.KeyboardModifier.ControlModifier)
+        QTest.qWait(50)
+        assert window.mode == mode
+        stop = stop_of(window)
+        seen = stop.visibleRegion().boundingRect()
+        told[mode] = _box(QRect(stop.mapToGlobal(seen.topLeft()), seen.size()))
+        told[f"frame in {mode}"] = _box(window.frameGeometry())
+    stop = stop_of(window)
+    QTest.mouseClick(stop, Qt.MouseButton.LeftButton, pos=QPoint(stop.width() - 4, 20))
+    until(lambda: window.run_pane.run.phase == "stopped")
+    return told
+
+
+if __name__ == "__main__":
+    print(json.dumps(main(sys.argv[1])))
+    sys.stdout.flush()
+    os._exit(0)

@@ -1,0 +1,52 @@
+"""A state that is added takes nothing over: which state is activating stays, and that is said."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+
+from smsl_studio.inspection.finding import Severity
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key, Ctrl, Shift = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+FILE = SAMPLES / "hanoi-corrected.json"
+
+
+def errors(person: Person) -> set[str]:
+    """The states that have errors."""
+    person.until_inspected()
+    found = person.window.findings.findings
+    return {finding.address.state for finding in found if finding.severity is Severity.ERROR}
+
+
+def test_an_added_state_does_not_become_the_activating_one_unsaid(sit: Sit) -> None:
+    person = sit(FILE)
+    before, text = errors(person), person.blueprint.document.text
+    held = person.blueprint["SB1"].activating
+    person.press(Key.Key_N, [Ctrl, Shift])
+    person.type("State_aab2")
+    person.press(Key.Key_Return)
+    assert len(person.blueprint["SB1"].table) == 28
+    assert person.blueprint["SB1"].activating == held
+    toast = person.window.toast
+    assert toast.words.startswith(f"{held} stays the activating state of SB1")
+    assert errors(person) - before <= {"State_aab2"}
+    assert len(person.steps()) == 1
+    person.ctrl(Key.Key_Z)
+    assert person.blueprint.document.text == text
+    assert not toast.isVisible()
+
+
+def test_what_is_pasted_or_drawn_to_empty_canvas_takes_nothing_over(sit: Sit) -> None:
+    person = sit(FILE)
+    held = person.blueprint["SB1"].activating
+    person.select("SB1/State_aaa")
+    person.ctrl(Key.Key_D)
+    assert len(person.blueprint["SB1"].table) == 28
+    assert person.blueprint["SB1"].activating == held
+    person.ctrl(Key.Key_Z)
+    person.select("SB1/State_aaa")
+    person.press(Key.Key_Slash)
+    person.press(Key.Key_Return)
+    assert len(person.blueprint["SB1"].table) == 28
+    assert person.blueprint["SB1"].activating == held

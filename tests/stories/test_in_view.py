@@ -1,0 +1,118 @@
+"""What is found, added or put in is in view, and where one looks changes no more than it must."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, QRect, Qt
+from PySide6.QtWidgets import QWidget
+
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key, Ctrl, Shift = Qt.Key, Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+HANOI = SAMPLES / "hanoi.json"
+
+
+def is_in_view(person: Person, address: str) -> bool:
+    """Whether a state is whole in view, and not below the breadcrumb."""
+    canvas = person.window.canvas
+    rect = canvas.rect_of(person.blueprint.resolve(address))
+    assert rect is not None
+    shown = canvas.mapFromScene(rect).boundingRect()
+    return canvas.viewport().rect().adjusted(0, 40, 0, 0).contains(shown)
+
+
+def look_close(person: Person, at: str) -> None:
+    """Zoom in, so that most of the drawing is out of view; look at a state."""
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    canvas.zoom_to(1.5)
+    canvas.reveal(person.blueprint.resolve(at))
+
+
+@pytest.mark.parametrize(("selected", "key"), [("", True), ("SB1/State_bbb", False)])
+def test_an_added_state_is_in_view(sit: Sit, selected: str, key: bool) -> None:
+    person = sit(HANOI)
+    look_close(person, "SB1/State_aaa")
+    if selected:
+        person.window.session.select([person.blueprint.resolve(selected)])
+    centre = person.window.canvas.camera.centre
+    if key:
+        person.press(Key.Key_N, [Ctrl, Shift])
+    else:
+        tools = person.window.mode_bar.findChildren(QWidget)
+        person.click(next(t for t in tools if t.accessibleName() == "Add state" and t.isVisible()))
+    person.press(Key.Key_Return)
+    (added,) = person.selected()
+    assert is_in_view(person, added)
+    assert person.window.canvas.camera.centre == centre, "there was room, nothing had to scroll"
+    others = [rect for name in person.blueprint["SB1"].table if (rect := box(person, name))]
+    assert not any(a.intersects(b) for a in others for b in others if a is not b)
+
+
+def box(person: Person, state: str) -> QRect:
+    rect = person.window.canvas.rect_of(person.blueprint.resolve(f"SB1/{state}"))
+    assert rect is not None
+    return person.window.canvas.mapFromScene(rect).boundingRect()
+
+
+def test_where_the_view_is_full_it_scrolls_to_the_new_state(sit: Sit) -> None:
+    person = sit(HANOI, (1000, 600))
+    look_close(person, "SB1/State_cab")
+    person.window.canvas.zoom_to(4.0)
+    person.window.canvas.reveal(person.blueprint.resolve("SB1/State_cab"))
+    person.press(Key.Key_N, [Ctrl, Shift])
+    person.press(Key.Key_Return)
+    assert is_in_view(person, person.selected()[0])
+
+
+def test_an_operation_that_is_added_by_key_is_named_in_view(sit: Sit) -> None:
+    person = sit(HANOI)
+    look_close(person, "SB1/State_aaa")
+    person.select("SB1/State_aaa")
+    look_close(person, "SB1/State_bbb")
+    person.press(Key.Key_Slash)
+    person.press(Key.Key_Return)
+    (operation,) = person.selected()
+    target = person.blueprint["SB1"].table["State_aaa"][operation.split("/")[-1]]
+    assert is_in_view(person, "SB1/State_aaa")
+    assert is_in_view(person, f"SB1/{target}")
+
+
+def test_f2_names_a_state_where_it_then_is(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.select("SB1/State_aaa")
+    person.window.canvas.zoom_to(1.5)
+    person.window.canvas.camera.finish()
+    person.window.canvas.reveal(person.blueprint.resolve("SB1/State_bbb"))
+    person.window.canvas.camera.finish()
+    person.press(Key.Key_F2)
+    field = person.window.editor.field
+    assert field is not None
+    person.window.canvas.camera.finish()
+    assert field.geometry().adjusted(-8, -20, 8, 20).contains(person.place("SB1/State_aaa"))
+
+
+def test_f3_and_a_click_on_a_finding_scroll_to_it(sit: Sit) -> None:
+    person = sit(HANOI)
+    person.until_inspected()
+    look_close(person, "SB1/State_aaa")
+    person.press(Key.Key_F3)
+    (operation,) = person.selected()
+    assert person.window.canvas.viewport().rect().contains(person.place(operation))
+    look_close(person, "SB1/State_aaa")
+    findings = person.window.findings.list
+    row = findings.visualRect(findings.model().index(1, 0))
+    person.click(findings.viewport(), QPoint(row.left() + 60, row.center().y()))
+    assert person.selected() != [operation]
+    assert person.window.canvas.viewport().rect().contains(person.place(person.selected()[0]))
+
+
+def test_an_added_state_stands_on_no_line(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1280, 720))
+    sheet = person.window.canvas.sheet
+    assert sheet is not None
+    person.press(Key.Key_N, [Ctrl, Shift])
+    person.press(Key.Key_Return)
+    x, y = person.window.canvas.positions[person.selected()[0].split("/")[1]]
+    assert not sheet.is_drawn_on(x - 60, y - 35, x + 60, y + 35), "as it was drawn before"
