@@ -32,10 +32,14 @@ BENCHES = (
     "journal",
     "compare",
     "record",
+    "stories",
     "sensors",
     "traces",
     "replay",
     "reaction",
+    "stopping",
+    "oracle",
+    "bombs",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

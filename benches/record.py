@@ -19,7 +19,7 @@ from smsl_studio.runlog.events import FactChanged
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.runlog.reading import verify
 from tests.runlog.killed import kill_a_writer
-from tests.runlog.logs import EVENTS, is_verified, tampered, write_log
+from tests.runlog.logs import OTHER, is_verified, tampered, write_log
 
 CHANGED, KILLS, ALL_KILLS = 10_000, 100, 1_000
 LINES = 10_000
@@ -46,7 +46,7 @@ def _rows(kills: int) -> Iterator[Row]:
 
 
 def _changed(folder: Path) -> Row:
-    raw, other = write_log(folder / "one"), write_log(folder / "two", EVENTS[:5], seed=4)
+    raw, other = write_log(folder / "one"), write_log(folder / "two", OTHER, seed=4)
     random = Random(1)
     accepted = [how for how, log in (tampered(raw, other, random) for _ in range(CHANGED))
                 if is_verified(log)]  # fmt: skip

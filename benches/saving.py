@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from benches.row import Row, median_ms
@@ -22,7 +24,7 @@ KILLS = 1000
 def rows() -> Iterator[Row]:
     """One file and three of 700 kB; then kills at random moments and at every step."""
     document = parse_json(write_json(values_of(hanoi(8))), "bench.json")
-    with tempfile.TemporaryDirectory() as name:
+    with tempfile.TemporaryDirectory() as name, _home():
         paths = [Path(name, f"{number}.json") for number in range(3)]
         raw = document.encoded()
 
@@ -46,8 +48,22 @@ def rows() -> Iterator[Row]:
         yield Row(f"{kills:,} kills {words}", wrong, "mixtures", bound="0")
 
 
+@contextmanager
+def _home() -> Iterator[None]:
+    """A user's folder for the records of saves, and for the processes that are killed."""
+    before = os.environ.get("SMSL_STUDIO_HOME")
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["SMSL_STUDIO_HOME"] = folder
+        try:
+            yield
+        finally:
+            del os.environ["SMSL_STUDIO_HOME"]
+            if before is not None:
+                os.environ["SMSL_STUDIO_HOME"] = before
+
+
 def _killed(how: str) -> dict[str, int]:
-    with tempfile.TemporaryDirectory() as name:
+    with tempfile.TemporaryDirectory() as name, _home():
         done = subprocess.run(
             [sys.executable, "-m", "tests.smsl.killed", name, how, "1"],
             capture_output=True,

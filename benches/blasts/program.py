@@ -1,0 +1,77 @@
+"""The command line, or the window on a file, in a process that tells how much space it took.
+
+``python -m benches.blasts.program check FILE`` is that command, ``... window FILE`` the window: it
+opens the file, draws it and waits for its findings.
+"""
+
+from __future__ import annotations
+
+import os
+import resource
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+from benches.blasts.measured import KILLED_AFTER
+
+begun = ["0", "0"]
+"""The CPU seconds, and the peak of address space in kB, before the file was looked at."""
+PATIENCE = 120.0
+"""Wall seconds in which the window must have its findings."""
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Carry it out; the exit status."""
+    resource.setrlimit(resource.RLIMIT_CPU, (KILLED_AFTER, KILLED_AFTER))
+    if arguments[0] == "window":
+        return show(arguments[1])
+    from smsl_studio.__main__ import main as program
+
+    sys.argv = ["smsl-studio", *arguments]
+    return program()
+
+
+def show(file: str) -> int:
+    """Open a window on a file, and wait until it is drawn and inspected, or told to be broken."""
+    from smsl_studio.library.loading import Loaded
+    from smsl_studio.studio.app import make_application, make_window
+    from smsl_studio.studio.plugins import Plugins
+    from smsl_studio.studio.settings import Settings
+    from smsl_studio.studio.style import dress
+    from smsl_studio.studio.theme import LIGHT
+    from smsl_studio.studio.windows import Windows
+
+    application = make_application(sys.argv)
+    dress(application, LIGHT)
+    settings = Settings(Path(os.environ["SMSL_STUDIO_HOME"]))
+    windows = Windows(application, settings, Plugins(lambda: Loaded(())))
+    window = make_window(windows)
+    window.resize(1440, 900)
+    application.processEvents()
+    begun[:] = str(time.process_time()), peak()
+    window.open_path(Path(file))
+    end = time.monotonic() + PATIENCE
+    while not (window.inspector.current or window.session.broken is not None):
+        application.processEvents()
+        time.sleep(0.005)
+        if time.monotonic() > end:
+            return 3
+    for _ in range(20):
+        application.processEvents()
+    return 0
+
+
+def peak() -> str:
+    """The most address space that this process had, in kB."""
+    lines = Path("/proc/self/status").read_text().splitlines()
+    return next(line.split()[1] for line in lines if line.startswith("VmPeak"))
+
+
+if __name__ == "__main__":
+    try:
+        code = main(sys.argv[1:])
+    except SystemExit as left:
+        code = left.code if isinstance(left.code, int) else 3
+    print("TOOK", peak(), *begun, file=sys.stderr, flush=True)
+    os._exit(code)

@@ -1,0 +1,168 @@
+"""Blueprints with far too much of something, in each written form, to every command and the window.
+
+Each of the 40 bombs of ``tests/bombs`` is made at 1 MB in JSON, YAML and native SMSL; the real
+program gets each file with each command. What takes more than 2 CPU seconds or 600 MB of address
+space for each MB of file (one MB at least), or more than 15 s or 1.5 GB, is told as it is found.
+What an empty window takes (about 1.5 s and 490 MB) counts for the latter, and not for each MB.
+
+``--size=8`` takes files of 8 MB; ``--bombs=sub_chain,trap``, ``--forms=json`` and
+``--commands=run,window`` choose. Address space is read from Linux.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from statistics import median
+from tempfile import TemporaryDirectory
+from typing import Any, NamedTuple
+
+from benches.blasts.measured import SECONDS, SPACE, Measured, measured
+from benches.row import Row
+from tests.bombs.spelling import FORMS
+from tests.bombs.table import BY_NAME
+
+BOMBS = (
+    *("small_sbs", "paired_sbs", "careful_sbs", "states_in_a_ring", "unreachable_tree", "trap"),
+    *("operations_of_one_state", "operations_to_all", "parallel_operations", "dangling"),
+    *("alike_states", "expanding_names", "long_states", "long_operations", "long_sbs"),
+    *("many_facts", "mislabelled", "conditional", "known_subs", "unknown_subs", "near_subs"),
+    *("repeated_subs", "sub_chain", "sub_cycle", "sub_cycles", "sub_diamonds", "shared_sub"),
+    *("header_keys", "header_keys_each", "true_notes", "odd_notes", "requirements_of_all"),
+    *("hazards", "levels", "unknown_fields", "deep_values", "strange_text", "nested_maps"),
+    *("doubled_everywhere", "lost_quotes"),
+)
+MB = 1_000_000
+COMMANDS = {
+    "check": "check FILE",
+    "fmt": "fmt --check FILE",
+    "convert": "convert FILE -o FORM",
+    "diff": "diff FILE OTHER",
+    "digest": "digest FILE",
+    "render": "render FILE -o OUT.svg",
+    "route": "route FILE --sb SB --from FROM --to TO",
+    "run": "run FILE --world table --log OUT.jsonl",
+    "replay": "replay OUT.jsonl",
+    "sweep": "sweep FILE --world table",
+    "window": "window FILE",
+}
+NEXT = dict(zip(FORMS, (*FORMS[1:], FORMS[0]), strict=True))
+"""The form to which a file of each form is converted."""
+AT_A_TIME = 2
+"""So many processes at a time: what is taken is CPU time."""
+
+
+class Taken(NamedTuple):
+    """What one command took on one bomb."""
+
+    bomb: str
+    form: str
+    command: str
+    megabytes: float
+    took: Measured
+
+    @property
+    def wrong(self) -> str:
+        """What is beyond the promise; empty where nothing is."""
+        if self.took.wrong:
+            return self.took.wrong
+        if self.seconds > 2 or self.took.seconds > SECONDS:
+            return f"{self.seconds:.2f} CPU s a MB, {self.took.seconds:.2f} s in all"
+        if self.space > 600 or self.took.space > SPACE:
+            return f"{self.space:,.0f} MB a MB, {self.took.space / MB:,.0f} MB in all"
+        return ""
+
+    @property
+    def seconds(self) -> float:
+        """CPU seconds for each MB of the file."""
+        return (self.took.seconds - self.took.begun[0]) / max(self.megabytes, 1.0)
+
+    @property
+    def space(self) -> float:
+        """MB of address space for each MB of the file."""
+        return (self.took.space - self.took.begun[1]) / MB / max(self.megabytes, 1.0)
+
+
+def rows() -> Iterator[Row]:
+    """Two rows a command, the worst time and the worst space, and one of all that is too much."""
+    bombs, forms = _option("bombs", BOMBS), _option("forms", FORMS)
+    commands, size = _option("commands", COMMANDS), float(_option("size", ("1",))[0])
+    pairs = [(bomb, form) for bomb in bombs for form in forms if form in BY_NAME[bomb].forms]
+    with ThreadPoolExecutor(AT_A_TIME) as pool:
+        found = pool.map(lambda pair: list(_blasts(pair[0], pair[1], size, commands)), pairs)
+        taken = []
+        for one in (one for several in found for one in several):
+            taken.append(one)
+            if one.wrong:
+                print(one.bomb, one.form, one.command, one.wrong, file=sys.stderr, flush=True)
+    for command in commands:
+        mine = [one for one in taken if one.command == command]
+        words = f"{command}, {len(mine)} files of {size:g} MB, for each MB: the worst"
+        slow, wide = max(mine, key=lambda one: one.seconds), max(mine, key=lambda one: one.space)
+        typical = median(one.seconds for one in mine), median(one.space for one in mine)
+        yield Row(
+            f"{words} ({slow.bomb}, {slow.form})",
+            slow.seconds,
+            "CPU s",
+            (("median", typical[0]),),
+            "at most 2",
+        )
+        yield Row(
+            f"{words} ({wide.bomb}, {wide.form})",
+            wide.space,
+            "MB",
+            (("median", typical[1]),),
+            "at most 600",
+        )
+    beyond = sum(bool(one.wrong) for one in taken)
+    yield Row(f"{len(taken)} commands on bombs: beyond the promise", beyond, "", (), "0")
+
+
+def _blasts(name: str, form: str, size: float, commands: tuple[str, ...]) -> Iterator[Taken]:
+    """Every command on one bomb in one form."""
+    bomb = BY_NAME[name]
+    with TemporaryDirectory() as made:
+        folder = Path(made)
+        for file, share in (("bomb", 1.0), ("other", 0.9)):
+            text = bomb.sized(form, int(size * share * MB))
+            (folder / f"{file}.{form}").write_bytes(text.encode("utf-8", "surrogatepass"))
+        megabytes = (folder / f"bomb.{form}").stat().st_size / MB
+        at = _state(name)
+        words = {"FILE": f"bomb.{form}", "OTHER": f"other.{form}", "OUT": f"out-{form}"}
+        words |= {"FORM": f"form.{NEXT[form]}", "SB": at[0], "FROM": at[1], "TO": at[2]}
+        for command in commands:
+            arguments = [_put(part, words) for part in COMMANDS[command].split()]
+            more = {"SMSL_STUDIO_HOME": str(folder / "home"), "PYTHONPATH": str(Path.cwd())}
+            took = measured(["benches.blasts.program", *arguments], folder, more)
+            yield Taken(name, form, command, megabytes, took)
+
+
+def _put(part: str, words: dict[str, str]) -> str:
+    stem, dot, suffix = part.partition(".")
+    return words.get(stem, stem) + dot + suffix
+
+
+def _state(name: str) -> tuple[str, str, str]:
+    """An SB that has states, and the first and the last of them."""
+    values = _values(name)
+    for branch, table in values.items():
+        if isinstance(table, dict) and not branch.startswith("_"):
+            states = [key for key in table if key != "HEADER" and not key.startswith("_")]
+            if states:
+                return branch, states[0], states[-1]
+    return "B", "S", "T"
+
+
+def _values(name: str) -> dict[str, Any]:
+    from tests.bombs import shapes
+
+    make = getattr(shapes, name, None)
+    found: dict[str, Any] = make(50) if make is not None else {}
+    return found
+
+
+def _option(name: str, otherwise: Iterable[str]) -> tuple[str, ...]:
+    given = [one.partition("=")[2] for one in sys.argv if one.startswith(f"--{name}=")]
+    return tuple(given[-1].split(",")) if given else tuple(otherwise)

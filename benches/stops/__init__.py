@@ -1,0 +1,1 @@
+"""What the bench ``stopping`` starts: inputs that last, and programs that are stopped meanwhile."""
