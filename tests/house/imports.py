@@ -12,7 +12,10 @@ PACKAGE = "smsl_studio"
 
 FLOORS: dict[str, float] = {
     "errors": 0,
+    "legible": 0,
     "shipped": 0,
+    "stop": 0,
+    "home": 0,
     "smsl": 1,
     "seal": 1,
     "blueprint": 2,

@@ -14,6 +14,7 @@ from smsl_studio.__main__ import main, window_arguments
         (["open"], []),
         (["a.json"], ["a.json"]),
         (["a.json", "dir/b.SMSL"], ["a.json", "dir/b.SMSL"]),
+        (["run.jsonl"], ["run.jsonl"]),
         (["open", "check"], ["check"]),
         (["open", "a"], ["a"]),
         (["open", "--mode", "run", "a.json"], ["--mode", "run", "a.json"]),
