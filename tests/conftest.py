@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from PySide6.QtGui import QCursor, QGuiApplication
 
 # Before anything imports Qt.
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
@@ -40,6 +41,16 @@ def home(_homes: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("SMSL_STUDIO_HOME", str(folder))
     monkeypatch.delenv("SMSL_PLUGIN_PATH", raising=False)
     return folder
+
+
+@pytest.fixture(autouse=True)
+def _pointer_elsewhere() -> None:
+    """The pointer points at nothing, wherever the test before left it.
+
+    A window that opens below it would show what lies there as pointed at, some time later.
+    """
+    if QGuiApplication.instance() is not None:
+        QCursor.setPos(-10_000, -10_000)
 
 
 @pytest.fixture(autouse=True)
