@@ -52,6 +52,12 @@ def level_at(zoom: float, spacing: Spacing) -> Level:
     return Level.BOX if zoom >= 0.15 and zoom >= spacing.box_zoom else Level.DOT
 
 
+def readable_zoom(spacing: Spacing) -> float:
+    """The zoom from which a layout says which state is which: boxes and dots are all alike."""
+    near = 0.70 if spacing.roomy else 1.0
+    return min(max(0.35, spacing.compact_zoom), near)
+
+
 def unit_at(zoom: float, level: Level) -> float:
     """Scene units in one pixel of a mark.
 

@@ -87,5 +87,5 @@ def test_a_file_that_is_opened_is_drawn_once(
         person.window.open_path(bomb(tmp_path, name, SIZE))
         person.until_inspected()
         assert drawn == [first]
-        assert person.window.canvas.camera.fitted
+        assert person.window.canvas.camera.keeps == "opening"
         drawn.clear()

@@ -22,7 +22,8 @@ STEP = 1.2
 class Camera(QObject):
     """Where a view looks: the scene point in its middle, and the zoom.
 
-    ``fitted`` stays true until somebody zooms or pans, so that a canvas that grows fits again.
+    ``fitted`` says that everything is in view. ``keeps`` says what a canvas looks at again when it
+    has grown: everything ("fit") or what an SB opens at ("opening"), until somebody zooms or pans.
     """
 
     zoom_changed = Signal(float)
@@ -34,6 +35,7 @@ class Camera(QObject):
         self._view = view
         self.motion = True
         self.fitted = False
+        self.keeps = ""
         self._animation = QVariantAnimation(self)
         self._animation.setDuration(DURATION)
         self._animation.setEasingCurve(QEasingCurve.Type.OutCubic)
@@ -52,10 +54,14 @@ class Camera(QObject):
         """The scene point in the middle of the view."""
         return self._view.mapToScene(self._view.viewport().rect()).boundingRect().center()
 
+    def keep(self, what: str, fitted: bool = False) -> None:
+        """What shall be looked at again, and whether that is everything."""
+        self.keeps, self.fitted = what, fitted
+
     def zoom_at(self, factor: float, at: QPointF) -> None:
         """Zoom by a factor so that what is under a point of the viewport stays there."""
         self._animation.stop()
-        self.fitted = False
+        self.keep("")
         zoom = min(max(self.zoom * factor, LEAST), MOST)
         anchor = self._scene_point(at)
         middle = QPointF(self._view.viewport().rect().center())
@@ -64,7 +70,7 @@ class Camera(QObject):
     def pan(self, dx: float, dy: float) -> None:
         """Move the picture by pixels."""
         self._animation.stop()
-        self.fitted = False
+        self.keep("")
         bars = self._view.horizontalScrollBar(), self._view.verticalScrollBar()
         bars[0].setValue(bars[0].value() - round(dx))
         bars[1].setValue(bars[1].value() - round(dy))

@@ -29,7 +29,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.accessible import words_for
 from smsl_studio.studio.canvas.camera import STEP
-from smsl_studio.studio.canvas.framing import frame_of
+from smsl_studio.studio.canvas.framing import frame_of, opening_of
 from smsl_studio.studio.canvas.gesture_layer import Drawn
 from smsl_studio.studio.canvas.handles import pending_ends
 from smsl_studio.studio.canvas.marks import Marks
@@ -110,7 +110,7 @@ class Canvas(Stage):
         positions: Mapping[str, Position] | None = None,
         keep_view: bool = False,
     ) -> None:
-        """Show an SB. Without positions they are those of its layout; the view fits it.
+        """Show an SB where it opens. Without positions they are those of its layout.
 
         ``keep_view`` leaves zoom and place alone: the same SB after an edit.
         """
@@ -123,7 +123,7 @@ class Canvas(Stage):
             sheet = Sheet(picture, positions, self.ink, self.marks)
         self.show_sheet(sheet)
         if not keep_view:
-            self.fit(smooth=False)
+            self.look_at_opening()
         self.overlays.show_branch(blueprint, branch)
         self.hand.look_again()
         self._describe()
@@ -155,8 +155,8 @@ class Canvas(Stage):
         labelled = self.marks.dimmed
         super().set_marks(marks)
         if self.sheet is not None:
-            if labelled != marks.dimmed and self.camera.fitted:
-                self.fit(smooth=False)
+            if labelled != marks.dimmed:
+                self.look_again()
             self.overlays.show_marks(marks)
             self.hand.show_grip()
             self._describe()
@@ -189,7 +189,7 @@ class Canvas(Stage):
 
     def zoom_to(self, zoom: float) -> None:
         """Zoom about the middle: 1.0 is 100 %."""
-        self.camera.fitted = False
+        self.camera.keep("")
         self.camera.go(self.camera.centre, zoom)
 
     def zoom_in(self) -> None:
@@ -201,13 +201,43 @@ class Canvas(Stage):
     def fit(self, smooth: bool = True) -> None:
         """Show everything, at 100 % at most."""
         sheet = self.sheet
-        self.camera.fitted = True
+        self.camera.keep("fit", fitted=True)
         if sheet is None or not len(sheet.at):
             self.camera.go(QPointF(0.0, 0.0), 1.0, smooth)
             return
+        self._look_below_top(*frame_of(sheet, self._room), smooth)
+
+    def look_at_opening(self) -> None:
+        """Show everything; where states could not be told apart then, what is about the initial.
+
+        While nobody draws everything is shown all the same: what runs is lit and named.
+        """
+        sheet = self.sheet
+        first = None
+        if self.editing and sheet is not None and len(sheet.at):
+            first = opening_of(sheet, self._room)
+        if first is None:
+            self.fit(smooth=False)
+            self.camera.keep("opening", fitted=True)
+        else:
+            self.camera.keep("opening")
+            self._look_below_top(*first, smooth=False)
+
+    def look_again(self) -> None:
+        """There is more room or less: look at what was looked at, if nobody zoomed or panned."""
+        if self.camera.keeps == "fit":
+            self.fit(smooth=False)
+        elif self.camera.keeps == "opening":
+            self.look_at_opening()
+
+    @property
+    def _room(self) -> tuple[float, float]:
+        """The pixels a picture may fill: all but the top, which belongs to the breadcrumb."""
+        view = self.viewport()
+        return float(view.width()), float(view.height() - self.overlays.top_room())
+
+    def _look_below_top(self, middle: QPointF, zoom: float, smooth: bool) -> None:
         top = self.overlays.top_room()
-        room = float(self.viewport().width()), float(self.viewport().height() - top)
-        middle, zoom = frame_of(sheet, room)
         self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
 
     def reveal(self, address: Address, smooth: bool = True) -> None:
@@ -220,7 +250,7 @@ class Canvas(Stage):
         """Scroll until a scene point is in view, where it is not; it is in the middle then."""
         self.camera.finish()
         if not self.clear_view.contains(at):
-            self.camera.fitted = False
+            self.camera.keep("")
             self.camera.go(at, self.zoom, smooth)
 
     @property
@@ -255,20 +285,18 @@ class Canvas(Stage):
     # Qt's events
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        fitted = self.camera.fitted
         super().resizeEvent(event)
         self.cover()
         self.overlays.place()
-        if fitted:
-            self.fit(smooth=False)
+        if self.camera.keeps:
+            self.look_again()
         else:
             self.refresh_pool()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self.overlays.place()
-        if self.camera.fitted:
-            self.fit(smooth=False)
+        self.look_again()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer; with Ctrl pan up and down, with Shift sideways."""

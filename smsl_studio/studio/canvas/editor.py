@@ -92,7 +92,7 @@ class CanvasEditor(QObject):
         picture = sheet.picture if sheet is not None else None
         drawn = (picture.blueprint, picture.branch.name) if picture is not None else None
         if drawn is not None and drawn[0] is blueprint and drawn[1] == branch:
-            self.canvas.fit(smooth=False)  # another file was opened, and is drawn already
+            self.canvas.look_at_opening()  # another file was opened, and is drawn already
         elif branch in blueprint.branches:
             self.canvas.show_branch(blueprint, branch, self.session.places.of(blueprint[branch]))
         else:
@@ -139,7 +139,7 @@ class CanvasEditor(QObject):
             if not reason:
                 self.session.show_branch("SB1")
                 # A new SB is fitted when it is shown; the state stays under the pointer.
-                camera.fitted = False
+                camera.keep("")
                 camera.go(*seen, smooth=False)
                 self.session.select((Address("SB1", name),))
             return reason

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QPointF, QRectF
 
+from smsl_studio.picture.levels import level_at, readable_zoom, unit_at
 from smsl_studio.studio.canvas.camera import fit_zoom
 from smsl_studio.studio.canvas.sheet import Sheet
 
@@ -33,6 +34,34 @@ def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
         return _compact_frame(sheet, room)
     finally:
         sheet.set_zoom(before)
+
+
+def opening_of(sheet: Sheet, room: Room) -> tuple[QPointF, float] | None:
+    """Where an SB opens whose states could not be told apart if it fitted a room of so many pixels.
+
+    The initial state is in view, and no more of the void around the drawing than must be. None
+    where everything can be read when everything is in view.
+    """
+    zoom = readable_zoom(sheet.spacing)
+    if frame_of(sheet, room)[1] >= zoom:
+        return None
+    initial = sheet.picture.index.get(sheet.picture.branch.initial, 0)
+    widest, unit = float(sheet.compact_widths.max()), unit_at(zoom, level_at(zoom, sheet.spacing))
+    across, down = (widest + FAR_MARKS[0]) / 2 * unit, FAR_MARKS[1] / 2 * unit
+    extent = _centres(sheet).adjusted(-across, -down, across, down)
+    x, y = sheet.at[initial]
+    wide, high = room[0] / zoom, room[1] / zoom
+    return QPointF(
+        _held(x, wide, extent.left(), extent.right()),
+        _held(y, high, extent.top(), extent.bottom()),
+    ), zoom
+
+
+def _held(at: float, size: float, low: float, high: float) -> float:
+    """The middle of a view of this size that looks at a point, but not beyond both ends."""
+    if size >= high - low:
+        return (low + high) / 2
+    return min(max(at, low + size / 2), high - size / 2)
 
 
 def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:

@@ -146,6 +146,15 @@ class Stage(QGraphicsView):
         """The part of the scene that is in view."""
         return self.mapToScene(self.viewport().rect()).boundingRect()
 
+    @property
+    def outside(self) -> int:
+        """How many states have their middle outside the view."""
+        if self._sheet is None:
+            return 0
+        view, (x, y) = self.seen, self._sheet.at.T
+        across, down = abs(x - view.center().x()), abs(y - view.center().y())
+        return int(((across > view.width() / 2) | (down > view.height() / 2)).sum())
+
     # Where things are
 
     def rect_of(self, address: Address) -> QRectF | None:

@@ -36,7 +36,7 @@ class Link(QObject):
             return
         self._following = True
         try:
-            follower.camera.fitted = canvas.camera.fitted
+            follower.camera.keep(canvas.camera.keeps, canvas.camera.fitted)
             follower.camera.go(canvas.camera.centre, canvas.zoom, smooth=False)
         finally:
             self._following = False

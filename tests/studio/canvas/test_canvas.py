@@ -89,6 +89,7 @@ def test_hanoi_is_compact_and_a_small_procedure_is_full(hanoi3: Drawer, hfsm: Dr
 
 def test_many_states_share_a_small_pool_of_items(qtbot: QtBot) -> None:
     drawer = Drawer(qtbot, hanoi(6))
+    drawer.canvas.fit()
     assert drawer.sheet.level is Level.DOT
     assert not drawer.canvas.pool.used
     middle = drawer.sheet.at[len(drawer.sheet.at) // 2]
@@ -336,6 +337,7 @@ def test_states_that_are_not_near_have_no_item(qtbot: QtBot) -> None:
     drawer.canvas.show_branch(read(BY_NAME["states_in_a_ring"], "json", 60_000), "B")
     assert drawer.canvas.sheet is not None
     assert len(drawer.canvas.sheet.picture) > 1_000
+    drawer.canvas.fit()
     assert drawer.canvas.sheet.level is Level.DOT
     items = [one for one in drawer.canvas.scene().items() if isinstance(one, NodeItem)]
     assert len(items) <= 50

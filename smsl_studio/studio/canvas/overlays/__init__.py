@@ -109,7 +109,8 @@ class Overlays:
         self.key.move(self._canvas.width() - self.key.width() - EDGE, 12)
 
     def fitted(self) -> None:
-        """Everything is in view now."""
+        """A movement has ended, most often at a view of everything."""
+        self._count_outside()
         self._place_zoom()
         self._place_legend()
 
@@ -143,8 +144,7 @@ class Overlays:
         self.banner.show_text(text)
         self.show_empty()
         self.place()
-        if self._canvas.camera.fitted:
-            self._canvas.fit(smooth=False)
+        self._canvas.look_again()
 
     def top_room(self) -> int:
         """The height at the top that belongs to the breadcrumb, or to the head of a run."""
@@ -173,6 +173,7 @@ class Overlays:
     def view_moved(self) -> None:
         """The picture moved under the floating widgets."""
         self.pad.go()
+        self._count_outside()
         if not self._canvas.camera.fitted:
             self._place_legend()
         if not self.map.isHidden():
@@ -182,8 +183,16 @@ class Overlays:
 
     def picture_changed(self) -> None:
         """States stand elsewhere or look different."""
+        self._count_outside()
         if not self.map.isHidden():
             self.map.update()
+
+    def _count_outside(self) -> None:
+        """Say what is not in view; the zoom control is wider then."""
+        self.zoom.show_outside(self._canvas.outside)
+        if self.zoom.size() != self.zoom.sizeHint():
+            self.zoom.resize(self.zoom.sizeHint())
+            self._place_zoom()
 
     def _place_zoom(self) -> None:
         """At the bottom right, or below the breadcrumb where it would cover a node of a fit."""
@@ -232,6 +241,7 @@ class Overlays:
         self.ring.place(width, height)
         self.breadcrumb.move(EDGE, 10)
         self.breadcrumb.resize(self.breadcrumb.sizeHint())
+        self.zoom.show_outside(canvas.outside)
         self.zoom.resize(self.zoom.sizeHint())
         self.map.resize(self.map.sizeHint())
         self.banner.fit(width - 2 * EDGE)

@@ -99,6 +99,6 @@ class MiniMap(Card):
         scale, middle = frame
         off = event.position() - QPointF(self.width() / 2, self.height() / 2)
         camera = self._canvas.camera
-        camera.fitted = False
+        camera.keep("")
         camera.go(middle + off / scale, camera.zoom, smooth=False)
         self.update()
