@@ -43,7 +43,7 @@ class Digests:
 def digests(blueprint: Blueprint) -> Digests:
     """All three; without a world the closure holds no library code."""
     own = [one for one in blueprint if one.name not in blueprint.imported]
-    behaviour = behaviour_of(own)
+    behaviour = behaviour_of(own) if blueprint.imported else blueprint.behaviour
     said = [_notes(own), hazards_meaning(blueprint.fields.get("_hazards"))]
     levels = levels_meaning(levels_written(blueprint.document))
     meaning = digest_of(said if levels is None else [*said, levels])

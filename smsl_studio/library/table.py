@@ -27,13 +27,13 @@ TIMEOUT = 20.0
 
 
 def set_facts(
-    world: TableWorld, facts: Mapping[FactKey, str]
+    world: TableWorld, blueprint: Blueprint, edge: Address
 ) -> Generator[None, None, bool | None]:
-    """Write the facts down; it is done within its first tick, unless a fault befalls it."""
+    """Write down what the edge brings about, within the first tick, unless a fault befalls it."""
     how, other = world.befalling()
     if how:
         return (yield from befallen(world, how, other))
-    world.set_facts(facts)
+    world.set_facts(facts_of_edge(blueprint, edge))
     yield from ()
     return None
 
@@ -92,7 +92,7 @@ class _TableOperations(Mapping[Address, BoundOperation]):
         return BoundOperation(
             FUNCTION,
             set_facts,
-            {"facts": facts_of_edge(self._blueprint, edge)},
+            {"blueprint": self._blueprint, "edge": edge},
             False,
             note.stop or "hold",
             note.timeout or TIMEOUT,

@@ -15,6 +15,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, ReadError
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.files import read_document
+from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.limits import MAX_DEPTH
 from smsl_studio.smsl.yaml_form import keep_winner, parse, reconcile, recover, tidy, write
 from tests.smsl.texts import VALUES
@@ -344,6 +345,28 @@ def test_what_is_written_reads_back_in_any_yaml(values: dict[str, Any]) -> None:
     new = YAML(typ="safe", pure=True).load(text)
     old = yaml.safe_load(text)
     assert exact(new) == exact(values) == exact(old)
+
+
+def test_a_deep_value_grows_with_its_parts_and_not_with_their_depth() -> None:
+    deep: Any = {"x y": [1.5, "null", {}, []], "k" * 2000: None}
+    for step in range(50):
+        deep = [deep, "a: b"] if step % 2 else {"a": deep, "#": [step]}
+    once, often = (write({"_x": [deep] * count}) for count in (1, 40))
+    assert len(once) < 5_000
+    assert len(often) < 40 * len(once)
+    assert parse(often, "f.yaml").values == {"_x": [deep] * 40}
+    assert YAML(typ="safe").load(once) == {"_x": [deep]}
+
+
+def test_a_comment_in_the_depth_keeps_its_place() -> None:
+    lines = [f"{'  ' * step}a:" for step in range(20)]
+    text = "_x:\n" + "\n".join(f"  {line}" for line in lines) + f" 1  # deep\n{'  ' * 20}# last\n"
+    document = parse(text, "f.yaml")
+    said = form_named("yaml").comments_in(document)
+    assert len(said) == 2
+    assert [line.strip() for line in write(document.values, said).splitlines()] == [
+        line.strip() for line in text.splitlines()
+    ]
 
 
 def test_a_reader_of_yaml_1_1_sees_what_was_meant() -> None:

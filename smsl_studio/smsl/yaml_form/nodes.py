@@ -8,6 +8,7 @@ reading goes on at the next name that stands at the beginning of a line.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from itertools import islice
 from typing import Any
 
@@ -128,10 +129,9 @@ class Tree:
             return Node("text", start, end, "", "null")
         return found
 
-    def anchor(self, name: str | None, node: Node) -> None:
+    def anchor(self, name: str, node: Node) -> None:
         """Remember a node under its anchor."""
-        if name is not None:
-            self._anchors[name] = node
+        self._anchors[name] = node
 
 
 class _Building:
@@ -144,27 +144,21 @@ class _Building:
         self._documents = 0
         self.done = False
         self.stopped: int | None = None
+        self._takes: dict[type, Callable[[Any], None]] = {
+            yaml.ScalarEvent: self._scalar,
+            yaml.MappingStartEvent: self._begin_map,
+            yaml.SequenceStartEvent: self._begin_list,
+            yaml.MappingEndEvent: self._end,
+            yaml.SequenceEndEvent: self._end,
+            yaml.AliasEvent: self._alias,
+            yaml.DocumentStartEvent: self._document,
+            yaml.StreamEndEvent: self._end_stream,
+        }
 
     def take(self, event: Any) -> None:
-        kind = type(event)
-        if kind is yaml.ScalarEvent:
-            self._scalar(event)
-        elif kind is yaml.MappingStartEvent:
-            self._begin(event, "map")
-        elif kind is yaml.SequenceStartEvent:
-            self._begin(event, "list")
-        elif kind is yaml.MappingEndEvent or kind is yaml.SequenceEndEvent:
-            self._finish(event.end_mark.index + self._shift)
-        elif kind is yaml.AliasEvent:
-            start, end = self._span(event)
-            found = self._tree.target(event.anchor, start, end, len(self._open))
-            node = Node("alias", start, end, found)
-            node.height, node.weight = found.height, found.weight
-            self._put(node)
-        elif kind is yaml.DocumentStartEvent:
-            self._document(event)
-        elif kind is yaml.StreamEndEvent:
-            self.done = True
+        take = self._takes.get(type(event))
+        if take is not None:
+            take(event)
 
     def close_all(self, at: int) -> None:
         """Close what is still open, because the text is no YAML from ``at`` on."""
@@ -189,10 +183,19 @@ class _Building:
             )
             self.done = True
 
-    def _tag(self, event: Any, start: int) -> str:
-        if event.tag is None:
-            return ""
-        tag = _TAGS.get(event.tag)
+    def _end_stream(self, _event: Any) -> None:
+        self.done = True
+
+    def _alias(self, event: Any) -> None:
+        start, end = self._span(event)
+        found = self._tree.target(event.anchor, start, end, len(self._open))
+        node = Node("alias", start, end, found)
+        node.height, node.weight = found.height, found.weight
+        self._put(node)
+
+    def _tag(self, name: str, start: int) -> str:
+        """The core tag that this name stands for, which is written behind ``start``."""
+        tag = _TAGS.get(name)
         if tag is None:
             written = _TAG.match(self._text, start)
             begin, end = written.span(1) if written else (start, start + 1)
@@ -203,38 +206,51 @@ class _Building:
 
     def _scalar(self, event: Any) -> None:
         start, end = self._span(event)
-        tag = self._tag(event, start)
         if event.style in ("|", ">"):
             end = start + len(self._text[start:end].rstrip())
-        node = Node("text", start, end, event.value, tag)
-        node.plain = not tag and event.implicit[0]
-        node.weight = 1 + len(event.value)
-        self._tree.anchor(event.anchor, node)
+        text = event.value
+        node = Node("text", start, end, text)
+        if event.tag is not None:
+            node.tag = self._tag(event.tag, start)
+        node.plain = not node.tag and event.implicit[0]
+        node.weight = 1 + len(text)
+        if event.anchor is not None:
+            self._tree.anchor(event.anchor, node)
         self._put(node)
 
+    def _begin_map(self, event: Any) -> None:
+        self._begin(event, "map")
+
+    def _begin_list(self, event: Any) -> None:
+        self._begin(event, "list")
+
     def _begin(self, event: Any, kind: str) -> None:
-        start, end = self._span(event)
+        start = event.start_mark.index + self._shift
         if len(self._open) >= MAX_DEPTH:
             self._stop(start, *TOO_DEEP)
             return
-        node = Node(kind, start, -1, [], self._tag(event, start))
-        node.flow = bool(event.flow_style) and end > start
-        self._tree.anchor(event.anchor, node)
+        node = Node(kind, start, -1, [])
+        if event.tag is not None:
+            node.tag = self._tag(event.tag, start)
+        node.height = 1
+        if event.flow_style:
+            node.flow = event.end_mark.index + self._shift > start
+        if event.anchor is not None:
+            self._tree.anchor(event.anchor, node)
         self._open.append(node)
         self._names.append(None)
+
+    def _end(self, event: Any) -> None:
+        self._finish(event.end_mark.index + self._shift)
 
     def _finish(self, end: int) -> None:
         node, name = self._open.pop(), self._names.pop()
         if name is not None:  # the text broke off between a name and its value
             node.value.append((name, Node("text", name.end, name.end, "", "null")))
-        parts = node.value
         if not node.flow:
-            last = parts[-1] if parts else None
+            last = node.value[-1] if node.value else None
             end = (last[1] if isinstance(last, tuple) else last).end if last else node.start
         node.end = end
-        inner = [part for pair in parts for part in pair] if node.kind == "map" else parts
-        node.height = 1 + max((part.height for part in inner), default=0)
-        node.weight = 1 + sum(part.weight for part in inner)
         self._put(node)
 
     def _put(self, node: Node) -> None:
@@ -243,19 +259,23 @@ class _Building:
                 self._tree.roots.append(node)
             return
         above = self._open[-1]
-        name = self._names[-1]
+        above.weight += node.weight
+        if above.height <= node.height:
+            above.height = node.height + 1
         if above.kind == "list":
             above.value.append(node)
             self._count(node)
-        elif name is None:
+            return
+        name = self._names[-1]
+        if name is None:
             self._names[-1] = node
-        else:
-            if node.start == node.end:  # nothing, which stands wherever something follows
-                colon = self._text.find(":", name.end, node.start)
-                node.start = node.end = colon + 1 if colon >= 0 else name.end
-            above.value.append((name, node))
-            self._names[-1] = None
-            self._count(name)
+            return
+        if node.start == node.end:  # nothing, which stands wherever something follows
+            colon = self._text.find(":", name.end, node.start)
+            node.start = node.end = colon + 1 if colon >= 0 else name.end
+        above.value.append((name, node))
+        self._names[-1] = None
+        self._count(name)
 
     def _count(self, node: Node) -> None:
         """Count one more member or element; reading stops where there are too many."""

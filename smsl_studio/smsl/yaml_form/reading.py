@@ -112,8 +112,8 @@ class _Reading:
 
     def _value(self, node: Node, level: int) -> Json:
         real = node.real
-        if is_map(node, level):
-            return self.fill({}, node, level)
+        if real.kind == "map" or is_map(real, level):
+            return self.fill({}, real, level)
         if real.kind == "list":
             return [self._value(item, FREE) for item in real.value]
         text: str = real.value

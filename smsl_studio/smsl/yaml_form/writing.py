@@ -1,5 +1,7 @@
 """Writing YAML: values as block maps, two spaces a level, one member a line.
 
+What lies deeper than ``DEEPEST`` levels and holds no comment stands on one line, so that a text
+does not grow with the square of its depth.
 What would not come back as it is, is told by a core tag: a number as a target (``!!int 5``), a list
 where a map is expected (``!!seq``).
 """
@@ -7,7 +9,7 @@ where a map is expected (``!!seq``).
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from smsl_studio.smsl.comments import NO_COMMENTS, Comments
@@ -17,6 +19,8 @@ from smsl_studio.smsl.yaml_form.scalars import LONGEST_NAME, written
 
 Json = Any
 
+DEEPEST = 12
+"""So many levels at most are indented; SMSL itself has five."""
 _UNIT = "  "
 _MAPS = (BRANCH, STATE, HEADER)
 _UNFIT = re.compile(
@@ -26,76 +30,104 @@ _UNFIT = re.compile(
 
 def write(values: Mapping[str, Json], comments: Comments | None = None) -> str:
     """Values as a new text in the canonical layout."""
-    lines = list(_Writing(comments or NO_COMMENTS).file(values))
-    return "\n".join(lines) + "\n"
+    writing = _Writing(comments or NO_COMMENTS)
+    writing.file(values)
+    return "\n".join(writing.lines) + "\n"
 
 
 class _Writing:
-    """The lines of one text; each comes with the comments that belong to it."""
+    """The lines of one text, in order; each comes with the comments that belong to it."""
 
     def __init__(self, comments: Comments) -> None:
         self._comments = comments
+        said = (*comments.over, *comments.beside, *comments.under)
+        self._commented = {path[:deep] for path in said for deep in range(len(path) + 1)}
+        self.lines: list[str] = []
 
-    def _above(self, path: Path, indent: str) -> Iterator[str]:
-        return (f"{indent}#{_fit(words)}" for words in self._comments.over.get(path, ()))
+    def _above(self, path: Path, indent: str) -> None:
+        if path in self._commented:
+            self._say(self._comments.over.get(path, ()), indent)
 
-    def _below(self, path: Path, indent: str) -> Iterator[str]:
-        return (f"{indent}#{_fit(words)}" for words in self._comments.under.get(path, ()))
+    def _below(self, path: Path, indent: str) -> None:
+        if path in self._commented:
+            self._say(self._comments.under.get(path, ()), indent)
 
-    def file(self, values: Mapping[str, Json]) -> Iterator[str]:
+    def _say(self, comments: Sequence[str], indent: str) -> None:
+        self.lines.extend(f"{indent}#{_fit(words)}" for words in comments)
+
+    def file(self, values: Mapping[str, Json]) -> None:
         if values:
-            yield from self._map(values, (), FILE, "")
+            self._map(values, (), FILE, "")
         else:
-            yield "{}"
-            yield from self._below((), "")
+            self.lines.append("{}")
+            self._below((), "")
 
-    def _map(
-        self, values: Mapping[str, Json], path: Path, level: int, indent: str
-    ) -> Iterator[str]:
+    def _map(self, values: Mapping[str, Json], path: Path, level: int, indent: str) -> None:
         for key, value in values.items():
             here = (*path, key)
-            yield from self._above(here, indent)
+            self._above(here, indent)
             name = written(key)
             lead = f"{indent}{name}:" if len(name) <= LONGEST_NAME else f"{indent}:"
             if len(name) > LONGEST_NAME:
-                yield f"{indent}? {name}"
-            yield from self._value(value, here, below(level, key), lead, indent)
-        yield from self._below(path, indent)
+                self.lines.append(f"{indent}? {name}")
+            self._value(value, here, below(level, key), lead, indent)
+        self._below(path, indent)
 
-    def _list(self, values: list[Json], path: Path, indent: str) -> Iterator[str]:
+    def _list(self, values: list[Json], path: Path, indent: str) -> None:
+        lines, dash = self.lines, f"{indent}-"
         for index, value in enumerate(values):
             here = (*path, str(index))
-            yield from self._above(here, indent)
-            lines = list(self._value(value, here, FREE, f"{indent}-", indent))
-            if len(lines) > 1 and lines[0] == f"{indent}-" and lines[1].lstrip()[:1] != "#":
-                lines[:2] = [f"{indent}- {lines[1].lstrip()}"]
-            yield from lines
-        yield from self._below(path, indent)
+            self._above(here, indent)
+            at = len(lines)
+            self._value(value, here, FREE, dash, indent)
+            if len(lines) > at + 1 and lines[at] == dash:
+                first = lines[at + 1].lstrip()
+                if first[:1] != "#":
+                    lines[at : at + 2] = [f"{dash} {first}"]
+        self._below(path, indent)
 
-    def _value(self, value: Json, path: Path, level: int, lead: str, indent: str) -> Iterator[str]:
+    def _value(self, value: Json, path: Path, level: int, lead: str, indent: str) -> None:
         """The lines of a value; ``lead`` is what stands before it on its first line."""
+        if len(path) > DEEPEST and path not in self._commented:
+            self.lines.append(f"{lead} {_flow(value)}")
+            return
         behind = "".join(f"  #{_fit(words)}" for words in self._comments.beside.get(path, ()))
         if isinstance(value, dict) and value:
-            yield f"{lead}{behind}"
-            yield from self._map(value, path, level, indent + _UNIT)
+            self.lines.append(f"{lead}{behind}")
+            self._map(value, path, level, indent + _UNIT)
             return
         if isinstance(value, list):
             lead += " !!seq" if level in _MAPS else ""
             if not self._is_flat(value, path):
-                yield f"{lead}{behind}"
-                yield from self._list(value, path, indent + _UNIT)
+                self.lines.append(f"{lead}{behind}")
+                self._list(value, path, indent + _UNIT)
                 return
             shown = f"[{', '.join(map(written, value))}]"
         else:
             shown = "{}" if isinstance(value, dict) else _scalar(value, level)
-        yield f"{lead} {shown}{behind}" if shown else f"{lead}{behind}"
-        yield from self._below(path, indent + _UNIT)
+        self.lines.append(f"{lead} {shown}{behind}" if shown else f"{lead}{behind}")
+        self._below(path, indent + _UNIT)
 
     def _is_flat(self, values: list[Json], path: Path) -> bool:
         """Whether a list stands on one line: of single values, none of them with a comment."""
         if any(isinstance(value, dict | list) for value in values):
             return False
         return not self._comments.of_elements(path, len(values))
+
+
+def _flow(value: Json) -> str:
+    """A value of a free place on one line."""
+    if isinstance(value, dict):
+        members = (f"{_flow_name(key)}: {_flow(one)}" for key, one in value.items())
+        return f"{{{', '.join(members)}}}"
+    if isinstance(value, list):
+        return f"[{', '.join(map(_flow, value))}]"
+    return written(value)
+
+
+def _flow_name(name: str) -> str:
+    text = written(name)
+    return text if len(text) <= LONGEST_NAME else f"? {text}"
 
 
 def _fit(words: str) -> str:
