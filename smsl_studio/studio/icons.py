@@ -10,7 +10,7 @@ from functools import lru_cache
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPainterPath, QPen, QPixmap
 
-from smsl_studio.studio.icon_drawings import ICONS
+from smsl_studio.studio.icon_drawings import ICONS, Drawing
 from smsl_studio.studio.theme import Tokens
 
 GRID, STROKE = 16.0, 1.5
@@ -18,17 +18,19 @@ GRID, STROKE = 16.0, 1.5
 
 def draw(painter: QPainter, name: str, rect: QRectF, colour: QColor, paper: QColor) -> None:
     """Paint one icon into ``rect``; ``paper`` is the colour knocked out of filled marks."""
+    strokes = _strokes(name)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.translate(rect.topLeft())
     painter.scale(rect.width() / GRID, rect.height() / GRID)
-    for kind, text in ICONS[name]:
+    for kind, text in strokes:
         _stroke(painter, kind, _path(text), colour, paper)
     painter.restore()
 
 
 def pixmap(name: str, colour: QColor, paper: QColor, size: int = 16, ratio: float = 1.0) -> QPixmap:
     """One icon as a picture of ``size`` device-independent pixels."""
+    _strokes(name)
     picture = QPixmap(QSize(round(size * ratio), round(size * ratio)))
     picture.setDevicePixelRatio(ratio)
     picture.fill(Qt.GlobalColor.transparent)
@@ -58,6 +60,14 @@ def severity_colour(letter: str, tokens: Tokens) -> QColor:
 
 SEVERITY_ICON = {"E": "error", "W": "warning", "I": "note"}
 ACTOR_ICON = {"human": "person", "shared": "shared", "robot": "robot"}
+
+
+def _strokes(name: str) -> Drawing:
+    """What an icon is drawn of. Asked before anything is painted: a painter that an error leaves
+    open is one that Qt complains of later, elsewhere."""
+    if name not in ICONS:
+        raise ValueError(f"there is no icon {name!r}; the names stand in icon_drawings.py")
+    return ICONS[name]
 
 
 def _stroke(

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QSize
-from PySide6.QtGui import QColor, QIcon
+from PySide6.QtCore import QRectF, QSize
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.studio.icon_drawings import ICONS
-from smsl_studio.studio.icons import icon, pixmap
+from smsl_studio.studio.icons import draw, icon, pixmap
 from smsl_studio.studio.theme import DARK, LIGHT
 
 
@@ -18,6 +18,21 @@ def test_every_icon_leaves_ink(name: str, qapp: QApplication) -> None:
     assert picture.size() == QSize(32, 32)
     inked = sum(picture.pixelColor(x, y).alpha() > 60 for x in range(32) for y in range(32))
     assert 8 < inked < 32 * 32
+
+
+def test_an_icon_that_there_is_not_is_refused_before_anything_is_painted(
+    qapp: QApplication,
+) -> None:
+    for name in ("", "no such icon"):
+        with pytest.raises(ValueError, match="there is no icon"):
+            icon(name, LIGHT)
+        picture = QPixmap(16, 16)
+        picture.fill(QColor("white"))
+        painter = QPainter(picture)
+        with pytest.raises(ValueError, match="there is no icon"):
+            draw(painter, name, QRectF(0, 0, 16, 16), QColor("black"), QColor("white"))
+        # One ``restore`` too few would leave a state behind, of which Qt complains here.
+        assert painter.end()
 
 
 def test_a_disabled_icon_is_pale(qapp: QApplication) -> None:

@@ -19,6 +19,7 @@ from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
 from smsl_studio.studio.compare.versions import Version, as_saved, at_revision, in_file
 from smsl_studio.studio.files.files import Files
+from smsl_studio.studio.run_keys import lend_run_keys
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 
@@ -146,6 +147,7 @@ class Comparing(QObject):
         if self._dialog is not None:
             self._dialog.close()
         self._dialog = CompareDialog(self._tokens, self._window)
+        lend_run_keys(self._dialog, self._window)
         self._dialog.element_wanted.connect(self._show_element)
         self._dialog.undo_wanted.connect(self._undo)
         self._dialog.redo_wanted.connect(self._redo)

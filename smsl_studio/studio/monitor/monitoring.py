@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.studio.monitor.page import MonitorPage
 from smsl_studio.studio.run.run_session import RunSession
+from smsl_studio.studio.run_keys import lend_run_keys
 from smsl_studio.studio.theme import Tokens
 
 
@@ -36,6 +37,7 @@ class Monitoring(QObject):
         """Show the page in front of the window."""
         if self.page is None:
             self.page = MonitorPage(self._run, self._tokens, self._window)
+            lend_run_keys(self.page, self._window.window())
             self.page.finished.connect(lambda _: self.changed.emit())
         self.page.show()
         self.page.raise_()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import (
     QDialog,
     QHBoxLayout,
@@ -35,6 +36,7 @@ CHOICES = (("Human", HUMAN), ("Shared", SHARED), ("Automatic", AUTOMATIC), ("As 
 USES = "They are part of the record of the run; the file stays as it is"
 WRITES = "What is taken out of the file has to be written; for one run choose another level"
 OUT_TIP = "Their entries in _levels go, and what the blueprint says otherwise counts"
+UNDO_KEYS, REDO_KEYS = ("Ctrl+Z",), ("Ctrl+Shift+Z", "Ctrl+Y")
 NOT_WRITTEN = "No marked row has an entry in _levels of this file"
 
 
@@ -72,6 +74,9 @@ class LevelEditor(QDialog):
         column.addLayout(self._ending())
         self.table.marked.connect(self._refresh)
         self.model.dataChanged.connect(lambda *_: self._refresh())
+        for keys, call in ((UNDO_KEYS, self.model.undo), (REDO_KEYS, self.model.redo)):
+            for key in keys:
+                QShortcut(QKeySequence(key), self).activated.connect(call)
         session.blueprint_changed.connect(self._blueprint_changed)
         self._fill()
         self.search.setFocus()

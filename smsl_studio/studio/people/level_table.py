@@ -27,6 +27,8 @@ class LevelModel(QAbstractTableModel):
         self._words = ""
         self.rows: tuple[LevelRow, ...] = ()
         self.chosen: dict[str, str] = {}
+        self._before: list[dict[str, str]] = []
+        self._after: list[dict[str, str]] = []
 
     def show_rows(self, rows: tuple[LevelRow, ...]) -> None:
         self._all = rows
@@ -42,10 +44,27 @@ class LevelModel(QAbstractTableModel):
 
     def choose(self, keys: list[str], level: str) -> None:
         """Choose a level for these; the empty text leaves them as declared."""
-        for key in keys:
-            self.chosen.pop(key, None)
-            if level:
-                self.chosen[key] = level
+        chosen = {key: one for key, one in self.chosen.items() if key not in keys}
+        chosen |= dict.fromkeys(keys, level) if level else {}
+        if chosen != self.chosen:
+            self._before.append(self.chosen)
+            self._after.clear()
+            self._show_chosen(chosen)
+
+    def undo(self) -> None:
+        """Take the last choice back."""
+        if self._before:
+            self._after.append(self.chosen)
+            self._show_chosen(self._before.pop())
+
+    def redo(self) -> None:
+        """Choose again what was taken back last."""
+        if self._after:
+            self._before.append(self.chosen)
+            self._show_chosen(self._after.pop())
+
+    def _show_chosen(self, chosen: dict[str, str]) -> None:
+        self.chosen = chosen
         last = self.index(max(len(self.rows) - 1, 0), len(HEADS) - 1)
         self.dataChanged.emit(self.index(0, 0), last)
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
@@ -137,3 +139,38 @@ def test_a_level_of_what_an_edit_takes_away_is_dropped(session: Session) -> None
     levels.put({"ROBOT/1": "human", "TOOLPLAN/0": "human"})
     session.edit("Delete", lambda bp: delete(bp, [Address("ROBOT")]))
     assert levels.set == {"TOOLPLAN/0": "human"}
+
+
+def test_ctrl_z_takes_a_choice_back_and_ctrl_shift_z_makes_it_again(
+    qtbot: QtBot, session: Session
+) -> None:
+    levels = NextLevels(session)
+    levels.put({"TOOLPLAN/1": "human"})
+    editor = LevelEditor(session, levels)
+    qtbot.addWidget(editor)
+    editor.show()
+    editor.activateWindow()
+    qtbot.waitUntil(editor.isActiveWindow)
+    held = Qt.KeyboardModifier.ControlModifier
+    again = held | Qt.KeyboardModifier.ShiftModifier
+    for keys, level in ((("TOOLPLAN/0", "TOOLPLAN/1"), "shared"), (("TOOLPLAN/0",), "human")):
+        _mark(editor, *keys)
+        QTest.mouseClick(editor.buttons[level], Qt.MouseButton.LeftButton)
+    seen = []
+    for modifiers in (held, held, held, again, again, again):
+        QTest.keyClick(editor.table, Qt.Key.Key_Z, modifiers)
+        seen.append(dict(editor.model.chosen))
+    first, second, last = (
+        {"TOOLPLAN/1": "human"},
+        {"TOOLPLAN/0": "shared", "TOOLPLAN/1": "shared"},
+        {"TOOLPLAN/0": "human", "TOOLPLAN/1": "shared"},
+    )
+    assert seen == [second, first, first, second, last, last]
+    QTest.keyClick(editor.table, Qt.Key.Key_Z, held)
+    QTest.mouseClick(editor.buttons["human"], Qt.MouseButton.LeftButton)
+    assert editor.model.chosen == {"TOOLPLAN/0": "human", "TOOLPLAN/1": "shared"}
+    QTest.keyClick(editor.table, Qt.Key.Key_Z, again)
+    assert editor.model.chosen == {"TOOLPLAN/0": "human", "TOOLPLAN/1": "shared"}
+    QTest.keyClick(editor.table, Qt.Key.Key_Z, held)
+    QTest.keyClick(editor.table, Qt.Key.Key_Z, held)
+    assert not editor.use_button.isEnabled(), "it is as it was before"
