@@ -6,11 +6,15 @@ without being asked is remembered here, so that an edit never moves a state that
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.layout import place_states
 
 Position = tuple[float, float]
+TENTH = 0.1
+"""Pixels: what a layout is written in."""
 
 
 class Places:
@@ -44,22 +48,29 @@ class Places:
         return place_states(branch, self._placed.get(branch.name))
 
     def completed(self, before: Blueprint, after: Blueprint) -> Blueprint:
-        """``after`` with the places of all states of an SB in which an edit placed some by hand.
-
-        With one place written alone, the file would be laid out anew around it when it is opened.
+        """``after`` with the places of all states of every SB that would be drawn in another way
+        when the file is opened: where an edit placed some states by hand, or changed the shape from
+        which the places of all come.
         """
+        self._follow_branch(before, after)
         for name, branch in after.branches.items():
-            layout = branch.notes.layout
+            former, layout = before.branches.get(name), branch.notes.layout
             missing = branch.table.keys() - layout.keys()
-            if not layout or not missing:
+            if not missing or (former is not None and _laid_out_alike(former, branch)):
                 continue
-            former = before.branches.get(name)
-            if former is not None and set(layout.values()) <= set(former.notes.layout.values()):
-                continue
+            kept = former is not None and set(layout.values()) <= set(former.notes.layout.values())
             places = self.of(branch)
-            rest = {state: places[state] for state in branch.table if state in missing}
-            after = editing.set_layout(after, name, rest)
+            if (layout and not kept) or _elsewhere(places, place_states(branch)):
+                rest = {state: places[state] for state in branch.table if state in missing}
+                after = editing.set_layout(after, name, rest)
         return after
+
+    def _follow_branch(self, before: Blueprint, after: Blueprint) -> None:
+        """An SB that an edit renames keeps its places."""
+        if len(before) == len(after):
+            for old, new in zip(before.branches, after.branches, strict=True):
+                if old not in after.branches and old in self._placed:
+                    self.rename_branch(old, new)
 
     def _follow_rename(self, branch: StateBranch, former: dict[str, Position]) -> None:
         """States that were renamed, one or many at once, keep their places."""
@@ -76,3 +87,21 @@ class Places:
         if before in self._placed and after not in self._placed:
             self._placed[after] = dict(self._placed[before])
             self._order[after] = self._order[before]
+
+
+def _laid_out_alike(a: StateBranch, b: StateBranch) -> bool:
+    """Whether all is the same from which places come: a new layout is too dear to compare each."""
+    if a is b:
+        return True
+    if a.initial != b.initial or a.notes.layout != b.notes.layout or list(a.table) != list(b.table):
+        return False
+    both = zip(a.table.values(), b.table.values(), strict=True)
+    return all(list(one.values()) == list(other.values()) for one, other in both)
+
+
+def _elsewhere(places: Mapping[str, Position], others: Mapping[str, Position]) -> bool:
+    """Whether a state stands at another place in the one picture than in the other."""
+    return any(
+        abs(x - others[name][0]) > TENTH or abs(y - others[name][1]) > TENTH
+        for name, (x, y) in places.items()
+    )

@@ -236,7 +236,7 @@ class CanvasEditor(QObject):
             self.canvas.say(reason)
 
     def move(self, places: Mapping[str, Position]) -> None:
-        """Keep where states were dragged to, as one step; only these are written."""
+        """Keep where states were dragged to, as one step."""
         branch = self.session.branch
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
         reason = self._edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -63,7 +64,8 @@ class RunCanvas(QWidget):
     ) -> None:
         super().__init__(parent)
         self._session, self._run, self._tokens = session, run, tokens
-        self._shown: tuple[Blueprint, str] | None = None
+        self._shown: tuple[Blueprint, str, Blueprint] | None = None
+        """What is drawn: a blueprint, one of its SBs, and the blueprint that says its places."""
         self._branch = ""
         self._banner = self._refusal = ""
         self.canvas = Canvas(tokens)
@@ -226,12 +228,15 @@ class RunCanvas(QWidget):
         return held if held is not None and self._run.shown else self._session.blueprint
 
     def _show(self, blueprint: Blueprint) -> None:
-        if self._shown == (blueprint, self._branch) and self._shown[0] is blueprint:
+        drawn = blueprint if self.moved_on else self._session.blueprint
+        shown, before = (blueprint, self._branch, drawn), self._shown
+        if before is not None and all(map(operator.is_, shown, before)):
             return
-        self._shown = (blueprint, self._branch)
-        branch = blueprint.branches.get(self._branch)
-        places = _filling(branch, self._places_of(blueprint, branch)) if branch else None
-        self.canvas.show_branch(blueprint, self._branch, places)
+        self._shown = shown
+        again = before is not None and before[:2] == shown[:2] and before[0] is blueprint
+        branch = drawn.branches.get(self._branch)
+        places = _filling(branch, self._places_of(drawn, branch)) if branch else None
+        self.canvas.show_branch(blueprint, self._branch, places, keep_view=again)
 
     def _places_of(self, blueprint: Blueprint, branch: StateBranch) -> dict[str, Position]:
         """Where the drawing shows the states, if it is the drawing of this blueprint's file."""
