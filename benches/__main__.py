@@ -40,6 +40,7 @@ BENCHES = (
     "stopping",
     "oracle",
     "bombs",
+    "sequences",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

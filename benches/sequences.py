@@ -1,0 +1,62 @@
+"""10,000 random sequences at a real window: after each act all that it shows agrees.
+
+An act adds a state or an operation, renames, moves, deletes, undoes, redoes, saves, opens the file
+again, shows another mode, tab, SB or fact, or runs a few operations in a table world. After it the
+picture, the selection, Properties, the outline, the title, the text, the history and the blueprint
+are compared (``tests/sequences/agreement.py``), and what was saved is read back with its places.
+The share without ``--all`` is a tenth. ``python -m tests.sequences NUMBER`` shows one again.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+from benches.row import Row
+
+ALL, SOME = 10_000, 1_000
+SHARE = 50
+"""Sequences at one window, before another one is opened."""
+PROCESSES = 2
+
+
+def rows() -> Iterator[Row]:
+    """A tenth."""
+    return _rows(SOME)
+
+
+def all_rows() -> Iterator[Row]:
+    """All of them, which takes an hour of two cores."""
+    return _rows(ALL)
+
+
+def _rows(count: int) -> Iterator[Row]:
+    found, spent = 0, 0.0
+    with ProcessPoolExecutor(PROCESSES, get_context("spawn"), _begin) as pool:
+        for findings, seconds in pool.map(_share, range(0, count, SHARE)):
+            found, spent = found + len(findings), spent + seconds
+            print(*findings, sep="\n", end="\n" * bool(findings), file=sys.stderr, flush=True)
+    yield Row(f"{count:,} random sequences at a window, something does not agree in", found,
+              "sequences", bound="0")  # fmt: skip
+    yield Row("one sequence and what is compared", spent * 1000 / count)
+
+
+def _begin() -> None:
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+
+def _share(first: int) -> tuple[list[str], float]:
+    """The findings of one share, and the CPU seconds it took."""
+    import time
+
+    from smsl_studio.studio.app import make_application
+    from tests.sequences.shares import findings
+
+    application = make_application(["sequences"])
+    began = time.process_time()
+    found = list(findings(first, first + SHARE))
+    application.processEvents()
+    return found, time.process_time() - began

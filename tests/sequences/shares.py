@@ -1,0 +1,21 @@
+"""A share of the sequences, one after the other at one window."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from tests.sequences.seat import Seat
+from tests.sequences.sequence import LENGTH, Sequence
+
+
+def findings(first: int, last: int, length: int = LENGTH) -> Iterator[str]:
+    """The first finding of each of these sequences that has one."""
+    with tempfile.TemporaryDirectory() as name:
+        seat = Seat(Path(name))
+        for number in range(first, last):
+            found = next(Sequence(seat, number, length).findings(), "")
+            if found:
+                yield found
+        seat.close()

@@ -1,0 +1,18 @@
+"""After each act of any sequence the window agrees with itself, and what is saved comes back.
+
+The bench does ten thousand of them (``benches/sequences.py``); here are a few, each shorter.
+"""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from tests.sequences.shares import findings
+
+SHARE, LENGTH = 10, 10
+
+
+@pytest.mark.parametrize("share", range(4))
+def test_after_each_act_all_that_is_shown_agrees(qapp: QApplication, share: int) -> None:
+    assert not list(findings(share * SHARE, (share + 1) * SHARE, LENGTH))
