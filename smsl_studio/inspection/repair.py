@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
@@ -33,10 +33,11 @@ def certain_errors(findings: Iterable[Finding]) -> list[Finding]:
     ]
 
 
-def mend_errors(blueprint: Blueprint) -> Repair:
+def mend_errors(blueprint: Blueprint, told: Callable[[int], object] = lambda _: None) -> Repair:
     """Mend the errors whose fix is certain, one after the other, ``MOST`` at most.
 
     Each fix is that of the blueprint which the last one left. One that is refused is left out.
+    After each one ``told`` gets their number so far.
     """
     mended: list[Finding] = []
     seen: set[tuple[str, str, str]] = set()
@@ -51,6 +52,7 @@ def mend_errors(blueprint: Blueprint) -> Repair:
         except StudioError:
             continue
         mended.append(finding)
+        told(len(mended))
     return Repair(tuple(mended), blueprint)
 
 

@@ -383,9 +383,8 @@ class Window(QMainWindow):
             return
         self._closes = True
         self.runs.end()
-        self.source.stop()
-        self.comparing.stop()
-        self.replaying.stop()
+        for part in (self.source, self.comparing, self.replaying, self.findings):
+            part.stop()
         self.safety.close()
         self._settings.store("window", self.saveGeometry())
         if self.mode == "draw":

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from threading import Event
 
+import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.repair import Repair
+from smsl_studio.stop import Stopped, heed
 from smsl_studio.studio.frame.context_menu import context_menu
 from smsl_studio.studio.frame.popups import fill_sub_sbs
 from smsl_studio.studio.panels.finding_rows import FindingsView
@@ -210,9 +216,46 @@ def test_findings_jump_fix_and_are_undone(sit: Sit) -> None:
 def listed_fixes(person: Person) -> FixList:
     """Press "Fix all", and read what it will do."""
     person.click(person.window.findings.fix_all_button)
+    person.until(lambda: isinstance(QApplication.activeModalWidget(), FixList))
     dialog = QApplication.activeModalWidget()
     assert isinstance(dialog, FixList)
     return dialog
+
+
+@pytest.mark.parametrize("ends", ["by the button", "by an edit"])
+def test_fixes_are_worked_out_beside_the_window_and_can_be_called_off(
+    sit: Sit, monkeypatch: pytest.MonkeyPatch, ends: str
+) -> None:
+    called_off = Event()
+
+    def long(blueprint: Blueprint, told: Callable[[int], object]) -> Repair:
+        told(3)
+        try:
+            while not called_off.wait(0.001):
+                heed()
+        except Stopped:
+            called_off.set()
+            raise
+        return Repair((), blueprint)
+
+    monkeypatch.setattr("smsl_studio.studio.panels.findings.mend_errors", long)
+    person = sit(HANOI)
+    person.until_inspected()
+    button = person.window.findings.fix_all_button
+    person.click(button)
+    person.until(lambda: button.text() == "Working it out, 3 so far. Cancel")
+    if ends == "by the button":
+        person.click(button)
+        assert button.text() == "Fix both…"
+    else:
+        session = person.window.session
+        session.edit("Add", lambda bp: editing.add_branch(bp, "SB2"))
+    person.until(called_off.is_set)
+    assert QApplication.activeModalWidget() is None
+    monkeypatch.undo()
+    person.until_inspected()
+    person.click(listed_fixes(person).apply)
+    assert "Op_1b" in person.blueprint["SB1"].table["State_cbb"]
 
 
 def test_errors_with_a_certain_fix_are_listed_and_mended_as_one_step(sit: Sit) -> None:

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from PySide6.QtCore import QModelIndex, Qt, Signal
+from PySide6.QtCore import QModelIndex, QObject, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, QWidget
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.finding import Finding, Severity
-from smsl_studio.inspection.repair import certain_errors, mend, mend_errors
+from smsl_studio.inspection.repair import Repair, certain_errors, mend, mend_errors
+from smsl_studio.studio.beside import Beside
 from smsl_studio.studio.broken import Broken
 from smsl_studio.studio.controls import Elided, label, row
 from smsl_studio.studio.panels.finding_rows import FindingsView
@@ -62,7 +64,16 @@ class Findings(Panel):
         self.list.clicked.connect(self._jump)
         self.list.activated.connect(self._jump)
         self.list.fix_wanted.connect(self.fix)
+        self._beside, self._progress = Beside(self), _Progress()
+        self._progress.mended.connect(self._show_mended)
+        self._mending: Blueprint | None = None
+        """What "Fix all" is worked out for, while it is."""
+        session.blueprint_changed.connect(lambda *_: self._drop_mending())
         self.set_checking()
+
+    def stop(self) -> None:
+        """The window is going away."""
+        self._beside.stop()
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
@@ -117,10 +128,7 @@ class Findings(Panel):
         )  # fmt: skip
         self.empty.setText(f"No findings. {rules} checked." if drawn else NOTHING)
         self._pages.setCurrentWidget(self.list if findings else self._told)
-        fixes = len(certain_errors(self._findings))
-        self.fix_all_button.setVisible(fixes > 1)
-        self.fix_all_button.setText("Fix both…" if fixes == 2 else f"Fix all {fixes:,}…")
-        self.fix_all_button.setToolTip("List the fixes of errors that are certain, and make them")
+        self._offer_fixes()
         self.count_changed.emit(len(self._findings))
 
     def next_finding(self) -> None:
@@ -150,8 +158,44 @@ class Findings(Panel):
             self._jump(index)
 
     def fix_all(self) -> None:
-        """List the fixes of errors that are certain, and make them where the person agrees."""
-        repair = mend_errors(self._session.blueprint)
+        """List the fixes of errors that are certain, and make them where the person agrees.
+
+        They are worked out beside the window, because each is that of the drawing which the last
+        one left; until then the button calls it off.
+        """
+        if self._mending is not None:
+            self._drop_mending()
+            return
+        self._mending = self._session.blueprint
+        self._show_mended(0)
+        self.fix_all_button.setToolTip("Call it off; nothing has been changed yet")
+        work = partial(mend_errors, self._mending, self._progress.mended.emit)
+        self._beside.do(work, partial(self._list_fixes, self._mending))
+
+    def _show_mended(self, fixes: int) -> None:
+        if self._mending is not None:
+            found = f", {fixes} so far" if fixes else ""
+            self.fix_all_button.setText(f"Working it out{found}. Cancel")
+
+    def _drop_mending(self) -> None:
+        if self._mending is not None:
+            self._mending = None
+            self._beside.drop()
+            self._offer_fixes()
+
+    def _offer_fixes(self) -> None:
+        if self._mending is not None:
+            return
+        fixes = len(certain_errors(self._findings))
+        self.fix_all_button.setVisible(fixes > 1)
+        self.fix_all_button.setText("Fix both…" if fixes == 2 else f"Fix all {fixes:,}…")
+        self.fix_all_button.setToolTip("List the fixes of errors that are certain, and make them")
+
+    def _list_fixes(self, blueprint: Blueprint, repair: Repair) -> None:
+        if blueprint is not self._mending:
+            return
+        self._mending = None
+        self._offer_fixes()
         if repair.mended:
             errors = [f for f in self._findings if f.fix and f.severity is Severity.ERROR]
             left = len(errors) - len(certain_errors(errors))
@@ -169,6 +213,13 @@ class Findings(Panel):
     def _jump(self, index: QModelIndex) -> None:
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
         self._session.jump(finding.address)
+
+
+class _Progress(QObject):
+    """Tells here how far the work beside the window is. It has no parent: that work may end after
+    the panel has."""
+
+    mended = Signal(int)
 
 
 def _faults_told(broken: Broken) -> str:
