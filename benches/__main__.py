@@ -41,6 +41,7 @@ BENCHES = (
     "oracle",
     "bombs",
     "sequences",
+    "walks",
 )
 PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 

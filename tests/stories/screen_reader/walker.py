@@ -3,7 +3,7 @@
 Called by Debian's Python, which has ``pyatspi``: ``walker.py PROCESS WALKS OUT``. Every thing is
 asked for all it offers: name, role, state, relations, interfaces, place, actions. OUT becomes a
 JSON list with each thing of the last walk as ``[role, name, path of names, whether a label names
-it]``.
+it]``, and with those of the walks before that had no name.
 """
 
 from __future__ import annotations
@@ -72,10 +72,12 @@ def main() -> None:
     process, walks, out = int(sys.argv[1]), int(sys.argv[2]), pathlib.Path(sys.argv[3])
     top = application(process)
     seen: Seen = []
+    nameless: Seen = []
     for _ in range(walks):
+        nameless += [thing for thing in seen if not thing[1] and thing not in nameless]
         seen = []
         walk(top, [], seen)
-    out.write_text(json.dumps(seen))
+    out.write_text(json.dumps([*seen, *nameless]))
 
 
 main()

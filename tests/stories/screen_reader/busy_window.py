@@ -1,0 +1,109 @@
+"""A window in which somebody draws and runs all the time, in whatever mode comes next.
+
+``python -m tests.stories.screen_reader.busy_window FILE``: for the one who walks round in it.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from functools import partial
+from itertools import cycle
+from random import Random
+
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.app import make_application, open_window
+from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
+from smsl_studio.studio.canvas.overlays.name_field import NameField
+from smsl_studio.studio.window import Window
+
+EVERY = 150
+"""Milliseconds between two acts."""
+
+
+class Busy:
+    """Does one thing after the other, round and round; which element it is, is drawn anew."""
+
+    def __init__(self, window: Window) -> None:
+        self._window, self._chance = window, Random(1)
+        press = self._press
+        self._acts = cycle([
+            press("add_state"), self._enter, self._connect, self._enter, self._move, self._select,
+            press("rename"), self._leave, press("show_source"), press("undo"), press("redo"),
+            press("show_history"), self._select, press("delete"), press("undo"),
+            press("show_properties"), self._select_operation, press("palette"), self._close_palette,
+            press("add_branch"), press("undo"), press("mode_run"), press("run_step"), self._wait,
+            press("run_play"), self._wait, press("mode_supervise"), self._wait, press("mode_draw"),
+            self._select, self._move, press("mode_run"), press("run_stop"), self._wait,
+            window.run_pane.run.end, self._wait, press("mode_draw"), self._forget,
+        ])  # fmt: skip
+
+    def act(self) -> None:
+        """The next thing."""
+        next(self._acts)()
+
+    def _press(self, name: str) -> Callable[[], None]:
+        return partial(self._trigger, name)
+
+    def _trigger(self, name: str) -> None:
+        self._window.actions_table[name].trigger()
+
+    def _wait(self) -> None:
+        """A person looks at what happens."""
+
+    def _enter(self) -> None:
+        field = self._window.editor.field
+        if isinstance(field, NameField | ConnectCard):
+            field.commit()
+
+    def _leave(self) -> None:
+        field = self._window.editor.field
+        if field is not None:
+            field.close_field()
+
+    def _states(self) -> list[Address]:
+        session = self._window.session
+        return [Address(session.branch, name) for name in session.blueprint[session.branch].table]
+
+    def _select(self) -> None:
+        self._window.session.select([self._chance.choice(self._states())])
+
+    def _select_operation(self) -> None:
+        session = self._window.session
+        at = self._chance.choice(self._states())
+        names = list(session.blueprint[at.branch].table[at.state])
+        if names:
+            session.select([Address(at.branch, at.state, self._chance.choice(names))])
+
+    def _connect(self) -> None:
+        self._window.session.select(self._chance.sample(self._states(), 2))
+        self._trigger("connect")
+
+    def _move(self) -> None:
+        at = self._chance.choice(self._states()).state
+        self._window.canvas.moved.emit({at: (self._chance.random() * 900, 400.0)})
+
+    def _close_palette(self) -> None:
+        self._window.command_palette.close_palette()
+
+    def _forget(self) -> None:
+        """Back to the beginning, so that there is never more to walk through."""
+        self._window.session.history.setIndex(0)
+
+
+def begin() -> None:
+    """Once the window is there, begin."""
+    window = next(one for one in QApplication.topLevelWidgets() if isinstance(one, Window))
+    busy = Busy(window)
+    clock = QTimer(window)
+    clock.timeout.connect(busy.act)
+    clock.start(EVERY)
+
+
+if __name__ == "__main__":
+    make_application(sys.argv)
+    QTimer.singleShot(0, begin)
+    raise SystemExit(open_window(sys.argv[1:]))
