@@ -9,12 +9,13 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.layout import place_states
 from smsl_studio.studio.canvas.canvas import Canvas
-from smsl_studio.studio.panels.outline_lines import lines_of
+from smsl_studio.studio.panels.outline_nodes import Nodes
 from smsl_studio.studio.panels.outline_tree import line_of
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.sheet import Sheet
 from smsl_studio.studio.window import Window
 from tests.blueprint.histories import as_read, stand
+from tests.stories.at_outline import everything
 
 Places = dict[str, tuple[float, float]]
 
@@ -152,9 +153,9 @@ def _title(window: Window, path: Path) -> Iterator[str]:
 def _panels(window: Window) -> Iterator[str]:
     session, blueprint = window.session, window.session.blueprint
     tree = window.outline.tree
-    if [line_of(one).plain for one in tree.items()] != [one.plain for one in lines_of(blueprint)]:
+    if everything(tree.lines.nodes) != everything(Nodes(blueprint)):
         yield "the outline lists other lines"
-    chosen = [line_of(one) for one in tree.selectedItems()]
+    chosen = [line_of(one) for one in tree.selectedIndexes()]
     marked = [(one.branch, one.digit) for one in chosen]
     wanted = [session.fact or (session.branch, None)] if blueprint.branches else []
     if marked != wanted:

@@ -16,6 +16,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.smsl.files import read_document
 from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.window import Window
+from tests.stories.at_outline import texts
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person, sample
 
@@ -264,7 +265,7 @@ def test_a_state_branch_that_is_still_being_named_is_saved_along(sit: Sit, tmp_p
     assert '"Digits"' in path.read_text()
     assert not person.window.session.edited
     tree = person.window.outline.tree
-    person.until(lambda: "Digits" in [item.text(0) for item in tree.items()])
+    person.until(lambda: "Digits" in texts(tree))
 
 
 def test_a_name_without_an_ending_does_not_replace_a_file_unasked(

@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
+from tests.stories.at_outline import click_line
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person
 
@@ -37,9 +38,7 @@ def clear(person: Person, field: QLineEdit) -> None:
 
 def test_a_fact_is_described_in_its_form(sit: Sit) -> None:
     person = sit(REGISTRATION)
-    tree = person.window.outline.tree
-    fact = next(item for item in tree.items() if item.text(0) == "Fact 2")
-    QTest.mouseClick(tree.viewport(), LEFT, pos=tree.visualItemRect(fact).center())
+    click_line(person.window.outline.tree, "Fact 2")
     form = person.window.properties.fact
     assert form.isVisible()
     person.write(form.name, "Landmarks digitised")

@@ -19,6 +19,7 @@ from smsl_studio.studio.frame.context_menu import context_menu
 from smsl_studio.studio.frame.popups import fill_sub_sbs
 from smsl_studio.studio.panels.finding_rows import FindingsView
 from smsl_studio.studio.panels.fix_list import FixList
+from tests.stories.at_outline import click_line, texts
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person, sample
 
@@ -33,10 +34,8 @@ REGISTRATION = SAMPLES / "registration.json"
 def test_the_outline_shows_sub_sbs_below_their_fact_and_a_click_shows_them(sit: Sit) -> None:
     person = sit(HFSM)
     tree = person.window.outline.tree
-    texts = [item.text(0) for item in tree.items()]
-    assert texts == ["SB1", "Fact 1", "Fact 2", "SB2", "Fact 1", "Fact 3"]
-    sub = next(item for item in tree.items() if item.text(0) == "SB2")
-    QTest.mouseClick(tree.viewport(), LEFT, pos=tree.visualItemRect(sub).center())
+    assert texts(tree) == ["SB1", "Fact 1", "Fact 2", "SB2", "Fact 1", "Fact 3"]
+    click_line(tree, "SB2")
     assert person.window.session.branch == "SB2"
     assert person.window.canvas.rect_of(person.blueprint.resolve("SB2/State0")) is not None
 
@@ -44,8 +43,7 @@ def test_the_outline_shows_sub_sbs_below_their_fact_and_a_click_shows_them(sit: 
 def test_an_sb_is_renamed_in_the_outline_and_all_that_names_it_follows(sit: Sit) -> None:
     person = sit(HFSM)
     tree = person.window.outline.tree
-    sub = next(item for item in tree.items() if item.text(0) == "SB2")
-    QTest.mouseClick(tree.viewport(), LEFT, pos=tree.visualItemRect(sub).center())
+    click_line(tree, "SB2")
     person.press(Key.Key_F2)
     person.type("Digits")
     person.press(Key.Key_Return)
@@ -117,7 +115,7 @@ def test_a_fact_gets_a_name_that_the_outline_shows(sit: Sit) -> None:
     person = sit(REGISTRATION)
     person.write(person.window.properties.header.facts[1].name, "Landmarks digitised")
     assert person.blueprint["REGISTRATION"].fact_name(1) == "Landmarks digitised"
-    assert "Landmarks digitised" in [i.text(0) for i in person.window.outline.tree.items()]
+    assert "Landmarks digitised" in texts(person.window.outline.tree)
 
 
 # Properties

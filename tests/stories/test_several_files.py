@@ -18,9 +18,9 @@ from smsl_studio.smsl.files import read_document
 from smsl_studio.studio import rows
 from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.panels import outline_tree
-from smsl_studio.studio.panels.outline_tree import line_of
 from smsl_studio.studio.rows import Ink
 from smsl_studio.studio.theme import text_font
+from tests.stories.at_outline import lines
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -71,10 +71,10 @@ def answer(person: Person, words: str, told: list[str] | None = None) -> None:
 
 def test_the_window_says_in_which_file_a_state_branch_lives(sit: Sit, outer: Path) -> None:
     person = sit(outer)
-    lines = [line_of(item) for item in person.window.outline.tree.items()]
-    homes = {line.text: line.home for line in lines if line.digit is None}
+    seen = lines(person.window.outline.tree)
+    homes = {line.text: line.home for line in seen if line.digit is None}
     assert homes == {"SB1": "", "SB2": "inner.json", "late.json": ""}
-    (late,) = (line for line in lines if line.fault)
+    (late,) = (line for line in seen if line.fault)
     assert "outer.json > late.json" in late.tip
     person.window.session.show_branch("SB2")
     crumb = person.window.canvas.overlays.breadcrumb

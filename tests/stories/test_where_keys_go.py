@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QScrollArea
 
 from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
+from tests.stories.at_outline import shown
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
@@ -40,9 +41,8 @@ def test_the_canvas_and_the_outline_show_which_of_them_has_the_keys(sit: Sit) ->
     assert ring_is_painted(person)
     tree.setFocus()
     assert not ring_is_painted(person)
-    current = tree.currentItem()
-    assert current is not None
-    row = tree.visualItemRect(current)
+    row = tree.visualRect(tree.currentIndex())
+    assert row.isValid()
     edge = tree.viewport().mapTo(person.window, QPoint(row.right() - 1, row.center().y()))
     assert person.window.grab().toImage().pixelColor(edge) == person.window.tokens.acc
     person.window.canvas.setFocus()
@@ -54,7 +54,7 @@ def test_arrows_in_the_outline_take_the_canvas_along(sit: Sit) -> None:
     tree, session = person.window.outline.tree, person.window.session
     tree.setFocus()
     seen = {session.branch}
-    for _ in tree.items():
+    for _ in shown(tree):
         QTest.keyClick(tree, Key.Key_Down)
         sheet = person.window.canvas.sheet
         assert sheet is not None

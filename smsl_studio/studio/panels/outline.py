@@ -6,20 +6,19 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, QTimer, Signal
+from PySide6.QtCore import QModelIndex, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMenu, QToolButton, QTreeWidgetItem, QWidget
+from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.fact_menu import fact_menu
 from smsl_studio.studio.panels.frame import Heading, Panel
-from smsl_studio.studio.panels.outline_lines import Line, lines_of, marked, worst_of
+from smsl_studio.studio.panels.outline_lines import worst_of
 from smsl_studio.studio.panels.outline_tree import OutlineTree, line_of
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
@@ -55,9 +54,8 @@ class Outline(Panel):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Outline", parent)
         self._session, self._tokens = session, tokens
-        self._worst: dict[str, str] = {}
-        self._drawn: Blueprint | None = None
-        self._lines: tuple[Line, ...] = ()
+        self._drawn = session.blueprint
+        self._opened = False
         self._heading = Heading("Outline", "Level")
         self.column.addWidget(self._heading)
         self.add_button = QToolButton(self._heading)
@@ -71,23 +69,24 @@ class Outline(Panel):
         layout.removeWidget(self._heading.right)
         layout.addWidget(self.add_button)
         layout.addWidget(self._heading.right)
-        self.tree = OutlineTree(tokens, self)
+        self.tree = OutlineTree(tokens, session.blueprint, self)
         self.column.addWidget(self.tree, 1)
-        self.tree.itemClicked.connect(self._clicked)
-        self.tree.itemActivated.connect(self._clicked)
-        self.tree.itemChanged.connect(self._renamed)
+        self.tree.clicked.connect(self._clicked)
+        self.tree.activated.connect(self._clicked)
+        self.tree.named.connect(self._renamed)
         self.tree.itemDelegate().closeEditor.connect(
             lambda *_: QTimer.singleShot(0, self, self._show)
         )
         self.tree.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.tree.customContextMenuRequested.connect(self._menu)
-        self.tree.currentItemChanged.connect(self._moved)
+        self.tree.moved.connect(self._moved)
         for key in KEYS:
             action = QAction(self.tree)
             action.setShortcut(QKeySequence(key))
             action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
             action.triggered.connect(partial(self._press, key))
             self.tree.addAction(action)
+        session.opened.connect(self._note_opened)
         session.blueprint_changed.connect(lambda *_: self._show())
         session.branch_changed.connect(lambda *_: self._mark())
         session.selection_changed.connect(lambda *_: self._mark())
@@ -105,10 +104,7 @@ class Outline(Panel):
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """Mark every SB with the gravest of its findings."""
-        worst = worst_of(findings)
-        if worst != self._worst:
-            self._worst = worst
-            self._show()
+        self.tree.show_marks(worst_of(findings))
 
     # The verbs of the tree, on the SB that is shown.
 
@@ -121,11 +117,11 @@ class Outline(Panel):
 
     def rename_branch(self) -> None:
         """Edit the name of the current SB in place."""
-        item = self.tree.item_of(self._current_branch())
-        if item is not None:
+        index = self.tree.index_of(self._current_branch())
+        if index.isValid():
             self.tree.setFocus()
-            self.tree.setCurrentItem(item)
-            self.tree.editItem(item)
+            self.tree.setCurrentIndex(index)
+            self.tree.edit(index)
 
     def delete_branch(self) -> None:
         """Delete the whole SB of the marked line; ``branch_deleted`` tells it."""
@@ -153,11 +149,11 @@ class Outline(Panel):
 
     def _press_on_fact(self, verb: str, branch: str, digit: int) -> None:
         """A fact is a digit of every state, so it can be neither cut out nor deleted alone."""
-        item = self.tree.currentItem()
+        index = self.tree.currentIndex()
         if verb == "rename":
             self.fact_wanted.emit(branch, digit)
-        elif verb == "delete" and item is not None:
-            corner = self.tree.visualItemRect(item).bottomLeft()
+        elif verb == "delete" and index.isValid():
+            corner = self.tree.visualRect(index).bottomLeft()
             menu = fact_menu(self._session, branch, digit, self)
             menu.aboutToHide.connect(menu.deleteLater)
             menu.popup(self.tree.viewport().mapToGlobal(corner))
@@ -172,12 +168,11 @@ class Outline(Panel):
         self.verb_wanted.emit(verb, self._current_branch())
 
     def _current_branch(self) -> str:
-        item = self.tree.currentItem()
-        line = line_of(item) if item is not None else None
-        return line.branch if line is not None else self._session.branch
+        index = self.tree.currentIndex()
+        return line_of(index).branch if index.isValid() else self._session.branch
 
-    def _clicked(self, item: QTreeWidgetItem) -> None:
-        line = line_of(item)
+    def _clicked(self, index: QModelIndex) -> None:
+        line = line_of(index)
         if line.digit is not None:
             self.fact_wanted.emit(line.branch, line.digit)
         else:
@@ -185,24 +180,22 @@ class Outline(Panel):
             self._session.select(())
         self._mark()
 
-    def _moved(self, item: QTreeWidgetItem | None) -> None:
+    def _moved(self, index: QModelIndex) -> None:
         """An arrow key went to another line: the canvas and the properties follow."""
-        if item is not None and self.tree.hasFocus() and not line_of(item).fault:
-            self._clicked(item)
+        if index.isValid() and self.tree.hasFocus() and not line_of(index).fault:
+            self._clicked(index)
 
-    def _renamed(self, item: QTreeWidgetItem) -> None:
-        line, new = line_of(item), item.text(0).strip()
-        old = line.branch
-        if line.digit is None and new != old:
+    def _renamed(self, old: str, new: str) -> None:
+        if new != old:
             # Now, not in a moment: it may be saved or closed by then. The tree, to which the
-            # editor still belongs, is built anew when the editor has gone.
+            # editor still belongs, takes the new name when the editor has gone.
             words = f"Rename {old} to {new}"
             self._session.edit(words, lambda bp: editing.rename(bp, Address(old), new))
 
     def _menu(self, at: QPoint) -> None:
-        item = self.tree.itemAt(at)
-        if item is not None:
-            self.tree.setCurrentItem(item)
+        index = self.tree.indexAt(at)
+        if index.isValid():
+            self.tree.setCurrentIndex(index)
         menu = QMenu(self)
         menu.addAction(icon("plus", self._tokens), "Add State Branch", self.add_branch)
         if self._current_branch():
@@ -220,31 +213,28 @@ class Outline(Panel):
         menu.exec(self.tree.viewport().mapToGlobal(at))
         menu.deleteLater()
 
+    def _note_opened(self) -> None:
+        self._opened = True
+
     def _show(self) -> None:
         if self.tree.naming:
             return
-        blueprint = self._session.blueprint
-        if blueprint is not self._drawn:
-            self._drawn, self._lines = blueprint, lines_of(blueprint)
-        self.tree.show_lines(marked(self._lines, self._worst))
+        before, blueprint = self._drawn, self._session.blueprint
+        if blueprint is not before:
+            another = self._opened and blueprint.file != before.file
+            self._drawn, self._opened = blueprint, False
+            self.tree.show_blueprint(blueprint, another)
         self._mark()
 
     def _mark(self) -> None:
         """Put the current row on the fact that is selected, else on the SB that is shown."""
         branch, digit = self._session.fact or (self._session.branch, None)
-        current = self.tree.currentItem()
-        if current is not None and _is_at(current, branch, digit):
-            item: QTreeWidgetItem | None = current
-        else:
-            item = self.tree.item_of(branch, digit)
-        self.tree.blockSignals(True)
-        if item is None:
-            self.tree.clearSelection()
-        else:
-            self.tree.setCurrentItem(item, 0, QItemSelectionModel.SelectionFlag.ClearAndSelect)
-        self.tree.blockSignals(False)
+        index = self.tree.currentIndex()
+        if not index.isValid() or not _is_at(index, branch, digit):
+            index = self.tree.index_of(branch, digit)
+        self.tree.mark(index)
 
 
-def _is_at(item: QTreeWidgetItem, branch: str, digit: int | None) -> bool:
-    line = line_of(item)
+def _is_at(index: QModelIndex, branch: str, digit: int | None) -> bool:
+    line = line_of(index)
     return line.branch == branch and line.digit == digit and not line.fault

@@ -2,75 +2,73 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Container, Mapping, Sequence
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPen
+from PySide6.QtCore import (
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRect,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QFontMetricsF, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import (
     QLineEdit,
     QStyle,
     QStyledItemDelegate,
     QStyleOptionViewItem,
-    QTreeWidget,
-    QTreeWidgetItem,
+    QTreeView,
     QWidget,
 )
 
+from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.chips import VALUE, paint_chip
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.panels.outline_lines import Line
+from smsl_studio.studio.panels.outline_model import OutlineModel
+from smsl_studio.studio.panels.outline_nodes import Key, Node
 from smsl_studio.studio.rows import Ink, paint_text
 from smsl_studio.studio.theme import Tokens, mono_font
-from smsl_studio.studio.tips import tip_text
 
 ROW, INDENT = 28, 13
 NAMEABLE = 40
 """Pixels from which on there is room for the name of a file behind that of an SB."""
-_TIP, _LINE = int(Qt.ItemDataRole.ToolTipRole), int(Qt.ItemDataRole.UserRole)
+FULL = 5_000
+"""So many lines stand open from the start; what is below others is opened as one wishes."""
 Index = QModelIndex | QPersistentModelIndex
 
 
-class OutlineItem(QTreeWidgetItem):
-    """One line as an item. Its tool tip is written when somebody looks at it."""
+class OutlineTree(QTreeView):
+    moved = Signal(QModelIndex)
+    """The current line is another one, and ``mark`` was not what made it so."""
+    named = Signal(str, str)
+    """(SB, the name it is to have): it was typed in place."""
 
-    def __init__(self, above: QTreeWidgetItem, line: Line) -> None:
-        super().__init__(above)
-        self.line = line
-        self.setText(0, line.text)
-        if line.digit is None and not line.fault:
-            self.setFlags(self.flags() | Qt.ItemFlag.ItemIsEditable)
-
-    def show_line(self, line: Line) -> None:
-        """Show a line of the same SB or fact."""
-        self.line = line
-        self.setText(0, line.text)
-
-    def data(self, column: int, role: int) -> Any:
-        """What Qt asks of the line."""
-        if role == _TIP:
-            return tip_text(self.line.tip)
-        return self.line if role == _LINE else super().data(column, role)
-
-
-class OutlineTree(QTreeWidget):
-    def __init__(self, tokens: Tokens, parent: QWidget) -> None:
+    def __init__(self, tokens: Tokens, blueprint: Blueprint, parent: QWidget) -> None:
         super().__init__(parent)
         self._tokens = tokens
-        self._items: list[OutlineItem] = []
-        self._plain: list[tuple[object, ...]] = []
-        self._first: dict[tuple[str, int | None], OutlineItem] = {}
+        self.lines = OutlineModel(blueprint, self)
+        self.lines.named.connect(self.named)
+        self._closed: set[Key] = set()
+        self._quiet = False
+        self.setModel(self.lines)
         self.setAccessibleName("State Branches")
         self.setHeaderHidden(True)
         self.setIndentation(INDENT)
         self.setUniformRowHeights(True)
         self.setMouseTracking(True)
         self.setExpandsOnDoubleClick(False)
-        self.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
+        self.setEditTriggers(QTreeView.EditTrigger.NoEditTriggers)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._delegate = OutlineDelegate(tokens, self)
         self.setItemDelegate(self._delegate)
+        self.collapsed.connect(lambda index: self._closed.add(self.lines.node(index).key))
+        self.expanded.connect(lambda index: self._closed.discard(self.lines.node(index).key))
+        self._open(self.lines.nodes.top, ())
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = self._delegate.tokens = tokens
@@ -90,51 +88,78 @@ class OutlineTree(QTreeWidget):
     @property
     def naming(self) -> bool:
         """Whether a name is being edited in place."""
-        return self.state() == QTreeWidget.State.EditingState
+        return self.state() == QTreeView.State.EditingState
 
-    def items(self) -> tuple[OutlineItem, ...]:
-        """Every item, from top to bottom."""
-        return tuple(self._items)
+    def index_of(self, branch: str, digit: int | None = None) -> QModelIndex:
+        """The first line of an SB, or of one of its facts; it may stand below a closed one."""
+        node = self.lines.nodes.first((branch, digit)) if branch else None
+        return self.lines.index_of(node) if node is not None else QModelIndex()
 
-    def item_of(self, branch: str, digit: int | None = None) -> OutlineItem | None:
-        """The first item of an SB, or of one of its facts."""
-        if not self._first:
-            for item in reversed(self._items):
-                if not item.line.fault:
-                    self._first[item.line.branch, item.line.digit] = item
-        return self._first.get((branch, digit))
+    def show_marks(self, worst: Mapping[str, str]) -> None:
+        """Mark every SB with the gravest of its findings."""
+        self.lines.worst = worst
+        self.viewport().update()
 
-    def show_lines(self, lines: Sequence[Line]) -> None:
-        """Show these lines; what was closed stays closed, and only what differs is built anew."""
+    def show_blueprint(self, blueprint: Blueprint, another: bool) -> None:
+        """Show a blueprint; of the same file, what was closed stays closed.
+
+        ``another`` says that it is of another file, so that nothing of the one before is kept.
+        """
         self.blockSignals(True)
-        before, self._plain = self._plain, [line.plain for line in lines]
-        if before == self._plain:
-            for item, line in zip(self._items, lines, strict=True):
-                item.show_line(line)
-            self.viewport().update()
+        if another:
+            self._closed.clear()
+            self.lines.begin(blueprint)
+            self._open(self.lines.nodes.top, ())
         else:
-            self._build(lines)
+            self._open(self.lines.show(blueprint), self._closed)
         self.blockSignals(False)
+        self.viewport().update()
 
-    def _build(self, lines: Sequence[Line]) -> None:
-        closed = {
-            (item.line.branch, item.line.digit)
-            for item in self._items
-            if item.childCount() and not item.isExpanded()
-        }
-        self._items.clear()
-        self._first.clear()
-        self.clear()
-        above = [self.invisibleRootItem()]
-        for line in lines:
-            del above[line.depth + 1 :]
-            item = OutlineItem(above[-1], line)
-            self._items.append(item)
-            above.append(item)
-        self.expandAll()
-        for item in self._items if closed else ():
-            if (item.line.branch, item.line.digit) in closed:
-                item.setExpanded(False)
+    def mark(self, index: Index) -> None:
+        """Make a line the current one, or none; ``moved`` does not tell it."""
+        self._quiet = True
+        if index.isValid():
+            command = QItemSelectionModel.SelectionFlag.ClearAndSelect
+            self.selectionModel().setCurrentIndex(index, command)
+        else:
+            self.clearSelection()
+        self._quiet = False
+
+    def _open(self, nodes: Sequence[Node], closed: Container[Key]) -> None:
+        """Open lines and what is below them, from the top, until there are very many.
+
+        What is in ``closed`` stays so; what is below it is opened all the same.
+        """
+        known, room = self.lines.nodes, FULL
+        if nodes:
+            # One layout for all, and not one for each line that is opened.
+            self.scheduleDelayedItemsLayout()
+        for begun in nodes:
+            room -= 1
+            if room <= 0:
+                return
+            stack = [begun]
+            while stack:
+                node = stack.pop()
+                below = known.below(node)
+                if below and len(below) <= room:
+                    room -= len(below)
+                    stack += reversed(below)
+                    if node.key not in closed:
+                        self.expand(self.lines.index_of(node))
+
+    def currentChanged(self, current: Index, previous: Index) -> None:
+        super().currentChanged(current, previous)
+        if not self._quiet:
+            self.moved.emit(current)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Of what ``*`` opens there may be far too much."""
+        if event.key() == Qt.Key.Key_Asterisk:
+            node = self.lines.node(self.currentIndex())
+            self._open([node] if node.above is not None else [], ())
+            return
+        super().keyPressEvent(event)
 
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
         if self.selectionModel().isSelected(index):
@@ -265,7 +290,7 @@ class OutlineDelegate(QStyledItemDelegate):
         return editor
 
 
-def line_of(item: QTreeWidgetItem) -> Line:
-    """The line an item shows."""
-    found: Line = item.data(0, Qt.ItemDataRole.UserRole)
+def line_of(index: Index) -> Line:
+    """The line that stands at an index."""
+    found: Line = index.data(Qt.ItemDataRole.UserRole)
     return found
