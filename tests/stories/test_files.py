@@ -79,7 +79,7 @@ def test_open_edit_save_changes_only_what_was_edited(sit: Sit, tmp_path: Path) -
     # The last state was ACTIVATING because nothing said so; the header says it from now on.
     header = b'        "HEADER": {},'
     assert before.splitlines().count(header) - after.splitlines().count(header) == 1
-    assert b'"ACTIVATING"' in after.splitlines()[before.splitlines().index(header)]
+    assert b'"ACTIVATING"' in after.splitlines()[before.splitlines().index(header) + 1]
     assert set(before.splitlines()) <= set(after.splitlines()) | {b"        }", header}
     person.ctrl(Key.Key_Z)
     assert person.window.menu_row.title == "registration.json edited"

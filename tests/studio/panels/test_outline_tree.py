@@ -67,7 +67,10 @@ def test_of_very_many_lines_the_first_stand_open(
 
 
 @pytest.mark.parametrize("name", ["sub_cycles", "shared_sub", "small_sbs"])
-def test_a_line_that_nobody_sees_takes_hardly_any_work(make: Make, name: str) -> None:
+def test_a_line_that_nobody_sees_takes_hardly_any_work(
+    make: Make, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("smsl_studio.studio.panels.outline_tree.FULL", 60)
     less, more = bomb(name, 1_000), bomb(name, 2_000)
     steps(lambda: make(bomb(name, 12)))  # what is made at the first use is no work of ours
     begun = steps(lambda: make(less))
