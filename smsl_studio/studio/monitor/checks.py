@@ -14,7 +14,7 @@ from smsl_studio.blueprint.written_check import WrittenCheck, written_check
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.legible import markup, plain_text
 from smsl_studio.studio.controls import Label, label
-from smsl_studio.studio.monitor.rows import estimate_words, short
+from smsl_studio.studio.monitor.rows import estimate_words, moved, short
 from smsl_studio.studio.theme import Tokens
 
 SIGNS = {True: "✓", False: "✗", None: "?"}
@@ -42,14 +42,14 @@ class CheckCard(QWidget):
             rich.setProperty("role", "terms")
         self._shown: object = None
 
-    def show_check(self, written: WrittenCheck, which: str, estimate: Estimate | None) -> None:
-        """Show a check; ``which`` says whose it is: awaited, or of the active state."""
-        key = (written, which, estimate, self.tokens.name)
+    def show_check(self, written: WrittenCheck, which: str, where: str) -> None:
+        """Show a check: ``which`` is awaited, or of the active state, and ``where`` its SB is."""
+        key = (written, which, where, self.tokens.name)
         if key == self._shown:
             return
         self._shown = key
         self.heading.setText(f"{which}: {WORDS[written.truth]}")
-        self.estimate.setText(f"By its sensors: {estimate_words(estimate)}" if estimate else "")
+        self.estimate.setText(f"By its sensors: {where}" if where else "")
         self.written.setText(self._written(written))
         rows = (self._row(written, at) for at in range(len(written.terms)))
         self.terms.setText(f"<table cellspacing=0 cellpadding=2>{''.join(rows)}</table>")
@@ -114,9 +114,11 @@ class Checks(QScrollArea):
         for name, card in self.cards.items():
             awaited = status.check if status.check and status.check.branch == name else None
             check = awaited or _of_active(blueprint, status, name)
-            moving = awaited is not None and awaited.state != status.configuration[name]
-            which = f"{name}, {'awaited' if moving else 'active'} {short(check.state)}"
-            card.show_check(written_check(blueprint, check), which, estimates.get(name))
+            ahead = awaited is not None and awaited.state != status.configuration[name]
+            which = f"{name}, {'awaited' if ahead else 'active'} {short(check.state)}"
+            found = estimates.get(name)
+            where = estimate_words(found, moved(status, name)) if found else ""
+            card.show_check(written_check(blueprint, check), which, where)
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens

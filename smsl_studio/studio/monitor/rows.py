@@ -65,8 +65,7 @@ def monitor_rows(
         state = status.configuration.get(branch.name)
         if state is None:
             continue
-        moving = status.running is not None and status.running.branch == branch.name
-        found.append(_group(branch, state, estimates.get(branch.name), moving))
+        found.append(_group(branch, state, estimates.get(branch.name), moved(status, branch.name)))
         for digit in range(branch.num_facts):
             key = (branch.name, digit)
             reading = status.scene.get(*key)
@@ -96,13 +95,20 @@ def summary(rows: Sequence[MonitorRow]) -> str:
     return f"{len(facts)} {'fact' if len(facts) == 1 else 'facts'}: {said}" if facts else "No facts"
 
 
-def estimate_words(estimate: Estimate) -> str:
-    """Where an SB is, going by what is sensed alone."""
+def estimate_words(estimate: Estimate, moving: bool) -> str:
+    """Where an SB is, going by what is sensed alone, and whether an operation is ``moving`` it."""
+    if moving and estimate.kind == "off the map":
+        return "between states, an operation moves it"
     if estimate.kind == "unknown":
         return f"unknown, could be {' or '.join(map(short, estimate.possible))}"
     if estimate.kind == "off the map":
         return "off the map, no state fits"
     return f"{estimate.kind}, {' or '.join(map(short, estimate.states))}"
+
+
+def moved(status: DispatchStatus, branch: str) -> bool:
+    """Whether an operation of this SB is being carried out."""
+    return status.running is not None and status.running.branch == branch
 
 
 def short(name: str) -> str:
@@ -114,11 +120,9 @@ def _group(branch: StateBranch, state: str, estimate: Estimate | None, moving: b
     """The line of an SB. While an operation moves it, it stands in no state, and nothing is
     wrong with that."""
     words, standing = "", UNKNOWN
-    if estimate is not None and moving and estimate.kind == "off the map":
-        words = "by its sensors: between states, an operation moves it"
-    elif estimate is not None:
-        words = f"by its sensors: {estimate_words(estimate)}"
-        off = estimate.kind in ("off the map", "ambiguous")
+    if estimate is not None:
+        words = f"by its sensors: {estimate_words(estimate, moving)}"
+        off = estimate.kind == "ambiguous" or (estimate.kind == "off the map" and not moving)
         standing = KNOWN if estimate.kind == "located" else CONFLICT if off else UNKNOWN
     cells = (branch.name, f"believed in {state}", "", words, *[""] * 6)
     return MonitorRow(GROUP, (branch.name,), cells, standing, tip=f"{cells[1]}; {words}")

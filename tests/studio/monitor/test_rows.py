@@ -17,6 +17,7 @@ from smsl_studio.monitor.facts import FactMonitor
 from smsl_studio.monitor.nodes import NodeState
 from smsl_studio.monitor.reception import Received, Refusal, RemoteView
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.studio.monitor.checks import Checks
 from smsl_studio.studio.monitor.estimates import Estimates
 from smsl_studio.studio.monitor.network import network_rows
 from smsl_studio.studio.monitor.rows import (
@@ -28,6 +29,7 @@ from smsl_studio.studio.monitor.rows import (
     summary,
 )
 from smsl_studio.studio.monitor.table import MonitorModel
+from smsl_studio.studio.theme import LIGHT
 from tests.dispatch.runs import sample
 
 
@@ -113,6 +115,21 @@ def test_what_an_operation_moves_stands_in_no_state_and_that_is_not_wrong(hanoi:
     rows = _rows(hanoi, replace(status, running=hanoi.resolve("SB1/State_aa/Op_1b")))
     assert rows["SB1",].cells[3] == "by its sensors: between states, an operation moves it"
     assert rows["SB1",].standing == "unknown"
+
+
+@pytest.mark.parametrize("moved", [False, True])
+def test_the_card_of_a_check_and_the_row_of_its_sb_say_the_same(
+    qtbot: QtBot, hanoi: Blueprint, moved: bool
+) -> None:
+    status = _status(hanoi, eye="z", ear="z", scale="a")
+    if moved:
+        status = replace(status, running=hanoi.resolve("SB1/State_aa/Op_1b"))
+    checks = Checks(LIGHT)
+    qtbot.addWidget(checks)
+    checks.show_checks(hanoi, status, Estimates().of(hanoi, status))
+    card = checks.cards["SB1"].estimate.text()
+    assert card.lower() == _rows(hanoi, status)["SB1",].cells[3]
+    assert ("off the map" in card) is not moved
 
 
 def test_of_a_world_that_is_gone_nothing_is_known(hanoi: Blueprint) -> None:
