@@ -17,9 +17,12 @@ from smsl_studio.errors import StudioError
 from smsl_studio.library.permission import allow, forbid
 from smsl_studio.library.survey import FoundPlugin, PluginState
 from smsl_studio.studio.controls import label, row
+from smsl_studio.studio.screens import room
 from smsl_studio.studio.windows import Windows
 
 WIDTH, TALLEST = 620, 280
+BESIDES = 190
+"""The height of the question, what it means, and the buttons."""
 WHY = (
     "Its code would run with your rights, each time the window opens and in every run. "
     "Allow it only if you know where it comes from. Until then nothing of it runs."
@@ -38,7 +41,8 @@ class PluginQuestion(QDialog):
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle("Allow a plugin")
-        self.setFixedWidth(WIDTH)
+        most = room(self)
+        self.setFixedWidth(min(WIDTH, most.width()))
         self.found = found
         changed = found.state is PluginState.CHANGED
         what = "has changed since you allowed it" if changed else "is new"
@@ -58,7 +62,7 @@ class PluginQuestion(QDialog):
         for words in (heading, why):
             words.setWordWrap(True)
         whole.addWidget(heading)
-        whole.addWidget(_facts_of(found))
+        whole.addWidget(_facts_of(found, self.width(), min(TALLEST, most.height() - BESIDES)))
         whole.addWidget(why)
         whole.addLayout(row(self.forbid, None, self.later, self.allow))
         self.later.setFocus()
@@ -120,8 +124,8 @@ class PluginQuestions(QObject):
         self._ask()
 
 
-def _facts_of(found: FoundPlugin) -> QWidget:
-    """What is known of a plugin without running it."""
+def _facts_of(found: FoundPlugin, wide: int, tallest: int) -> QWidget:
+    """What is known of a plugin without running it, in a dialog so ``wide``."""
     words = found.manifest
     assert words is not None
     facts = {"Version": words.version, "From": found.location, "About": words.description}
@@ -141,7 +145,7 @@ def _facts_of(found: FoundPlugin) -> QWidget:
     area.setFrameShape(QScrollArea.Shape.NoFrame)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setWidget(inner)
-    area.setFixedHeight(min(inner.heightForWidth(WIDTH - 60) + 4, TALLEST))
+    area.setFixedHeight(min(inner.heightForWidth(wide - 60) + 4, tallest))
     area.setAccessibleName("What is known of the plugin")
     return area
 

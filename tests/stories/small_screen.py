@@ -29,7 +29,8 @@ from smsl_studio.studio.windows import Windows
 Box = tuple[int, int, int, int]
 
 
-def _box(rect: QRect) -> Box:
+def box(rect: QRect) -> Box:
+    """A rectangle as it is told."""
     return rect.x(), rect.y(), rect.width(), rect.height()
 
 
@@ -66,15 +67,15 @@ def main(file: str) -> dict[str, Box]:
     window.run_pane.transport.world.setCurrentText("table")
     QTest.keyClick(window, Qt.Key.Key_F10)
     until(lambda: window.run_pane.run.exists)
-    told = {"screen": _box(window.screen().availableGeometry())}
+    told = {"screen": box(window.screen().availableGeometry())}
     for key, mode in ((Qt.Key.Key_1, "draw"), (Qt.Key.Key_3, "supervise"), (Qt.Key.Key_2, "run")):
         QTest.keyClick(window, key, Qt.KeyboardModifier.ControlModifier)
         QTest.qWait(50)
         assert window.mode == mode
         stop = stop_of(window)
         seen = stop.visibleRegion().boundingRect()
-        told[mode] = _box(QRect(stop.mapToGlobal(seen.topLeft()), seen.size()))
-        told[f"frame in {mode}"] = _box(window.frameGeometry())
+        told[mode] = box(QRect(stop.mapToGlobal(seen.topLeft()), seen.size()))
+        told[f"frame in {mode}"] = box(window.frameGeometry())
     stop = stop_of(window)
     QTest.mouseClick(stop, Qt.MouseButton.LeftButton, pos=QPoint(stop.width() - 4, 20))
     until(lambda: window.run_pane.run.phase == "stopped")

@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -16,14 +17,16 @@ STOP = [136, 40]
 """Pixels that Stop has everywhere."""
 
 
-def sit_at(width: int, height: int, scale: str, folder: Path) -> dict[str, list[int]]:
+def sit_at(
+    width: int, height: int, scale: str, folder: Path, program: str = "small_screen"
+) -> dict[str, Any]:
     """Run through the modes on a screen of so many pixels; what was where."""
     screen = {"name": "A", "x": 0, "y": 0, "width": width, "height": height, "logicalDpi": 96,
               "logicalBaseDpi": 96, "dpr": 1}  # fmt: skip
     described = folder / "screen.json"
     described.write_text(json.dumps({"screens": [screen]}))
     done = subprocess.run(
-        [sys.executable, "-m", "tests.stories.small_screen", str(samples_dir() / "hanoi-2.json")],
+        [sys.executable, "-m", f"tests.stories.{program}", str(samples_dir() / "hanoi-2.json")],
         check=False,
         capture_output=True,
         text=True,
@@ -37,7 +40,7 @@ def sit_at(width: int, height: int, scale: str, folder: Path) -> dict[str, list[
         },
     )
     assert done.returncode == 0, done.stderr[-2000:]
-    told: dict[str, list[int]] = json.loads(done.stdout.splitlines()[-1])
+    told: dict[str, Any] = json.loads(done.stdout.splitlines()[-1])
     return told
 
 
@@ -54,3 +57,14 @@ def test_stop_is_whole_in_every_mode_on_a_screen_of_1280_by_720(scale: str, tmp_
         assert inside(told[f"frame in {mode}"], told["screen"]), (mode, told)
         assert inside(told[mode], told["screen"]), (mode, told)
         assert told[mode][2:] == STOP, (mode, told)
+
+
+@pytest.mark.parametrize("scale", ["1", "2"])
+def test_every_dialog_is_whole_on_a_screen_of_1280_by_720(scale: str, tmp_path: Path) -> None:
+    told = sit_at(1280, 720, scale, tmp_path, "small_dialogs")
+    screen = told.pop("screen")
+    assert len(told) == 10
+    for name, dialog in told.items():
+        assert inside(dialog["frame"], screen), (name, dialog, screen)
+        for words, button in dialog["buttons"].items():
+            assert inside(button, dialog["frame"]), (name, words, button, dialog)

@@ -28,6 +28,7 @@ from smsl_studio.studio.compare.side import Side
 from smsl_studio.studio.controls import Combo, Elided, row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.rows import LINE, RowsView
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 
@@ -62,7 +63,7 @@ class CompareDialog(QDialog):
         self._build(tokens)
         self._link = Link(self.before.canvas, self.after.canvas, self)
         self.set_tokens(tokens)
-        self.resize(*SIZE)
+        open_at(self, *SIZE)
 
     # Building.
 

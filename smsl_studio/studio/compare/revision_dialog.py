@@ -11,6 +11,7 @@ from smsl_studio.front.revisions import MOST, Revision
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Field, label, row
 from smsl_studio.studio.rows import Row, RowsView
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
 
@@ -53,7 +54,7 @@ class RevisionDialog(QDialog):
         column.addWidget(self.search)
         column.addWidget(self.rows, 1)
         column.addLayout(row(None, cancel, self.compare))
-        self.resize(640, 420)
+        open_at(self, 640, 420)
         self._narrow("")
         self.search.setFocus()
 

@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.studio.actions import Action, Actions, key_words
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.frame.menu_row import MENUS
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.source.keys import SOURCE_KEYS
 
 CANVAS_KEYS = (
@@ -35,7 +36,7 @@ def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
     """Every key, by menu."""
     dialog = QDialog(parent)
     dialog.setWindowTitle("Keyboard shortcuts")
-    dialog.resize(560, 620)
+    open_at(dialog, 560, 620)
     grid = QGridLayout()
     grid.setContentsMargins(20, 16, 20, 16)
     grid.setVerticalSpacing(6)

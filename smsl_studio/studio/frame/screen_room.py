@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QByteArray, QObject, QPoint, QRect, QSize, QTimer
-from PySide6.QtWidgets import QStyle, QWidget
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.screens import room
 
 SIZE, SMALLEST = QSize(1440, 900), QSize(900, 560)
 FRAME_MS = 200
@@ -70,15 +72,10 @@ class ScreenRoom(QObject):
         return self._window.screen().availableGeometry()
 
     def _inner(self) -> QSize:
-        """The room of the screen without the frame."""
-        return self._screen().size() - self._frame()
+        return room(self._window)
 
     def _frame(self) -> QSize:
-        """What the frame takes; before the desktop has drawn one, as much as the style says."""
-        frame = self._window.frameGeometry().size() - self._window.size()
-        if self._window.isVisible() and not frame.isEmpty():
-            return frame
-        return QSize(8, self._window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight) + 8)
+        return self._screen().size() - self._inner()
 
 
 def _inside(at: int, wide: int, start: int, room: int) -> int:

@@ -25,11 +25,14 @@ from smsl_studio.studio.controls import Elided, label, row, rule
 from smsl_studio.studio.journal.entry import Entry
 from smsl_studio.studio.journal.recovering import Left
 from smsl_studio.studio.journal.restoring import brings, sides
+from smsl_studio.studio.screens import room
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
 
 WIDTH, TALLEST, NAME = 620, 520, 320
+BESIDES = 130
+"""The height of the sentence above the rows and of the button below them."""
 SURE = "Discard for good"
 Act = Callable[[Left], bool]
 
@@ -44,7 +47,7 @@ class RecoveryOffer(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Recover unsaved work")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setFixedWidth(WIDTH)
+        self.setFixedWidth(min(WIDTH, room(self).width()))
         self._waiting = list(left)
         self.rows = {id(one): _Row(one) for one in left}
         column = QVBoxLayout()
@@ -75,7 +78,8 @@ class RecoveryOffer(QDialog):
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setWidget(inner)
         # The lines are wrapped, so that their height depends on the width.
-        area.setFixedHeight(min(column.totalHeightForWidth(WIDTH) + 4, TALLEST))
+        most = min(TALLEST, room(self).height() - BESIDES)
+        area.setFixedHeight(min(column.totalHeightForWidth(self.width()) + 4, most))
         said = label(
             f"SMSL Studio ended with unsaved work in {counted(number, 'window')}. "
             "What is recovered opens as unsaved changes; the files stay as they are.",

@@ -22,6 +22,7 @@ from smsl_studio.studio.monitor.table import MonitorTable
 from smsl_studio.studio.rows import RowsView
 from smsl_studio.studio.run.framing import head, panel, split
 from smsl_studio.studio.run.run_session import RunSession
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import capital
@@ -46,7 +47,7 @@ class MonitorPage(QDialog):
         self._disturbed: dict[str, dict[str, str]] = {}
         self._build(tokens)
         self.set_tokens(tokens)
-        self.resize(*SIZE)
+        open_at(self, *SIZE)
         run.changed.connect(self.refresh)
         run.opened.connect(self._new_run)
         run.events_told.connect(self._hear)
@@ -87,7 +88,7 @@ class MonitorPage(QDialog):
             (250, 400),
             (2, 3),
         )
-        side.setMinimumWidth(240)
+        side.setMinimumWidth(180)
         across = split(Qt.Orientation.Horizontal, (left, side), (SIZE[0] - SIDE, SIDE), (1, 0))
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)

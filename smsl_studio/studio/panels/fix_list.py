@@ -9,6 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.repair import Repair, mend_errors
 from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.rows import Row, RowsView
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
@@ -57,7 +58,7 @@ class FixList(QDialog):
         self.left.setVisible(left > 0)
         column.addWidget(self.left)
         column.addLayout(row(None, cancel, self.apply))
-        self.resize(560, 320)
+        open_at(self, 560, 320)
         # What is listed is made for this drawing alone.
         session.blueprint_changed.connect(self.reject)
 

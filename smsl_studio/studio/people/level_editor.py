@@ -23,6 +23,7 @@ from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.people.level_rows import level_rows
 from smsl_studio.studio.people.level_table import OUT, LevelModel, LevelTable
 from smsl_studio.studio.people.next_levels import NextLevels
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import CONTROL
 from smsl_studio.studio.tips import tip_text
@@ -47,7 +48,7 @@ class LevelEditor(QDialog):
         super().__init__(parent)
         self._session, self._levels = session, levels
         self.setWindowTitle("Edit levels")
-        self.resize(820, 560)
+        open_at(self, 820, 560)
         self.model = LevelModel()
         self.model.chosen = dict(levels.set)
         self.table = LevelTable(self.model)

@@ -22,6 +22,7 @@ from smsl_studio.studio.controls import Field, label
 from smsl_studio.studio.panels.lines.line import Said
 from smsl_studio.studio.people.persons import Person, Persons
 from smsl_studio.studio.people.pin import SHORTEST
+from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.theme import CONTROL
 from smsl_studio.studio.tips import tip_text
 
@@ -153,6 +154,7 @@ class PersonsDialog(QDialog):
         self._persons = persons
         self.setWindowTitle("Persons")
         self.setMinimumSize(560, 380)
+        open_at(self, 560, 380)
         about = label(ABOUT, "hint")
         inner = QWidget()
         inner.setObjectName("persons")
