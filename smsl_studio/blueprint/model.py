@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property
 from itertools import chain
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -350,7 +350,9 @@ class Blueprint:
     __hash__ = None  # type: ignore[assignment]
 
 
+@cache
 def _no_notes() -> Notes:
+    """What an SB says of itself that says nothing; one for all of them."""
     from smsl_studio.blueprint.annotations import Notes
 
     return Notes()

@@ -16,6 +16,7 @@ _PIECE = (
 _PIECES = re.compile(_PIECE, re.DOTALL)
 _TO_A_LOST_QUOTE = re.compile(rf"(?:[^\"'/#]++|{_PIECE}|['/])*+\"", re.DOTALL)
 """Up to the first quote that is not closed: asked once, it is not asked of every quote behind."""
+_BRACKET = re.compile(r"[{}\[\]]")
 _NAME, _GAP = r'"[^"\\\x00-\x1f\ud800-\udfff]*"', r"[ \t\r\n]*"
 _MEMBER = rf"{_NAME}{_GAP}:{_GAP}{_NAME}{_GAP}"
 _FLAT = re.compile(rf"\{{{_GAP}(?:{_MEMBER}(?:,{_GAP}{_MEMBER})*)?\}}")
@@ -30,6 +31,8 @@ def balance_of(text: str) -> int:
 
 def _line_balance(line: str) -> int:
     """The balance of one line; where a quote is missing in it, token by token."""
+    if _BRACKET.search(line) is None:
+        return 0
     if _TO_A_LOST_QUOTE.match(line) is None:
         return _balance(_PIECES.sub("", line))
     tokens, total = Tokens(line, lambda _: None), 0

@@ -37,7 +37,7 @@ from smsl_studio.studio.theme import Tokens, mono_font
 ROW, INDENT = 28, 13
 NAMEABLE = 40
 """Pixels from which on there is room for the name of a file behind that of an SB."""
-FULL = 5_000
+FULL = 1_000
 """So many lines stand open from the start; what is below others is opened as one wishes."""
 Index = QModelIndex | QPersistentModelIndex
 
