@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication
 
 from smsl_studio.host.spare import Spare
 from smsl_studio.shipped import resources_dir
-from smsl_studio.studio.canvas import accessible_tree
+from smsl_studio.studio import accessible_factory
 from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
 from smsl_studio.studio.journal.place import folder_of
 from smsl_studio.studio.journal.recovering import Left, left_behind
@@ -59,7 +59,7 @@ def make_application(argv: Sequence[str]) -> QApplication:
     application.setApplicationName("smsl-studio")
     application.setApplicationDisplayName("SMSL Studio")
     application.setDesktopFileName("smsl-studio")
-    accessible_tree.install(application)
+    accessible_factory.install(application)
     application.setWindowIcon(QIcon(str(resources_dir() / "smsl-studio.svg")))
     return application
 

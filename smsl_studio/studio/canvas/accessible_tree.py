@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QObject, QRect
+from PySide6.QtCore import QObject, QRect
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from shiboken6 import isValid
 
@@ -235,28 +235,3 @@ def _on_screen(canvas: Canvas, address: Address) -> QRect:
         return QRect()
     shown = canvas.mapFromScene(rect).boundingRect()
     return QRect(canvas.viewport().mapToGlobal(shown.topLeft()), shown.size())
-
-
-class Factory:
-    """Makes the interface of a canvas when an assistive tool asks, and keeps it alive."""
-
-    def __init__(self) -> None:
-        self._kept: dict[int, CanvasAccessible] = {}
-
-    def __call__(self, key: str, thing: QObject) -> QAccessibleInterface | None:
-        if not isinstance(thing, Canvas):
-            return None
-        self._kept = {k: i for k, i in self._kept.items() if i.isValid()}
-        made = CanvasAccessible(thing)
-        self._kept[id(thing)] = made
-        return made
-
-
-INSTALLED = "smsl canvas accessible"
-
-
-def install(application: QCoreApplication) -> None:
-    """Let assistive tools see the states of every canvas; once an application."""
-    if not application.property(INSTALLED):
-        application.setProperty(INSTALLED, True)
-        QAccessible.installFactory(Factory())

@@ -60,6 +60,8 @@ def ask(thing: Any, path: list[str], seen: Seen) -> None:
             continue
         if query == thing.queryComponent:
             offered.getExtents(pyatspi.DESKTOP_COORDS)
+    # One beyond the last: who counted before something went asks for what is gone.
+    thing.getChildAtIndex(thing.childCount)
     if len(path) < DEEPEST:
         for index in range(thing.childCount):
             child = thing.getChildAtIndex(index)

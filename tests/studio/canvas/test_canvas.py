@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint.address import Address
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
-from smsl_studio.studio.canvas import accessible_tree
+from smsl_studio.studio import accessible_factory
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.node_item import NodeItem
 from smsl_studio.studio.theme import DARK
@@ -167,7 +167,7 @@ def test_marks_of_what_does_not_stand_here_are_left_alone(hfsm: Drawer) -> None:
 
 
 def test_assistive_tools_hear_every_state(hfsm: Drawer, qapp: QApplication) -> None:
-    accessible_tree.install(qapp)
+    accessible_factory.install(qapp)
     hfsm.canvas.set_marks(dataclasses.replace(Marks(), active="State100"))
     found = QAccessible.queryAccessibleInterface(hfsm.canvas)
     assert found.childCount() == 4

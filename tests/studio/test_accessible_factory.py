@@ -1,0 +1,78 @@
+"""What assistive tools find in scroll areas, while what is in them grows and shrinks."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable
+
+import pytest
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAccessible, QAccessibleInterface
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QGraphicsScene,
+    QGraphicsView,
+    QScrollArea,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.studio.accessible_factory import install
+
+
+class Special(QScrollArea):
+    """A scroll area with a class of its own, as those of the window have."""
+
+
+def graphics() -> QGraphicsView:
+    return QGraphicsView(QGraphicsScene())
+
+
+def found(widget: QObject) -> QAccessibleInterface:
+    return QAccessible.queryAccessibleInterface(widget)
+
+
+@pytest.mark.parametrize("make", [QScrollArea, Special, QAbstractScrollArea, graphics])
+def test_a_reader_that_counted_before_a_scroll_bar_went_lives(
+    make: Callable[[], QAbstractScrollArea], qtbot: QtBot, qapp: QApplication
+) -> None:
+    install(qapp)
+    area = make()
+    qtbot.addWidget(area)
+    area.resize(100, 100)
+    bar = area.verticalScrollBar()
+    holder = bar.parentWidget()
+    assert holder is not None
+    area.show()
+    area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+    qtbot.waitUntil(bar.isVisible)
+    counted = found(area).childCount()
+
+    area.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    qtbot.waitUntil(lambda: not bar.isVisible())
+    gc.collect()
+    # Before anything is asked for beyond the end: where Qt itself answers the process would die.
+    assert found(area).childCount() == counted
+    assert found(area).child(counted) is None
+    parts = [found(area).child(index).object() for index in range(counted)]
+    assert area.viewport() in parts
+    assert found(area).child(parts.index(holder)).state().invisible
+    assert [found(area).indexOfChild(found(part)) for part in parts] == list(range(counted))
+
+
+def test_a_scroll_area_leads_to_what_is_in_it(qtbot: QtBot, qapp: QApplication) -> None:
+    install(qapp)
+    area, inner = QScrollArea(), QWidget()
+    qtbot.addWidget(area)
+    area.setAccessibleName("Steps")
+    inner.setMinimumHeight(2000)
+    area.setWidget(inner)
+    area.show()
+    assert found(area).text(QAccessible.Text.Name) == "Steps"
+    viewport = found(area).child(0)
+    assert viewport.parent().object() is area
+    assert viewport.child(0).object() is inner
+    middle = area.viewport().mapToGlobal(area.viewport().rect().center())
+    assert found(area).childAt(middle.x(), middle.y()).object() is area.viewport()
+    assert found(area).focusChild() is None
