@@ -26,8 +26,9 @@ def _alive(person: Person) -> Counter[str]:
     person.until_inspected()
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
-    ours = (type(one) for one in gc.get_objects())
-    found = Counter(kind.__name__ for kind in ours if kind.__module__.startswith("smsl_studio"))
+    kinds = (type(one) for one in gc.get_objects())
+    # The module of a class that is made at run time may be anything.
+    found = Counter(k.__name__ for k in kinds if str(k.__module__).startswith("smsl_studio"))
     found["QObject"] = len(person.window.findChildren(QObject))
     found["items of the scene"] = len(person.window.canvas.scene().items())
     return found

@@ -66,4 +66,5 @@ def done_in(text: str, doing: str) -> list[int]:
     if doing == "type":
         typed = re.search("x+", text)
         return list(range(1, len(typed[0]) + 1)) if typed else []
-    return [int(number) for number in re.findall(r'"State_(\d{5})"', text)]
+    # A state that was drawn has a place, too; before an opening brace stands the state itself.
+    return [int(number) for number in re.findall(r'"State_(\d{5})": \{', text)]
