@@ -1,12 +1,13 @@
-"""What assistive tools find in scroll areas, while what is in them grows and shrinks."""
+"""What assistive tools find while things come and go under their hands."""
 
 from __future__ import annotations
 
 import gc
 from collections.abc import Callable
+from weakref import ref
 
 import pytest
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
@@ -19,6 +20,11 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.studio.accessible_factory import install
+from smsl_studio.studio.canvas.canvas import Canvas
+from smsl_studio.studio.canvas.editor import CanvasEditor
+from smsl_studio.studio.session import Session
+from smsl_studio.studio.theme import DARK
+from tests.stories.at_canvas import sample
 
 
 class Special(QScrollArea):
@@ -76,3 +82,39 @@ def test_a_scroll_area_leads_to_what_is_in_it(qtbot: QtBot, qapp: QApplication) 
     middle = area.viewport().mapToGlobal(area.viewport().rect().center())
     assert found(area).childAt(middle.x(), middle.y()).object() is area.viewport()
     assert found(area).focusChild() is None
+
+
+def closed(canvas: Canvas) -> None:
+    """Close a canvas for good, and let Qt clear it away."""
+    canvas.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_a_canvas_that_was_read_out_goes_when_it_is_closed(qapp: QApplication) -> None:
+    install(qapp)
+    canvas = Canvas(DARK)
+    held = ref(canvas)
+    assert found(canvas).childCount() == 0
+    closed(canvas)
+    del canvas
+    gc.collect()
+    assert held() is None
+
+
+def test_what_a_reader_holds_of_a_closed_canvas_is_not_valid(qapp: QApplication) -> None:
+    install(qapp)
+    canvas = Canvas(DARK)
+    editor = CanvasEditor(Session(sample("hfsm.json")), canvas)
+    state = found(canvas).child(0)
+    operation = state.child(0)
+    assert state.isValid()
+    assert operation.isValid()
+    closed(canvas)
+    del canvas, editor
+    gc.collect()
+    for gone in (state, operation):
+        assert not gone.isValid()
+        assert gone.childCount() == 0
+        assert gone.text(QAccessible.Text.Name) == ""
+        assert gone.rect().isEmpty()
+        assert not gone.state().selected
