@@ -59,6 +59,10 @@ def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
     return tuple(replace(row, age=None) for row in rows)
 
 
+NOTHING = "none"
+"""How a blank cell is read out: nobody senses the fact, or what is read has no age."""
+
+
 class FactsModel(QAbstractTableModel):
     """The rows as a Qt model; ``show`` replaces them and repaints only what changed."""
 
@@ -101,7 +105,9 @@ class FactsModel(QAbstractTableModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             age = "" if row.age is None else age_words(row.age)
             sensed = "?" if row.sensed is None else row.sensed
-            return (row.name, row.believed, sensed, age, row.words)[index.column()]
+            words = (row.name, row.believed, sensed, age, row.words)[index.column()]
+            # A cell that is left blank for the eye is heard as well.
+            return words or (NOTHING if role == Qt.ItemDataRole.AccessibleTextRole else "")
         if role == Qt.ItemDataRole.ToolTipRole:
             old = "" if row.age is None else f"; {age_of(row.age, row.limit)}"
             return tip_text(f"{row.name}: {row.words}{old}")
