@@ -6,9 +6,11 @@ import json
 from pathlib import Path
 
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
+from smsl_studio.studio.panels.kept import Kept
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
 from tests.stories.at_outline import click_line
 from tests.stories.conftest import Sit
@@ -17,6 +19,12 @@ from tests.stories.person import LEFT, SAMPLES, Person
 Key = Qt.Key
 HANOI, HFSM = SAMPLES / "hanoi.json", SAMPLES / "hfsm.json"
 REGISTRATION = SAMPLES / "registration.json"
+
+
+def lines_of(kept: Kept) -> list[str]:
+    """What a person reads there; where a line may break nothing is seen."""
+    shown = QTextDocumentFragment.fromHtml(kept.words.text()).toPlainText()
+    return shown.replace("\u200b", "").splitlines()
 
 
 def written(folder: Path, values: object, name: str = "file.json") -> Path:
@@ -115,7 +123,7 @@ def test_what_fits_no_kind_is_said_and_kept(sit: Sit, tmp_path: Path) -> None:
     notes = {"_facts": odd, "_states": {"State0": "words"}}
     person = sit(written(tmp_path, {"SB1": {**notes, **states}}))
     person.select("SB1/State0")
-    assert person.window.properties.state.kept.words.text() == "_seen: often"
+    assert lines_of(person.window.properties.state.kept) == ["_seen: often"]
     assert "Not understood, and kept" in person.window.properties.state.odd.text()
     person.window.going.show_fact("SB1", 0)
     form = person.window.properties.fact
@@ -310,7 +318,7 @@ def test_a_file_is_imported_and_left_again(sit: Sit, tmp_path: Path) -> None:
     main = written(tmp_path, {**values, "_author": "Ada"})
     person = sit(main)
     form = person.window.properties.file
-    assert form.kept.words.text().splitlines()[-1] == "_author: Ada"
+    assert lines_of(form.kept)[-1] == "_author: Ada"
     person.window.properties.ensureWidgetVisible(form.add)
     form.ask_file = lambda folder: tmp_path / "none.json"
     person.click(form.add)
@@ -328,11 +336,19 @@ def test_a_file_is_imported_and_left_again(sit: Sit, tmp_path: Path) -> None:
     assert list(person.blueprint.branches) == ["SB1"]
 
 
+def test_what_is_kept_is_read_as_it_is_written_however_long(sit: Sit, tmp_path: Path) -> None:
+    words = "Registration in which a <b>wrist</b> & arm"
+    person = sit(written(tmp_path, {"_use": words, "_n": "a\u202eb", "SB1": {"State0": {}}}))
+    kept = person.window.properties.file.kept
+    assert lines_of(kept) == [f"_use: {words}", r"_n: a\u202eb"]
+    assert kept.words.minimumSizeHint().width() < kept.words.fontMetrics().averageCharWidth() * 40
+
+
 def test_header_keys_nobody_knows_are_shown_and_kept(sit: Sit, tmp_path: Path) -> None:
     header = {"version": 2, "_by": "hand", "NUM_STATES": 9}
     person = sit(written(tmp_path, {"SB1": {"HEADER": header, "_x": [1], "State0": {}}}))
     form = person.window.properties.header
-    assert form.kept.words.text().splitlines() == ["version: 2", "_by: hand", "_x: [1]"]
+    assert lines_of(form.kept) == ["version: 2", "_by: hand", "_x: [1]"]
     assert form.num_states.text() == "9"
     person.write(form.num_states, "3")
     assert "SB1 has 1 states" in form.states_line.refusal.text()

@@ -7,12 +7,15 @@ from collections.abc import Collection, Mapping
 from itertools import islice
 from typing import Any
 
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from smsl_studio.studio.controls import label
+from smsl_studio.legible import markup
+from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.words import first_lines
 
 LONGEST, MOST = 60, 24
+BREAK = "&#8203;"
+"""A place in markup where a line may break, which nobody sees."""
 
 
 class Kept(QWidget):
@@ -24,7 +27,8 @@ class Kept(QWidget):
         column.setContentsMargins(0, 6, 0, 0)
         column.setSpacing(2)
         column.addWidget(label(title, "small"))
-        self.words: QLabel = label("", "terms")
+        self.words = Label(rich=True)
+        self.words.setProperty("role", "terms")
         self.words.setWordWrap(True)
         self.setToolTip("Studio has no field for these. They are kept in every edit and form.")
         column.addWidget(self.words)
@@ -32,7 +36,7 @@ class Kept(QWidget):
     def show_values(self, values: Mapping[str, Any]) -> None:
         """Show these keys and their values."""
         shown = [_line(key, value) for key, value in islice(values.items(), MOST)]
-        self.words.setText(first_lines(shown, MOST, len(values)))
+        self.words.setText(first_lines(shown, MOST, len(values)).replace("\n", "<br>"))
         self.setVisible(bool(values))
 
 
@@ -44,9 +48,9 @@ def kept_fields(fields: Mapping[str, Any], known: Collection[str]) -> dict[str, 
 def _line(key: str, value: Any) -> str:
     text = value if isinstance(value, str) else _json(value)
     line = f"{key}: {text}".replace("\n", " ")
-    # A word that nothing breaks would make the panel wider than it is.
     line = line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
-    return "\u200b".join(line[at : at + 24] for at in range(0, len(line), 24))
+    # A word that nothing breaks would make the panel wider than it is.
+    return BREAK.join(markup(line[at : at + 24]) for at in range(0, len(line), 24))
 
 
 def _json(value: Any) -> str:
