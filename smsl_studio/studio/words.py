@@ -9,6 +9,9 @@ from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.broken import Broken
 
+BLANK = "none"
+"""How a cell of a table is read out that is left blank for the eye."""
+
 
 def counted(number: int, one: str, many: str = "") -> str:
     """``1 state``, ``10 states``; thousands are set apart."""

@@ -88,6 +88,9 @@ class MonitorModel(QAbstractTableModel):
                 side = Qt.AlignmentFlag
                 across = side.AlignRight if section in FIGURES else side.AlignLeft
                 return across | side.AlignVCenter
+        elif role == Qt.ItemDataRole.DisplayRole:
+            # The header of rows is hidden, but a screen reader reads it out.
+            return self.rows[section].spoken
         return None
 
     def data(self, index: Index, role: int = 0) -> object:

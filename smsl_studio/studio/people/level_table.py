@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidge
 from smsl_studio.studio.controls import NameDelegate, name_parts
 from smsl_studio.studio.people.level_rows import LevelRow
 from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import BLANK
 
 Index = QModelIndex | QPersistentModelIndex
 HEADS = ("What", "Where", "Declared", "From", "Chosen here")
@@ -77,16 +78,20 @@ class LevelModel(QAbstractTableModel):
     def headerData(self, section: int, way: Qt.Orientation, role: int = Role.DisplayRole) -> Any:
         if way is Qt.Orientation.Horizontal and role == Role.DisplayRole:
             return HEADS[section]
+        if role == Role.DisplayRole:
+            # The header of rows is hidden, but a screen reader reads it out.
+            return self.rows[section].name
         return None
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
         row = self.rows[index.row()]
         if role == Role.ToolTipRole:
             return tip_text(row.key)
-        if role != Role.DisplayRole:
+        if role not in (Role.DisplayRole, Role.AccessibleTextRole):
             return None
         chosen = self.chosen.get(row.key, "")
-        return (row.name, row.place, row.declared, row.source, chosen)[index.column()]
+        words = (row.name, row.place, row.declared, row.source, chosen)[index.column()]
+        return words or (BLANK if role == Role.AccessibleTextRole else "")
 
 
 def _has(row: LevelRow, wanted: list[str]) -> bool:

@@ -22,6 +22,7 @@ from smsl_studio.studio.icons import draw
 from smsl_studio.studio.run.freshness import age_of, age_words, bars
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.words import BLANK
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
 WIDTHS = (82, 62, 57, 58)
@@ -57,10 +58,6 @@ class FactRow:
 def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
     """Rows of what is over: what was read last stands there, but nothing of it has an age now."""
     return tuple(replace(row, age=None) for row in rows)
-
-
-NOTHING = "none"
-"""How a blank cell is read out: nobody senses the fact, or what is read has no age."""
 
 
 class FactsModel(QAbstractTableModel):
@@ -107,7 +104,7 @@ class FactsModel(QAbstractTableModel):
             sensed = "?" if row.sensed is None else row.sensed
             words = (row.name, row.believed, sensed, age, row.words)[index.column()]
             # A cell that is left blank for the eye is heard as well.
-            return words or (NOTHING if role == Qt.ItemDataRole.AccessibleTextRole else "")
+            return words or (BLANK if role == Qt.ItemDataRole.AccessibleTextRole else "")
         if role == Qt.ItemDataRole.ToolTipRole:
             old = "" if row.age is None else f"; {age_of(row.age, row.limit)}"
             return tip_text(f"{row.name}: {row.words}{old}")
