@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
@@ -241,7 +241,10 @@ def test_one_state_that_was_moved_is_one_that_was_moved(sit: Sit, tmp_path: Path
     assert asked(person, "compare_saved").summary == "Layout only: 1 state was moved."
 
 
-def test_no_name_of_a_comparison_lies_on_another_one(sit: Sit, tmp_path: Path) -> None:
+def test_no_name_of_a_comparison_lies_on_another_one(
+    sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("smsl_studio.studio.screens.room", lambda _: QSize(1400, 900))
     person = sit(at(tmp_path, "hanoi.json"))
     person.window.session.edit(
         "Rename", lambda b: edit.rename(b, Address("SB1", "State_cbb", "Op_1c"), "Op_1b")

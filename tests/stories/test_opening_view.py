@@ -50,8 +50,7 @@ def test_four_disks_open_with_names_that_are_read(sit: Sit, size: tuple[int, int
     assert zoom.outside.accessibleName() == f"{canvas.outside} states outside the view. Fit (F)"
     assert canvas.overlays.map.isVisible()
     person.click(zoom.outside)
-    person.until(lambda: len(seen(person)) == 81)
-    assert not zoom.outside.isVisible()
+    person.until(lambda: len(seen(person)) == 81 and not zoom.outside.isVisible())
 
 
 def test_the_view_it_opens_at_is_kept_when_the_window_grows_and_left_by_a_zoom(sit: Sit) -> None:
