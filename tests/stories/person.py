@@ -162,7 +162,7 @@ class Person:
         return [str(address) for address in self.window.session.selection]
 
     def until(self, condition: Callable[[], bool]) -> None:
-        self.qtbot.waitUntil(condition, timeout=10_000)
+        self.qtbot.waitUntil(condition)
 
     def until_inspected(self) -> None:
         """Until the findings are those of what is shown."""
