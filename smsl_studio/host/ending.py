@@ -1,10 +1,9 @@
-"""How a child process fares: how it ended, in words, and what time the machine gave it."""
+"""How a child process ended, in words."""
 
 from __future__ import annotations
 
 import os
 import signal
-from pathlib import Path
 
 
 def exit_code(pid: int) -> int | None:
@@ -14,15 +13,6 @@ def exit_code(pid: int) -> int | None:
     if found is None:
         return None
     return found.si_status if found.si_code == os.CLD_EXITED else -found.si_status
-
-
-def waited_for_processor(pid: int) -> float:
-    """Seconds in which the main thread of a process could have worked, and all processors had
-    other work; 0 where the kernel does not tell or the process is gone."""
-    try:
-        return int(Path(f"/proc/{pid}/schedstat").read_text("ascii").split()[1]) / 1e9
-    except (OSError, ValueError, IndexError):
-        return 0.0
 
 
 def ending_words(code: int | None) -> str:

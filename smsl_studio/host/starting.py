@@ -19,7 +19,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from smsl_studio.host.bounds import Outlet
-from smsl_studio.host.ending import exit_code, waited_for_processor
+from smsl_studio.host.ending import exit_code
+from smsl_studio.host.processor import ProcessorTime
 from smsl_studio.host.wire import Frame, Wire
 
 PATIENCE = 2.0
@@ -53,7 +54,7 @@ class Child:
         self._look = select.poll()
         for one in (wire.fileno(), said, self._death):
             self._look.register(one, select.POLLIN)
-        self._starved = (time.monotonic(), 0.0)
+        self._given = ProcessorTime(time.monotonic())
         self._telling: threading.Thread | None = None
         self._told = threading.Event()
 
@@ -114,10 +115,9 @@ class Child:
             return False
 
     def starved(self) -> bool:
-        """Whether, since this was asked last, it has waited for a processor most of the time."""
-        before, now = self._starved, (time.monotonic(), waited_for_processor(self.pid))
-        self._starved = now
-        return now[1] - before[1] > (now[0] - before[0]) / 2
+        """Whether, since this was asked last, the machine gave it too little time to work."""
+        before, self._given = self._given, ProcessorTime.of(self.pid)
+        return self._given.starved_since(before)
 
     @property
     def dead(self) -> bool:

@@ -146,7 +146,7 @@ def test_stop_is_there_in_every_mode_and_from_a_dialog(sit: Sit) -> None:
     run.until_phase("Stopped")
     assert dialog.isVisible()
     dialog.close()
-    assert window.mode_bar.stop.isVisible()
+    assert window.mode_bar.stop.isVisible(), run.pane.run.sentence
     run.pane.run.end()
     person.qtbot.waitUntil(lambda: not window.mode_bar.stop.isVisible())
 

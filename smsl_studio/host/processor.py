@@ -1,0 +1,51 @@
+"""What time of the processors the machine gives to a child process."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+RECENT = 1.0
+"""Seconds after which what was given says nothing any more: a child may have had nothing to do."""
+
+
+class ProcessorTime(NamedTuple):
+    """What the main thread of a process was given until the monotonic clock said ``at`` (seconds).
+
+    ``ran`` are the seconds it worked, ``waited`` those in which it could have and all processors
+    had other work; a wait is counted when it ends. ``ready`` says whether it could work now. All
+    is 0 where the kernel does not tell or the process is gone.
+    """
+
+    at: float
+    ran: float = 0.0
+    waited: float = 0.0
+    ready: bool = False
+
+    @classmethod
+    def of(cls, pid: int) -> ProcessorTime:
+        """What a process was given until now."""
+        now, about = time.monotonic(), Path(f"/proc/{pid}")
+        try:
+            ran, waited = (
+                int(word) / 1e9 for word in (about / "schedstat").read_text().split()[:2]
+            )
+            # The name of the program, which stands in brackets, may hold anything.
+            ready = (about / "stat").read_bytes().rpartition(b") ")[2].startswith(b"R")
+        except (OSError, ValueError):
+            return cls(now)
+        return cls(now, ran, waited, ready)
+
+    def starved_since(self, before: ProcessorTime) -> bool:
+        """Whether it was given less than half of the time since then, and could have used it.
+
+        A wait that has not ended yet, and a processor that was taken from the whole machine, are
+        counted nowhere: it could work then, and has not.
+        """
+        half = (self.at - before.at) / 2
+        if 2 * half > RECENT:
+            return False
+        if self.waited - before.waited > half:
+            return True
+        return self.ready and self.ran - before.ran < half
