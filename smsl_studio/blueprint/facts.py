@@ -47,6 +47,8 @@ class FactShape:
         if self.opaque:
             return (state,)
         text = fact_string(state, self.written)
+        if self.width == 1:
+            return tuple(text)
         return tuple(text[i : i + self.width] for i in range(0, len(text), self.width))
 
 

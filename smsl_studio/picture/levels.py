@@ -14,6 +14,8 @@ FULL_SIZE, COMPACT_SIZE, BOX_SIZE, DOT_SIZE = (108.0, 54.0), (46.0, 24.0), (28.0
 FULL_MAX, COMPACT_MAX = 200.0, 132.0
 ROOM = (36.0, 24.0)
 """What full nodes need between them, across and down, for an arrow to be read (pixels)."""
+MANY = 5_000
+"""So many nodes are looked at closely; of more, only the nearest neighbours are."""
 
 
 class Level(IntEnum):
@@ -110,7 +112,7 @@ def _near_pairs(at: Floats) -> tuple[Ints, Ints]:
     rows = np.lexsort((at[:, 0], np.round(at[:, 1])))
     columns = np.lexsort((at[:, 1], np.round(at[:, 0])))
     for order in (rows, columns):
-        for step in range(1, min(len(at), 13)):
+        for step in range(1, min(len(at), 13 if len(at) <= MANY else 4)):
             first.append(order[step:])
             second.append(order[:-step])
     return np.concatenate(first), np.concatenate(second)
