@@ -14,8 +14,9 @@ class ProcessorTime(NamedTuple):
     """What the main thread of a process was given until the monotonic clock said ``at`` (seconds).
 
     ``ran`` are the seconds it worked, ``waited`` those in which it could have and all processors
-    had other work; a wait is counted when it ends. ``ready`` says whether it could work now. All
-    is 0 where the kernel does not tell or the process is gone.
+    had other work; a wait is counted when it ends. ``ready`` says whether it would work now if the
+    machine let it: no processor is free, or its memory comes from a disk. All is 0 where the
+    kernel does not tell or the process is gone.
     """
 
     at: float
@@ -32,7 +33,7 @@ class ProcessorTime(NamedTuple):
                 int(word) / 1e9 for word in (about / "schedstat").read_text().split()[:2]
             )
             # The name of the program, which stands in brackets, may hold anything.
-            ready = (about / "stat").read_bytes().rpartition(b") ")[2].startswith(b"R")
+            ready = (about / "stat").read_bytes().rpartition(b") ")[2][:1] in (b"R", b"D")
         except (OSError, ValueError):
             return cls(now)
         return cls(now, ran, waited, ready)
@@ -40,8 +41,8 @@ class ProcessorTime(NamedTuple):
     def starved_since(self, before: ProcessorTime) -> bool:
         """Whether it was given less than half of the time since then, and could have used it.
 
-        A wait that has not ended yet, and a processor that was taken from the whole machine, are
-        counted nowhere: it could work then, and has not.
+        A wait that has not ended yet, one for a disk, and a processor that was taken from the
+        whole machine are counted nowhere: it is ready then, and has not worked.
         """
         half = (self.at - before.at) / 2
         if 2 * half > RECENT:
