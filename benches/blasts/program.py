@@ -19,6 +19,8 @@ begun = ["0", "0"]
 """The CPU seconds, and the peak of address space in kB, before the file was looked at."""
 PATIENCE = 120.0
 """Wall seconds in which the window must have its findings."""
+LOOK = 100
+"""Milliseconds after which it looks at the latest whether it has."""
 
 
 def main(arguments: Sequence[str]) -> int:
@@ -34,6 +36,8 @@ def main(arguments: Sequence[str]) -> int:
 
 def show(file: str) -> int:
     """Open a window on a file, and wait until it is drawn and inspected, or told to be broken."""
+    from PySide6.QtCore import QEventLoop, QTimer
+
     from smsl_studio.library.loading import Loaded
     from smsl_studio.studio.app import make_application, make_window
     from smsl_studio.studio.plugins import Plugins
@@ -52,9 +56,10 @@ def show(file: str) -> int:
     begun[:] = str(time.process_time()), peak()
     window.open_path(Path(file))
     end = time.monotonic() + PATIENCE
+    alarm = QTimer()
+    alarm.start(LOOK)
     while not (window.inspector.current or window.session.broken is not None):
-        application.processEvents()
-        time.sleep(0.005)
+        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents)
         if time.monotonic() > end:
             return 3
     for _ in range(20):

@@ -45,7 +45,19 @@ def mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
     effect of an operation is the one held by more than half of its edges, else none. An edge is
     mislabelled if its effect is not empty, its operation has another majority effect, and some
     operation absent from its source state has exactly this effect as its majority.
+
+    Two rules ask for them: they are kept with the branch, which is frozen.
     """
+    kept: tuple[Mislabelled, ...] | None = branch.__dict__.get(_SLIPS)
+    if kept is None:
+        kept = branch.__dict__[_SLIPS] = _mislabelled(branch)
+    return kept
+
+
+_SLIPS = "_mislabelled"
+
+
+def _mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
     effects: dict[str, list[tuple[Operation, Effect]]] = {}
     for edge, effect in _effects(branch):
         effects.setdefault(edge.name, []).append((edge, effect))
