@@ -18,6 +18,8 @@ from smsl_studio.picture.shape import Box, EdgeShape, Floats, Point
 
 MOST_AROUND = 60
 """So many pairs of states get a way around nodes; in a denser picture it would show nothing."""
+MOST_AT_ONCE = 20
+"""In a large picture each of more edges between two states than these is routed when asked for."""
 LabelSize = Callable[[int], tuple[float, float]]
 """The size of an edge's label in scene units; (0, 0) for none."""
 
@@ -110,26 +112,23 @@ class Geometry:
             self._route_loops(a)
         else:
             pair = self._pair(a, b)
-            self._shapes |= self._pair_shapes(pair)
+            only = edge if len(pair) > MOST_AT_ONCE and not self.small else None
+            self._shapes |= self._pair_shapes(pair, only)
 
     def _pair(self, a: int, b: int) -> Between:
         key = (min(a, b), max(a, b))
         found = self._pairs.get(key)
         if found is None:
-            source, target = self.picture.source, self.picture.target
-            edges = self.picture.edges_of(key[0])
-            there = tuple(e for e in edges if source[e] == key[0] and target[e] == key[1])
-            back = tuple(e for e in edges if source[e] == key[1] and target[e] == key[0])
-            found = self._pairs[key] = Between(key[0], key[1], there, back)
+            found = self._pairs[key] = Between(*key, *self.picture.between(*key))
         return found
 
-    def _pair_shapes(self, pair: Between) -> dict[int, EdgeShape]:
+    def _pair_shapes(self, pair: Between, only: int | None) -> dict[int, EdgeShape]:
         source, target = self.box(pair.a), self.box(pair.b)
         outward = self._outward(pair.a, pair.b)
         if self.small and self._around < MOST_AROUND and not self._clear(pair):
             self._around += 1
             return around(pair, source, target, self.style, self.boxes, outward)
-        return joined(pair, source, target, self.style, outward)
+        return joined(pair, source, target, self.style, outward, only=only)
 
     def _clear(self, pair: Between) -> bool:
         ends = (pair.a, pair.b)

@@ -103,6 +103,23 @@ class Picture:
         starts, edges = self.incident
         return list(dict.fromkeys(edges[starts[state] : starts[state + 1]].tolist()))
 
+    @cached_property
+    def _by_ends(self) -> tuple[NDArray[np.int64], Ints]:
+        """Edges by their two ends, whatever their direction: a key of each, and its number."""
+        low, high = np.minimum(self.source, self.target), np.maximum(self.source, self.target)
+        keys = low.astype(np.int64) * (len(self) + 1) + high
+        order = np.argsort(keys, kind="stable")
+        return keys[order], order.astype(np.int32)
+
+    def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """The edges from one state to another, and those that lead back, by number."""
+        keys, numbers = self._by_ends
+        key = min(a, b) * (len(self) + 1) + max(a, b)
+        first, last = np.searchsorted(keys, (key, key + 1))
+        edges = numbers[first:last]
+        there = self.source[edges] == a
+        return tuple(edges[there].tolist()), tuple(edges[~there].tolist())
+
     def address(self, edge: int) -> Address:
         return Address(self.branch.name, self.names[self.source[edge]], self.operations[edge])
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,12 +20,15 @@ _SHARES = np.linspace(0.0, 1.0, 33)
 
 @dataclass(frozen=True, slots=True)
 class Between:
-    """What joins two states: edges by number from ``a`` to ``b`` and back."""
+    """What joins two states: edges by number, in order, from ``a`` to ``b`` and back."""
 
     a: int
     b: int
     there: tuple[int, ...]
     back: tuple[int, ...]
+
+    def __len__(self) -> int:
+        return len(self.there) + len(self.back)
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,27 +40,29 @@ class Style:
 
 
 def joined(
-    pair: Between, source: Box, target: Box, style: Style, outward: Point, clear: bool = True
+    pair: Between,
+    source: Box,
+    target: Box,
+    style: Style,
+    outward: Point,
+    clear: bool = True,
+    only: int | None = None,
 ) -> dict[int, EdgeShape]:
-    """The lines of all edges between two states, side by side.
+    """The lines of all edges between two states, side by side; or that of the ``only`` one.
 
     ``outward`` is the direction away from the middle of the picture: a lone curve bends there.
     ``clear`` says whether the straight way is free of other nodes.
     """
-    forward = is_forward(source, target)
-    ordered = _side_by_side(pair, forward, style.compact)
-    offsets = _offsets(len(ordered), bool(pair.there and pair.back), source, target, style)
     straight = clear and not style.compact and in_row(source, target)
     normal = _normal(source, target)
     shapes: dict[int, EdgeShape] = {}
-    there = frozenset(pair.there)
-    for edge, offset in zip(ordered, offsets, strict=True):
-        ends = (source, target) if edge in there else (target, source)
+    for edge, there, offset in _side_by_side(pair, source, target, style, only):
+        ends = (source, target) if there else (target, source)
         if straight:
             shapes[edge] = _straight(*ends, offset, normal, style)
         else:
             bow = 0.0
-            if len(ordered) == 1 and clear and not style.compact:
+            if len(pair) == 1 and clear and not style.compact:
                 bow = _gentle(source, target, normal, outward)
             shapes[edge] = curve(*ends, offset, bow, normal, style)
     return shapes
@@ -82,23 +88,37 @@ def _normal(source: Box, target: Box) -> Point:
     return (-nx, -ny) if upward else (nx, ny)
 
 
-def _side_by_side(pair: Between, forward: bool, compact: bool) -> Sequence[int]:
-    """The edges in order of their offset: in full, what runs forward is on top and at the left.
+def _side_by_side(
+    pair: Between, source: Box, target: Box, style: Style, only: int | None = None
+) -> Iterator[tuple[int, bool, float]]:
+    """Each edge, or the ``only`` one, whether it leads there, and how far beside the middle.
 
-    Compact edges keep to the right, as traffic does.
+    In full, what runs forward is on top and at the left. Compact edges keep to the right, as
+    traffic does.
     """
-    first, second = (pair.there, pair.back) if forward else (pair.back, pair.there)
-    return (*second, *first) if compact else (*first, *second)
+    ways = [(pair.there, True), (pair.back, False)]
+    if is_forward(source, target) == style.compact:
+        ways.reverse()
+    step, first = _step(pair, source, target, style), -(len(pair) - 1) / 2
+    for edges, there in ways:
+        if only is None:
+            for at, edge in enumerate(edges):
+                yield edge, there, (first + at) * step
+        else:
+            at = bisect_left(edges, only)
+            if edges[at : at + 1] == (only,):
+                yield only, there, (first + at) * step
+        first += len(edges)
 
 
-def _offsets(count: int, opposite: bool, source: Box, target: Box, style: Style) -> list[float]:
-    """How far each of the lines runs beside the middle; all of them begin at their node."""
-    step = OPPOSITE if count == 2 and opposite else PARALLEL
+def _step(pair: Between, source: Box, target: Box, style: Style) -> float:
+    """How far the lines of a pair lie apart; all of them begin at their node."""
+    step = OPPOSITE if len(pair.there) == len(pair.back) == 1 else PARALLEL
     if not style.compact:
         share = 1.0 if in_row(source, target) else NEAR
-        room = 2 * _reach(source, target) / share / max(count - 1, 1)
+        room = 2 * _reach(source, target) / share / max(len(pair) - 1, 1)
         step = min(step, max(room, 7.0))
-    return [(i - (count - 1) / 2) * step * style.unit for i in range(count)]
+    return step * style.unit
 
 
 def _reach(source: Box, target: Box) -> float:
@@ -218,11 +238,8 @@ def around(
 def _bent(
     pair: Between, source: Box, target: Box, style: Style, normal: Point, bend: float
 ) -> dict[int, EdgeShape]:
-    ordered = _side_by_side(pair, is_forward(source, target), style.compact)
-    offsets = _offsets(len(ordered), bool(pair.there and pair.back), source, target, style)
     shapes: dict[int, EdgeShape] = {}
-    there = frozenset(pair.there)
-    for edge, offset in zip(ordered, offsets, strict=True):
-        ends = (source, target) if edge in there else (target, source)
+    for edge, there, offset in _side_by_side(pair, source, target, style):
+        ends = (source, target) if there else (target, source)
         shapes[edge] = curve(*ends, offset, bend, normal, style)
     return shapes

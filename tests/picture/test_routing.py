@@ -181,3 +181,19 @@ def test_of_very_many_lines_between_two_states_none_is_sought_among_the_others()
     shapes = joined(pair, box(0, 0), box(218, 0), FULL, OUT)
     assert list(shapes) == list(range(40))
     assert all((shapes[e].points[-1][0] > shapes[e].points[0][0]) == (e < 30) for e in shapes)
+
+
+@pytest.mark.parametrize("style", [FULL, COMPACT])
+@pytest.mark.parametrize("other", [(218, 0), (0, 300), (-218, 0), (150, -160)])
+def test_one_of_many_lines_is_the_same_as_among_all_of_them(
+    style: Style, other: tuple[float, float]
+) -> None:
+    pair = Between(0, 1, (2, 5, 7), (1, 6))
+    ends = box(0, 0), box(*other)
+    together = joined(pair, *ends, style, OUT)
+    assert sorted(together) == [1, 2, 5, 6, 7]
+    for edge, shape in together.items():
+        alone = joined(pair, *ends, style, OUT, only=edge)
+        assert list(alone) == [edge]
+        assert alone[edge].points.tolist() == shape.points.tolist()
+    assert joined(pair, *ends, style, OUT, only=3) == {}
