@@ -213,15 +213,14 @@ class Canvas(Stage):
         While nobody draws everything is shown all the same: what runs is lit and named.
         """
         sheet = self.sheet
-        first = None
-        if self.editing and sheet is not None and len(sheet.at):
-            first = opening_of(sheet, self._room)
-        if first is None:
+        if sheet is None or not len(sheet.at):
             self.fit(smooth=False)
             self.camera.keep("opening", fitted=True)
-        else:
-            self.camera.keep("opening")
-            self._look_below_top(*first, smooth=False)
+            return
+        whole = frame_of(sheet, self._room)
+        first = opening_of(sheet, self._room, whole[1]) if self.editing else None
+        self.camera.keep("opening", fitted=first is None)
+        self._look_below_top(*(first or whole), smooth=False)
 
     def look_again(self) -> None:
         """There is more room or less: look at what was looked at, if nobody zoomed or panned."""

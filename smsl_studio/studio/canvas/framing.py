@@ -36,14 +36,14 @@ def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
         sheet.set_zoom(before)
 
 
-def opening_of(sheet: Sheet, room: Room) -> tuple[QPointF, float] | None:
-    """Where an SB opens whose states could not be told apart if it fitted a room of so many pixels.
+def opening_of(sheet: Sheet, room: Room, whole: float) -> tuple[QPointF, float] | None:
+    """Where an SB opens whose states could not be told apart at the zoom that shows the ``whole``.
 
     The initial state is in view, and no more of the void around the drawing than must be. None
     where everything can be read when everything is in view.
     """
     zoom = readable_zoom(sheet.spacing)
-    if frame_of(sheet, room)[1] >= zoom:
+    if whole >= zoom:
         return None
     initial = sheet.picture.index.get(sheet.picture.branch.initial, 0)
     widest, unit = float(sheet.compact_widths.max()), unit_at(zoom, level_at(zoom, sheet.spacing))

@@ -28,6 +28,12 @@ class FactRow:
     chip: Tag
     name: Field
     sub: Combo
+    names: tuple[str, ...] = ()
+    """The SBs that may be chosen: thousands take a while to be filled in anew."""
+
+    def choice(self, at: int) -> str | None:
+        """What the list says in this line: no sub-SB, one of the SBs, or a new one."""
+        return (None, *self.names, NEW)[at]
 
 
 class HeaderFacts(QWidget):
@@ -79,12 +85,11 @@ class HeaderFacts(QWidget):
         fact.name.setToolTip(tip_text(f"{branch.fact_name(digit)}. Type to name this fact."))
         fact.sub.accent = sub is not None
         fact.sub.setProperty("pale", sub is None)
-        fact.sub.clear()
-        names = [*others, sub] if sub and sub not in others else others
-        fact.sub.addItem("None", None)
-        for name in names:
-            fact.sub.addItem(name, name)
-        fact.sub.addItem("New", NEW)
+        names = (*others, sub) if sub and sub not in others else tuple(others)
+        if not fact.sub.count() or names != fact.names:
+            fact.names = names
+            fact.sub.clear()
+            fact.sub.addItems(["None", *names, "New"])
         fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
         fact.sub.setToolTip(tip_text(f"Sub-SB of fact {digit}: {sub or 'none'}"))
         fact.sub.update()
@@ -99,7 +104,7 @@ class HeaderFacts(QWidget):
         fact.sub.setAccessibleName(plain_text(f"Sub-SB of fact {digit}"))
         fact.sub.setFixedWidth(108)
         fact.sub.setFont(text_font(12))
-        fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.sub.itemData(at)))
+        fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.choice(at)))
         for place, widget in enumerate((fact.chip, fact.name, fact.sub)):
             self._grid.addWidget(widget, digit + 1, place)
         self._grid.setRowMinimumHeight(digit + 1, CONTROL_ROW)
