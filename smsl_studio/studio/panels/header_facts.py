@@ -113,8 +113,7 @@ class HeaderFacts(QWidget):
     def _typed(self, digit: int) -> None:
         field = self.rows[digit].name
         if field.changed:
-            text = field.text().strip()
-            self.named.emit(digit, "" if text == f"Fact {digit + 1}" else text)
+            self.named.emit(digit, field.text().strip())
 
 
 def fact_count(branch: StateBranch) -> int:

@@ -16,6 +16,7 @@ from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Combo, label, row
 from smsl_studio.studio.panels.fact_form import expansion
+from smsl_studio.studio.panels.fact_name import fact_name_step
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.panels.header_facts import (
     MOST,
@@ -188,10 +189,8 @@ class HeaderForm(Panel):
             self._facts.show_facts(self._session.blueprint, self._session.blueprint[name])
 
     def _set_name(self, digit: int, text: str) -> None:
-        name = self._session.branch
-        words = f"Name fact {digit} “{text}”" if text else f"Leave fact {digit} without a name"
-        changes = {(name, str(digit)): {"name": text or None}}
-        self._try(words, lambda bp: editing.change_notes(bp, "_facts", changes), self.refusal.say)
+        words, step = fact_name_step(self._session.branch, digit, text)
+        self._try(words, step, self.refusal.say)
 
     def _try(
         self,

@@ -17,6 +17,7 @@ from smsl_studio.errors import EditRefused
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.fact_menu import fact_menu
+from smsl_studio.studio.panels.fact_name import fact_name_step
 from smsl_studio.studio.panels.frame import Heading, Panel
 from smsl_studio.studio.panels.outline_lines import worst_of
 from smsl_studio.studio.panels.outline_tree import OutlineTree, line_of
@@ -29,6 +30,12 @@ VERBS = {"Ctrl+X": "cut", "Ctrl+C": "copy", "Ctrl+V": "paste", "Ctrl+D": "duplic
 
 KEYS = {"F2": "rename", "Del": "delete", **VERBS}
 """Every key of the outline, and the action it means while something on the canvas is selected."""
+
+NO_BRANCH = EditRefused(
+    "an import that failed is no State Branch",
+    advice="Correct or delete its name under _imports in the source.",
+)
+"""What is said to the keys that mean a whole SB."""
 
 DONE = {"cut": "cut", "copy": "copied", "paste": "pasted over", "duplicate": "duplicated"}
 
@@ -117,10 +124,12 @@ class Outline(Panel):
 
     def rename_branch(self) -> None:
         """Edit the name of the current SB in place."""
-        index = self.tree.index_of(self._current_branch())
+        self._name(self.tree.index_of(self._current_branch()))
+
+    def _name(self, index: QModelIndex) -> None:
         if index.isValid():
             self.tree.setFocus()
-            self.tree.setCurrentIndex(index)
+            self.tree.mark(index)
             self.tree.edit(index)
 
     def delete_branch(self) -> None:
@@ -140,6 +149,8 @@ class Outline(Panel):
             self.action_wanted.emit(verb)
         elif fact is not None:
             self._press_on_fact(verb, *fact)
+        elif self._on_fault():
+            self._session.refused.emit(NO_BRANCH)
         elif verb == "rename":
             self.rename_branch()
         elif verb == "delete":
@@ -151,7 +162,7 @@ class Outline(Panel):
         """A fact is a digit of every state, so it can be neither cut out nor deleted alone."""
         index = self.tree.currentIndex()
         if verb == "rename":
-            self.fact_wanted.emit(branch, digit)
+            self._name(index)
         elif verb == "delete" and index.isValid():
             corner = self.tree.visualRect(index).bottomLeft()
             menu = fact_menu(self._session, branch, digit, self)
@@ -167,12 +178,21 @@ class Outline(Panel):
     def _ask(self, verb: str) -> None:
         self.verb_wanted.emit(verb, self._current_branch())
 
+    def _on_fault(self) -> bool:
+        index = self.tree.currentIndex()
+        return index.isValid() and bool(line_of(index).fault)
+
     def _current_branch(self) -> str:
         index = self.tree.currentIndex()
         return line_of(index).branch if index.isValid() else self._session.branch
 
     def _clicked(self, index: QModelIndex) -> None:
         line = line_of(index)
+        if line.fault:
+            # It stays the marked line: Del must not mean an SB that nobody chose.
+            self._session.select(())
+            self.tree.mark(index)
+            return
         if line.digit is not None:
             self.fact_wanted.emit(line.branch, line.digit)
         else:
@@ -182,15 +202,17 @@ class Outline(Panel):
 
     def _moved(self, index: QModelIndex) -> None:
         """An arrow key went to another line: the canvas and the properties follow."""
-        if index.isValid() and self.tree.hasFocus() and not line_of(index).fault:
+        if index.isValid() and self.tree.hasFocus():
             self._clicked(index)
 
-    def _renamed(self, old: str, new: str) -> None:
-        if new != old:
-            # Now, not in a moment: it may be saved or closed by then. The tree, to which the
-            # editor still belongs, takes the new name when the editor has gone.
-            words = f"Rename {old} to {new}"
-            self._session.edit(words, lambda bp: editing.rename(bp, Address(old), new))
+    def _renamed(self, branch: str, digit: int | None, new: str) -> None:
+        # Now, not in a moment: it may be saved or closed by then. The tree, to which the
+        # editor still belongs, takes the new name when the editor has gone.
+        if digit is None and new != branch:
+            words = f"Rename {branch} to {new}"
+            self._session.edit(words, lambda bp: editing.rename(bp, Address(branch), new))
+        elif digit is not None and new != self._session.blueprint[branch].fact_name(digit):
+            self._session.edit(*fact_name_step(branch, digit, new))
 
     def _menu(self, at: QPoint) -> None:
         index = self.tree.indexAt(at)
@@ -198,7 +220,13 @@ class Outline(Panel):
             self.tree.setCurrentIndex(index)
         menu = QMenu(self)
         menu.addAction(icon("plus", self._tokens), "Add State Branch", self.add_branch)
-        if self._current_branch():
+        if self._session.fact is not None:
+            # What the keys mean on this line, and not what they would mean on its SB.
+            name = as_it_is(line_of(self.tree.currentIndex()).text)
+            rename, delete = partial(self._press, "F2"), partial(self._press, "Del")
+            menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", rename)
+            menu.addAction(icon("trash", self._tokens), f"Delete from {name}…\tDel", delete)
+        elif self._current_branch():
             name = as_it_is(self._current_branch())
             menu.addAction(icon("pencil", self._tokens), f"Rename {name}\tF2", self.rename_branch)
             for key, verb in VERBS.items():

@@ -34,8 +34,8 @@ _NAMED = _PLAIN | Qt.ItemFlag.ItemIsEditable
 
 
 class OutlineModel(QAbstractItemModel):
-    named = Signal(str, str)
-    """(SB, the name it is to have): it was typed in place."""
+    named = Signal(str, object, str)
+    """(SB, digit or None, name): the name that the SB or its fact is to have was typed in place."""
 
     def __init__(self, blueprint: Blueprint, parent: QObject) -> None:
         super().__init__(parent)
@@ -65,8 +65,8 @@ class OutlineModel(QAbstractItemModel):
         return self.nodes.leads_down(self.node(parent))
 
     def flags(self, index: Index, /) -> Qt.ItemFlag:
-        name, digit = self.node(index).key
-        return _NAMED if name and digit is None else _PLAIN
+        # An import that failed stands below no SB.
+        return _NAMED if self.node(index).key[0] else _PLAIN
 
     def data(self, index: Index, /, role: int = _TEXTS[0]) -> Any:
         if role in _TEXTS:
@@ -77,7 +77,7 @@ class OutlineModel(QAbstractItemModel):
 
     def setData(self, index: Index, value: Any, /, role: int = _TEXTS[1]) -> bool:
         """A name was typed; the line says it when the blueprint does."""
-        self.named.emit(self.node(index).key[0], str(value).strip())
+        self.named.emit(*self.node(index).key, str(value).strip())
         return True
 
     # Lines and where they stand.

@@ -45,8 +45,8 @@ Index = QModelIndex | QPersistentModelIndex
 class OutlineTree(QTreeView):
     moved = Signal(QModelIndex)
     """The current line is another one, and ``mark`` was not what made it so."""
-    named = Signal(str, str)
-    """(SB, the name it is to have): it was typed in place."""
+    named = Signal(str, object, str)
+    """(SB, digit or None, name): the name that the SB or its fact is to have was typed in place."""
 
     def __init__(self, tokens: Tokens, blueprint: Blueprint, parent: QWidget) -> None:
         super().__init__(parent)
@@ -160,6 +160,12 @@ class OutlineTree(QTreeView):
             self._open([node] if node.above is not None else [], ())
             return
         super().keyPressEvent(event)
+
+    def keyboardSearch(self, search: str, /) -> None:
+        """Letters choose no line: Del would act on another one than a person looks at.
+
+        The palette finds SBs and facts by their letters.
+        """
 
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
         if self.selectionModel().isSelected(index):
@@ -280,12 +286,15 @@ class OutlineDelegate(QStyledItemDelegate):
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
         rect: QRect = option.rect
-        editor.setGeometry(rect.adjusted(33, 0, -4, 0))
+        left = 33 if line_of(index).digit is None else 36
+        editor.setGeometry(rect.adjusted(left, 0, -4, 0))
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
         editor = QLineEdit(parent)
         editor.setProperty("role", "flat")
-        editor.setAccessibleName("Name of the State Branch")
+        digit = line_of(index).digit
+        what = "the State Branch" if digit is None else f"fact {digit}"
+        editor.setAccessibleName(f"Name of {what}")
         editor.setStyleSheet("background: palette(base);")
         return editor
 
