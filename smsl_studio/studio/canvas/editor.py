@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, QPointF, QRectF
-from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
@@ -313,7 +312,6 @@ class CanvasEditor(QObject):
         if self.field is not None:
             self.field = None
             self.canvas.overlays.show_empty()
-            self.canvas.setFocus()
 
     def _leave_card(self) -> None:
         """A press elsewhere leaves a card in which nothing was typed."""
@@ -321,14 +319,11 @@ class CanvasEditor(QObject):
             self._close_field()
 
     def _close_field(self) -> None:
-        """Take the open field away; the keys go back to the canvas if the field had them."""
+        """Take the open field away."""
         self.canvas.show_pending(None)
         if self.field is not None:
             field, self.field = self.field, None
-            had_keys = field.isAncestorOf(QApplication.focusWidget() or self.canvas)
             field.close_field()
-            if had_keys:
-                self.canvas.setFocus()
 
     def _field_place(
         self, centre: QPointF, width: float, rect: QRectF | None = None

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QAbstractButton, QGraphicsDropShadowEffect, QLabel, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QGraphicsDropShadowEffect,
+    QLabel,
+    QWidget,
+)
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import NO_BRUSH, NO_PEN, faded
@@ -58,9 +64,15 @@ class PassingCard(Card):
         self.float_up()
 
     def close_field(self) -> None:
-        """Go away; calling it twice is harmless."""
+        """Go away; calling it twice is harmless.
+
+        The keys go back to what it lay on, unless somebody has taken them elsewhere already.
+        """
         if not self._closing:
             self._closing = True
+            focus, below = QApplication.focusWidget(), self.parentWidget()
+            if below is not None and focus is not None and self.isAncestorOf(focus):
+                below.setFocus()
             self.hide()
             self.closed.emit()
             self.deleteLater()
