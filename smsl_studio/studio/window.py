@@ -178,7 +178,8 @@ class Window(QMainWindow):
         self.files.refused.connect(self.toast.refuse)
         self.comparing.refused.connect(self.toast.refuse)
         self.comparing.element_shown.connect(lambda _: self.set_mode("draw"))
-        self.comparing.element_shown.connect(self.canvas.reveal)
+        self.comparing.element_shown.connect(self._jumped)
+        self.comparing.said.connect(self.toast.say)
         self.files.said.connect(self.toast.say)
         self.findings.count_changed.connect(
             lambda count: self.docks.bottom_tabs.set_count("Findings", count)

@@ -73,6 +73,40 @@ def test_the_corrected_file_against_the_printed_one(sit: Sit, tmp_path: Path) ->
     assert person.window.comparing.dialog is None
 
 
+def test_the_drawing_comes_in_front_of_the_compare_view_and_f7_leads_back(
+    sit: Sit, tmp_path: Path
+) -> None:
+    person = sit(at(tmp_path, "hanoi-corrected.json"))
+    window = person.window
+    window.comparing.ask_file = lambda folder: SAMPLES / "hanoi.json"
+    dialog = asked(person, "compare_file")
+    # Desktops keep a window that belongs to another one in front of it.
+    handle = dialog.windowHandle()
+    assert handle is not None
+    assert handle.transientParent() is None
+    assert dialog.windowType() is Qt.WindowType.Window
+    window.outline.tree.setFocus()
+    person.press(Qt.Key.Key_Return)
+    person.until(window.isActiveWindow)
+    assert window.canvas.hasFocus()
+    assert person.selected() == ["SB1/State_cbb/Op_1b"]
+    assert "F7" in window.toast.words
+    person.press(Qt.Key.Key_F7)
+    person.until(dialog.isActiveWindow)
+    assert dialog.after.canvas.marks.selection == (Address("SB1", "State_cbc", "Op_2a"),)
+    assert dialog.changes.hasFocus()
+    person.press(Qt.Key.Key_Return)
+    person.until(window.isActiveWindow)
+    assert person.selected() == ["SB1/State_cbc/Op_2a"]
+
+
+def test_the_compare_view_goes_with_its_window(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    dialog = asked(person, "compare_saved")
+    person.window.close()
+    assert not dialog.isVisible()
+
+
 def test_both_sides_look_at_the_same_place(sit: Sit, tmp_path: Path) -> None:
     person = sit(at(tmp_path, "hanoi-corrected.json"))
     person.window.comparing.ask_file = lambda folder: SAMPLES / "hanoi.json"

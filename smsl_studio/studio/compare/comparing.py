@@ -14,8 +14,9 @@ from smsl_studio.blueprint.comparing import compare
 from smsl_studio.errors import AddressError, StudioError
 from smsl_studio.front.revisions import Revision, revisions
 from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.studio.actions import key_words
 from smsl_studio.studio.beside import Beside, Came
-from smsl_studio.studio.compare.dialog import CompareDialog
+from smsl_studio.studio.compare.dialog import NEXT_KEYS, CompareDialog
 from smsl_studio.studio.compare.revision_dialog import RevisionDialog
 from smsl_studio.studio.compare.versions import Version, as_saved, at_revision, in_file
 from smsl_studio.studio.files.files import Files
@@ -25,6 +26,8 @@ from smsl_studio.studio.theme import Tokens
 
 WAIT = 120
 """Milliseconds after an edit in which further edits are waited for."""
+BACK = f"{key_words(NEXT_KEYS)} goes back to the compare view, to the next change."
+"""Said when the drawing is in front, because the compare view may lie behind it."""
 
 
 class Comparing(QObject):
@@ -38,6 +41,8 @@ class Comparing(QObject):
     """A StudioError: the other version cannot be had or read."""
     element_shown = Signal(object)
     """The address of a changed element that was selected in the drawing, to be seen there."""
+    said = Signal(str)
+    """How one goes on from here."""
     changed = Signal()
     """The compare view was opened or closed."""
 
@@ -108,10 +113,12 @@ class Comparing(QObject):
     def next_change(self) -> None:
         if self._dialog is not None:
             self._dialog.show_next()
+            self._come_to_front(self._dialog)
 
     def previous_change(self) -> None:
         if self._dialog is not None:
             self._dialog.show_previous()
+            self._come_to_front(self._dialog)
 
     def close(self) -> None:
         """Another file was opened: what was compared is gone."""
@@ -119,9 +126,10 @@ class Comparing(QObject):
             self._dialog.close()
 
     def stop(self) -> None:
-        """The window goes away: nobody waits for git any more."""
+        """The window goes away: nobody waits for git any more, and nothing is compared with it."""
         self._later.stop()
         self._beside.stop()
+        self.close()
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
@@ -195,8 +203,14 @@ class Comparing(QObject):
             self._session.show_branch(found.branch)
             self._session.select((found,) if found.state else ())
             self.element_shown.emit(found)
-            self._window.activateWindow()
+            self._come_to_front(self._window)
+            self.said.emit(BACK)
             return
+
+    def _come_to_front(self, window: QWidget) -> None:
+        """On a small screen the drawing and the compare view lie one behind the other."""
+        window.raise_()
+        window.activateWindow()
 
 
 def _tried(work: Callable[[], Came]) -> Came | StudioError:

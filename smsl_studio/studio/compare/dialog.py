@@ -43,7 +43,10 @@ Pair = tuple[str, str]
 
 
 class CompareDialog(QDialog):
-    """Non-modal: one works on beside it. Esc closes it, and it remembers nothing."""
+    """A window of its own: one works on beside it, and the drawing may come in front of it.
+
+    Esc closes it, and it remembers nothing.
+    """
 
     element_wanted = Signal(object)
     """The address of an element that shall be shown in the drawing."""
@@ -54,7 +57,8 @@ class CompareDialog(QDialog):
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
+        # A dialog stays in front of its window, whose drawing is looked at in between.
+        self.setWindowFlags(Qt.WindowType.Window)
         self.setWindowTitle("Compare")
         self._difference: Difference | None = None
         self._pairs: list[Pair] = []
@@ -244,6 +248,9 @@ class CompareDialog(QDialog):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        handle = self.windowHandle()
+        if handle is not None:
+            handle.setTransientParent(None)
         low = min(max(self.changes.height_of_all() + 8, LIST[0]), LIST[1])
         self._split.setSizes([self._split.height() - low, low])
         self._link.fit()
