@@ -250,7 +250,7 @@ class CompareDialog(QDialog):
         super().showEvent(event)
         handle = self.windowHandle()
         if handle is not None:
-            handle.setTransientParent(None)
+            handle.setTransientParent(None)  # type: ignore[arg-type]
         low = min(max(self.changes.height_of_all() + 8, LIST[0]), LIST[1])
         self._split.setSizes([self._split.height() - low, low])
         self._link.fit()
