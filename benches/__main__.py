@@ -37,6 +37,7 @@ BENCHES = (
     "traces",
     "replay",
     "reaction",
+    "soak",
     "stopping",
     "oracle",
     "bombs",

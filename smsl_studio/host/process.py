@@ -249,6 +249,8 @@ class ProcessHost:
     def _wait(self, child: Child, verb: str, limit: float) -> Frame:
         """The frame that ends the answer; the one place that waits for the child."""
         began = heard = time.monotonic()
+        if verb == "cancel":
+            child.starved()  # what it was given before, when it may have had nothing to do, is past
         while True:
             frame = child.heard(LOOK)
             if frame is not None and frame.kind != "loads":

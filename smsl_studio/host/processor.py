@@ -6,9 +6,6 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-RECENT = 1.0
-"""Seconds after which what was given says nothing any more: a child may have had nothing to do."""
-
 
 class ProcessorTime(NamedTuple):
     """What the main thread of a process was given until the monotonic clock said ``at`` (seconds).
@@ -45,8 +42,6 @@ class ProcessorTime(NamedTuple):
         whole machine are counted nowhere: it is ready then, and has not worked.
         """
         half = (self.at - before.at) / 2
-        if 2 * half > RECENT:
-            return False
         if self.waited - before.waited > half:
             return True
         return self.ready and self.ran - before.ran < half

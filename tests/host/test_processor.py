@@ -24,7 +24,6 @@ Time = ProcessorTime
         ),
         pytest.param(Time(0, 7.0), Time(0.05, 7.001), False, id="sleeps"),
         pytest.param(Time(0, 7.0), Time(0.05, 7.03, 0.02), False, id="had enough to answer"),
-        pytest.param(Time(0, 7.0), Time(5.0, 7.1, 0.0, True), False, id="had nothing to do before"),
         pytest.param(Time(0), Time(0.05), False, id="the kernel tells nothing"),
     ],
 )
