@@ -136,6 +136,7 @@ class Canvas(Stage):
         if sheet is None or branch != sheet.picture.branch.name:
             self.show_branch(blueprint, branch, positions, keep_view=True)
             return
+        self.overlays.forget()
         sheet.picture.blueprint = blueprint
         sheet.picture.branch = blueprint[branch]
         index = sheet.picture.index

@@ -240,8 +240,8 @@ class CanvasEditor(QObject):
         what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
         reason = self._edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))
         if reason:
-            self.canvas.say(reason)
             self._show_again(branch)
+            self.canvas.say(reason)
 
     def delete_selected(self) -> None:
         """Delete what is selected; operations to a deleted state go with it."""

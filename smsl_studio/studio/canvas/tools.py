@@ -49,9 +49,10 @@ class Hand:
         return self._gesture is not None
 
     def reset(self) -> None:
-        """Forget what is under way: another picture is shown."""
+        """Forget what is under way, and what floats beside it: another picture is shown."""
         self._gesture, self._sticky = None, False
         self._canvas.gestures.clear()
+        self._canvas.overlays.forget()
 
     # Mouse
 

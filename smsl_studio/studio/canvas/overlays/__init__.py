@@ -166,6 +166,11 @@ class Overlays:
     def hush(self) -> None:
         self.word.hide()
 
+    def forget(self) -> None:
+        """What was said and offered was about states that may have gone or stand elsewhere now."""
+        self.hush()
+        self.pad.go()
+
     def hover(self, address: Address | None) -> None:
         """The pointer is on something else now."""
         self.pad.hover(address)
