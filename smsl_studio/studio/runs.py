@@ -10,12 +10,14 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.host.spare import Spare
+from smsl_studio.studio.frame.mode_bar import ModeBar
 from smsl_studio.studio.frame.modes import Page
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.people.people import People
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.replay.replaying import Replaying
 from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.warming import Wanted, Warming
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
@@ -107,12 +109,17 @@ class Runs:
         for part in (self.pane, self.supervise, self.people, self.replaying):
             part.set_tokens(tokens)
 
-    def light(self, outline: Outline, source: Source) -> None:
-        """Show in the outline and in the text where the run stands."""
+    def light(self, outline: Outline, source: Source, bar: ModeBar) -> None:
+        """Show in the outline, in the text and beside Stop where the run stands."""
 
         def lit(active: Mapping[str, str], _: str) -> None:
             there = active if self.pane.run.exists else {}
             source.set_active(Address(sb, state) for sb, state in there.items())
 
         self.pane.moved.connect(outline.set_run)
+
+        def said() -> None:
+            bar.show_phase(*phase_words(self.pane.run.phase), self.pane.run.sentence)
+
         self.pane.moved.connect(lit)
+        self.pane.said.connect(said)

@@ -206,7 +206,7 @@ class Window(QMainWindow):
         self.run_pane.said.connect(self._show_said)
         self.run_pane.named.connect(self._captions.show_title)
         self.files.asking.connect(self.run_pane.file_asked)
-        self.runs.light(self.outline, self.source)
+        self.runs.light(self.outline, self.source, self.mode_bar)
         self.replaying.refused.connect(self.toast.refuse)
         self.replaying.pane.said.connect(self._show_said)
         self.replaying.replay.opened.connect(self._captions.show_title)

@@ -24,6 +24,7 @@ from smsl_studio.studio.controls import name_parts, row, rule
 from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.frame.precedence import Precedence
 from smsl_studio.studio.icons import draw, icon
+from smsl_studio.studio.phase_badge import PhaseBadge
 from smsl_studio.studio.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
 from smsl_studio.studio.tips import tip_text
 
@@ -78,6 +79,8 @@ class ModeBar(QToolBar):
         self.stop.setToolTip(tip_text(actions.table["run_stop"].hint))
         self.stop.clicked.connect(actions["run_stop"].trigger)
         self.stop.hide()
+        self.phase = PhaseBadge()
+        self.phase.hide()
         self._run_exists, self._mode = False, "draw"
         self._draw_tools = _DrawTools(actions, self.search, self.run)
         self._middle = QStackedWidget()
@@ -86,8 +89,7 @@ class ModeBar(QToolBar):
         self._middle.setMinimumWidth(1)
         self._rows: dict[str, QWidget] = {}
         self._middle.addWidget(self._draw_tools)
-        inner = QWidget()
-        inner.setMinimumWidth(1)
+        inner = _Whole()
         layout = QHBoxLayout(inner)
         layout.setContentsMargins(12, 0, 12, 0)
         layout.setSpacing(12)
@@ -95,7 +97,10 @@ class ModeBar(QToolBar):
         layout.addWidget(self.segments)
         layout.addWidget(rule(vertical=True, length=24))
         layout.addWidget(self._middle, 1)
+        layout.addWidget(self.phase)
         layout.addWidget(self.stop)
+        self._precedence = inner.precedence = Precedence(inner, self.phase)
+        self._precedence.want(self.phase, False)
         self.addWidget(inner)
         self.setFixedHeight(MODE_BAR)
         self.set_tokens(tokens)
@@ -138,6 +143,11 @@ class ModeBar(QToolBar):
         self._show_stop()
         self._draw_tools.show_run(not shown)
 
+    def show_phase(self, words: str, kind: str, tip: str) -> None:
+        """Say beside Stop how the run stands, so that one sees what a Stop has done."""
+        self.phase.show_phase(words, kind, tip)
+        self._precedence.fit()
+
     def show_mode(self, mode: str) -> None:
         self._mode = mode
         self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
@@ -145,7 +155,10 @@ class ModeBar(QToolBar):
         self._show_stop()
 
     def _show_stop(self) -> None:
-        self.stop.setVisible(self._run_exists and self._mode not in COMMANDING)
+        shown = self._run_exists and self._mode not in COMMANDING
+        self.stop.setVisible(shown)
+        self._precedence.want(self.phase, shown)
+        self._precedence.fit()
 
     def below(self, name: str) -> QPoint:
         """The point of the screen below an action's button."""
@@ -153,6 +166,16 @@ class ModeBar(QToolBar):
             if button.defaultAction() is self._actions[name]:
                 return button.mapToGlobal(QPoint(0, button.height() + 4))
         return self.mapToGlobal(self.rect().center())
+
+
+class _Whole(QWidget):
+    """The row of the whole bar, in which the word of a run gives way before Stop does."""
+
+    precedence: Precedence
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.precedence.fit()
 
 
 class _DrawTools(QWidget):

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QIntValidator, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.controls import Combo, Field, Label, label, rule
+from smsl_studio.studio.controls import Combo, Field, label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.frame.precedence import Precedence
+from smsl_studio.studio.phase_badge import PhaseBadge
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.runner import FASTEST
 from smsl_studio.studio.theme import Tokens
@@ -54,11 +55,7 @@ class Transport(QWidget):
         across.setSpacing(8)
         across.addWidget(self._choices, 1)
         across.addStretch(0)
-        self.phase = Label()
-        self.phase.setProperty("role", "phase")
-        self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.phase.setFixedHeight(32)
-        self.phase.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.phase = PhaseBadge()
         across.addWidget(self.phase)
         self.by_hand = self._by_hand()
         self.speed = self._speed()
@@ -112,13 +109,7 @@ class Transport(QWidget):
 
     def show_phase(self, phase: str, exists: bool, tip: str = "") -> None:
         """Show how the run stands; ``exists`` says whether there is one to stop."""
-        words, kind = phase_words(phase)
-        self.phase.setText(f"●  {words}" if kind != "quiet" else words)
-        self.phase.setToolTip(tip_text(tip))
-        if self.phase.property("kind") != kind:
-            self.phase.setProperty("kind", kind)
-            self.phase.style().unpolish(self.phase)
-            self.phase.style().polish(self.phase)
+        self.phase.show_phase(*phase_words(phase), tip)
         self.stop.setToolTip(
             tip_text("A controlled stop, at any time (F8)" if exists else "Nothing runs now")
         )

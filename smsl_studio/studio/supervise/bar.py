@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.controls import Label, label, rule
+from smsl_studio.studio.controls import label, rule
 from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.frame.precedence import Precedence
+from smsl_studio.studio.phase_badge import PhaseBadge
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.theme import CONTROL_DECISION, Tokens
 from smsl_studio.studio.tips import tip_text
@@ -34,14 +35,9 @@ class SuperviseBar(QWidget):
         super().__init__(parent)
         self._tokens = tokens
         self._pauses = False
-        self._kind = ""
         self._goal, self._person = label("", "strong"), label("", "strong")
         self._said = [label("Goal", "small"), label("Supervisor", "small")]
-        self.phase = Label()
-        self.phase.setProperty("role", "phase")
-        self.phase.setFixedHeight(32)
-        self.phase.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.phase.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.phase = PhaseBadge()
         self.step = KeyButton("Step", "F10", "step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
@@ -84,15 +80,7 @@ class SuperviseBar(QWidget):
 
     def show_run(self, phase: str, exists: bool, tip: str, goal: str, person: str) -> None:
         """Show how the run stands, where it goes, and in whose name one commands it."""
-        words, kind = phase_words(phase)
-        self.phase.setText(words if kind == "quiet" else f"●  {words}")
-        self.phase.setToolTip(tip_text(tip))
-        self.phase.setAccessibleName(plain_text(f"The run: {words}"))
-        if kind != self._kind:
-            self._kind = kind
-            self.phase.setProperty("kind", kind)
-            self.phase.style().unpolish(self.phase)
-            self.phase.style().polish(self.phase)
+        self.phase.show_phase(*phase_words(phase), tip)
         pairs = ((self._goal, goal), (self._person, person))
         for before, (part, said) in zip(self._said, pairs, strict=True):
             part.setToolTip(tip_text(said))
