@@ -32,6 +32,7 @@ from smsl_studio.studio.frame.context_menu import context_menu
 from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.frame.dropped_files import DroppedFiles
 from smsl_studio.studio.frame.help import about_dialog, shortcuts_dialog
+from smsl_studio.studio.frame.keys_home import KeysHome
 from smsl_studio.studio.frame.menu_row import MenuRow
 from smsl_studio.studio.frame.mode_bar import ModeBar
 from smsl_studio.studio.frame.modes import Modes, Page
@@ -145,6 +146,7 @@ class Window(QMainWindow):
         self.status_line = StatusLine()
         self.setStatusBar(self.status_line)
         self._modes.dress(self.mode_bar, self.status_line)
+        KeysHome(self._modes, (self.mode_bar, self.menu_row), self)
         segments = self.mode_bar.segments
         self._showing = Showing(self, self.files, self.replaying, self.safety, segments)
         self._captions = Captions(
@@ -200,7 +202,6 @@ class Window(QMainWindow):
         self.comparing.changed.connect(actions.refresh)
         self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
         self.mode_bar.search_wanted.connect(self.open_palette)
-        self.mode_bar.focus_lost.connect(self._modes.take_focus)
         self._windows.plugins.changed.connect(self.show_plugins)
         self.run_pane.run_exists.connect(self._run_exists)
         self.run_pane.said.connect(self._show_said)

@@ -6,7 +6,6 @@ from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QApplication,
     QFrame,
     QHBoxLayout,
     QPushButton,
@@ -16,7 +15,6 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
-from shiboken6 import isValid
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.actions import Actions
@@ -50,8 +48,6 @@ class ModeBar(QToolBar):
     """One bar, fixed; its middle follows the mode."""
 
     search_wanted = Signal()
-    focus_lost = Signal()
-    """The control that had the keys has gone, and Qt gave them to whatever stands beside it."""
 
     def __init__(self, actions: Actions, tokens: Tokens) -> None:
         super().__init__("Modes and tools")
@@ -104,16 +100,6 @@ class ModeBar(QToolBar):
         self.addWidget(inner)
         self.setFixedHeight(MODE_BAR)
         self.set_tokens(tokens)
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._focus_moved)
-
-    def _focus_moved(self, before: QWidget | None, now: QWidget | None) -> None:
-        """A run that ends or stops hides or locks controls; the keys shall not go to "Draw"."""
-        if before is None or now is None or not (isValid(before) and self.isAncestorOf(before)):
-            return
-        if self.isAncestorOf(now) and not (before.isVisible() and before.isEnabled()):
-            self.focus_lost.emit()
 
     def set_tokens(self, tokens: Tokens) -> None:
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))

@@ -59,9 +59,14 @@ class Modes:
         # What had the focus may be gone, and keys would end up in whatever Qt finds next.
         self.take_focus()
 
+    @property
+    def home(self) -> QWidget:
+        """What takes the keys in the mode that is shown."""
+        return self._pages[self.shown].focus
+
     def take_focus(self) -> None:
         """Give the keys to what takes them in the mode that is shown."""
-        self._pages[self.shown].focus.setFocus()
+        self.home.setFocus()
 
     def restore(self) -> None:
         """Put the panels where they were when the last window closed."""

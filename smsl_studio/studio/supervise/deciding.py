@@ -50,7 +50,9 @@ class Deciding(QObject):
     def ask(self, decision: Decision) -> None:
         """Ask for a decision; the keys go there."""
         if self._asking.decision is None:
-            self._came_from = QApplication.focusWidget()
+            focus = QApplication.focusWidget()
+            inside = focus is not None and self._home.isAncestorOf(focus)
+            self._came_from = focus if inside else None
         self._step_in.say("")
         self._asking.show_decision(decision)
         self._asking.take_focus()
