@@ -42,6 +42,7 @@ from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.frame.toast import Toast
 from smsl_studio.studio.going import Going
 from smsl_studio.studio.inspector import Inspector
+from smsl_studio.studio.leaving import Leaving
 from smsl_studio.studio.notices import step_notice
 from smsl_studio.studio.offers import offers, operation_names
 from smsl_studio.studio.panels.findings import Findings
@@ -97,6 +98,7 @@ class Window(QMainWindow):
         self.runs.keep_warm(self._windows.spare)
         self.run_pane, self.supervise = self.runs.pane, self.runs.supervise
         self.people, self.replaying = self.runs.people, self.runs.replaying
+        self.leaving = Leaving(self.runs, self.files, Dialogs(self))
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
         self.properties, self.source = Properties(session, tokens), Source(session, tokens)
         self.findings = Findings(session, tokens, self.inspector.rules)
@@ -376,11 +378,8 @@ class Window(QMainWindow):
         super().resizeEvent(event)
         self._modes.fit_width(self.width())
 
-    def _may_close(self) -> bool:
-        return self.runs.may_leave(Dialogs(self).may_end_run) and self.files.may_leave()
-
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self._closes or not self._may_close():
+        if self._closes or not self.leaving.may_close():
             event.ignore()
             return
         self._closes = True

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from smsl_studio.host.spare import Spare
 from smsl_studio.legible import one_line
+from smsl_studio.studio.leaving import Leaving
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.plugins import Plugins
 from smsl_studio.studio.safety.safety import Safety
@@ -27,6 +28,8 @@ class Shown(Protocol):
     def session(self) -> Session: ...
     @property
     def safety(self) -> Safety: ...
+    @property
+    def leaving(self) -> Leaving: ...
     @property
     def name(self) -> str: ...
     def wear(self, tokens: Tokens) -> None: ...
@@ -97,8 +100,18 @@ class Windows(QObject):
             window.wear(self.tokens)
 
     def quit(self) -> None:
-        """Close every window; each asks about its own unsaved work, and one that stays ends it."""
-        self.application.closeAllWindows()
+        """Close every window, once all that is asked about each is answered.
+
+        Where one shall stay, all stay as they are.
+        """
+        several = len(self._open) > 1
+        for window in self:
+            if not window.leaving.ask(several):
+                return
+        if all(window.leaving.save() for window in self):
+            for window in self:
+                window.leaving.agreed = True
+            self.application.closeAllWindows()
 
     def stop_every_run(self) -> None:
         """Stop the runs of all windows: who presses F8 does not look which one is in front."""

@@ -121,11 +121,20 @@ class Dialogs:
         why = "Closing the window ends it. What moves is stopped first."
         return self._chosen("A run is there", said, why, words, default=STAY) != STAY
 
+    def _come_forward(self) -> None:
+        """Of several windows the one that is asked about is the one that is seen."""
+        if self._window.isMinimized():
+            self._window.showNormal()
+        if not self._window.isActiveWindow():
+            self._window.raise_()
+            self._window.activateWindow()
+
     def _agrees(self, title: str, what: str, why: str, verb: str) -> bool:
         return self._chosen(title, what, why, (verb, "Cancel"), default="Cancel") == verb
 
     def _chosen(self, title: str, what: str, why: str, words: Sequence[str], default: str) -> str:
         """The words of the button that was chosen; Escape is the last one, which does nothing."""
+        self._come_forward()
         box = QMessageBox(self._window)
         box.setWindowTitle(plain_text(title))
         box.setText(tip_text(what))

@@ -15,7 +15,7 @@ from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.traits import losses
 from smsl_studio.smsl.unfinished import clear_up
-from smsl_studio.studio.files.asking import Asker
+from smsl_studio.studio.files.asking import Answer, Asker
 from smsl_studio.studio.files.converting import form_words, leaves_comments, moved
 from smsl_studio.studio.files.fresh import UNTITLED, empty_blueprint
 from smsl_studio.studio.files.interrupted import Settled, settle_interrupted
@@ -184,13 +184,33 @@ class Files(QObject):
 
     def may_leave(self) -> bool:
         """Whether the blueprint may go: it is saved, or the person says what becomes of it."""
+        answer = self.ask_unsaved()
+        return self.save() if answer == "save" else answer == "discard"
+
+    def ask_unsaved(self, several: bool = False) -> Answer:
+        """What becomes of unsaved changes; where there are none they can be discarded.
+
+        ``several`` windows are asked about, and two of them may show files of the same name.
+        """
         self.settling.emit()
         if not self.edited:
-            return True
+            return "discard"
         names = [self.display(file) for file in self.unsaved]
         has = "has" if len(names) == 1 else "have"
-        answer = self._asker.unsaved(f"{_listed(names)} {has} unsaved changes.")
-        return self.save() if answer == "save" else answer == "discard"
+        said = f"{_listed(names)} {has} unsaved changes."
+        return self._asker.unsaved(f"{said} {self._told_apart()}" if several else said)
+
+    def _told_apart(self) -> str:
+        """What tells the file from another one of the same name."""
+        if self.path is not None:
+            return f"{self._name} is in {self.path.parent}."
+        states = sum(len(branch.table) for branch in self._session.blueprint)
+        history = self._session.history
+        last = history.text(history.index() - 1) or "As it was opened"
+        return (
+            f"{self._name} was never saved. It has {counted(states, 'state')}; the last step "
+            f"is “{last}”."
+        )
 
     def _folder(self) -> Path:
         if self.path is not None:
