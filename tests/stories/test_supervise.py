@@ -193,3 +193,34 @@ def test_arrows_lead_from_card_to_card_and_every_one_has_a_name(sit: Sit) -> Non
     started = len([event for event in at.events if isinstance(event, OperationStarted)])
     at.press(Key.Key_Escape)
     assert len([e for e in at.events if isinstance(e, OperationStarted)]) == started
+
+
+def test_p_on_what_is_pruned_offers_to_restore_it_and_never_asks_again(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.press(at.number("Op_2b"), Key.Key_P)
+    at.person.type("x")
+    at.press(Key.Key_Return)
+    at.until_stands("Op_2b", "pruned")
+    at.press(at.number("Op_2b"), Key.Key_P)
+    assert at.asked.startswith("Restore Op_2b? ")
+    assert "x" in at.asked.removeprefix("Restore Op_2b? ")
+    assert not at.pane.step_in.asking.reason.isVisible()
+    assert at.pane.step_in.prune.text() == "Restore…"
+    at.press(Key.Key_V)
+    assert at.asked.startswith("Restore Op_2b? ")
+    at.press(Key.Key_Return)
+    at.person.until(lambda: at.standing("Op_2b") in ("possible", "next"))
+    assert [word for word, _ in at.commanded()] == ["step", "prune", "restore"]
+
+
+def test_v_on_what_is_vetoed_already_offers_to_restore_it(sit: Sit) -> None:
+    at = AtSupervise(sit(HANOI))
+    at.start_paused()
+    at.press(at.number("Op_2b"), Key.Key_V, Key.Key_Return)
+    at.until_stands("Op_2b", "vetoed")
+    at.press(at.number("Op_2b"), Key.Key_V)
+    assert at.asked.startswith("Restore Op_2b? ")
+    assert at.pane.step_in.prune.text() == "Prune…"
+    at.press(Key.Key_Return)
+    at.person.until(lambda: at.standing("Op_2b") in ("possible", "next"))

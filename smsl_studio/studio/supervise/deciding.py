@@ -16,7 +16,7 @@ from smsl_studio.studio.run.phases import LATCHED
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.supervise.decisions import Decision
-from smsl_studio.studio.supervise.partial import Card, PartialView
+from smsl_studio.studio.supervise.partial import PRUNED, RISKY, VETOED, Card, PartialView
 from smsl_studio.studio.supervise.step_in import StepIn
 from smsl_studio.studio.words import capital
 
@@ -99,7 +99,7 @@ class Deciding(QObject):
         elif (
             card is not None
             and card.address == self.picked
-            and (about_card or decision.command == decisions.RESTORE)
+            and (about_card or _is_restored(decision, card))
         ):
             self._asking.show_decision(decisions.choose(card))
 
@@ -137,6 +137,11 @@ class Deciding(QObject):
                 self._step_in.say(capital(event.refused))
             elif isinstance(event, OperationRefused):
                 self._step_in.say(" ".join(map(capital, event.reasons)))
+
+
+def _is_restored(decision: Decision, card: Card) -> bool:
+    """Whether what was to be restored may be used again already."""
+    return decision.command == decisions.RESTORE and card.standing not in (PRUNED, RISKY, VETOED)
 
 
 def _tells(status: DispatchStatus | None, refusal: str) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus, Offer
+from smsl_studio.dispatch.status import DispatchStatus, Offer, Possible
 from smsl_studio.studio.supervise.partial import PAUSED, PRUNED, RISKY, RUNNING, VETOED, WAITS, Card
 from smsl_studio.studio.words import capital, counted
 
@@ -43,8 +43,7 @@ def choose(card: Card) -> Decision:
     """What choosing a card offers: to carry it out, to restore it, or why neither."""
     name, target = card.name, card.target
     if card.standing in (PRUNED, RISKY):
-        why = "; ".join(card.reasons) or f"It is {card.standing}"
-        return Decision(RESTORE, f"Restore {name}?", f"Restore {name}", card.address, capital(why))
+        return _restore(card.address, card.reasons, card.standing)
     if card.standing == WAITS:
         return Decision("", f"{name} waits for an answer to its task.", "", card.address)
     if card.permitted or card.standing == VETOED:
@@ -57,6 +56,17 @@ def choose(card: Card) -> Decision:
     return Decision("", f"{name} is not possible now.", "", card.address, why)
 
 
+def possible(address: Address | None, status: DispatchStatus) -> Possible | None:
+    """How an operation stands out of the active states; None for one out of another state."""
+    return next((one for one in status.possible if one.address == address), None)
+
+
+def _restore(address: Address, reasons: tuple[str, ...], standing: str) -> Decision:
+    """To let an operation be used again; ``standing`` is said where no reason is known."""
+    words, why = f"Restore {address.operation}", "; ".join(reasons) or f"It is {standing}"
+    return Decision(RESTORE, f"{words}?", words, address, capital(why))
+
+
 def veto(address: Address, status: DispatchStatus) -> Decision:
     """To have the next operation skipped once."""
     name = address.operation
@@ -65,12 +75,18 @@ def veto(address: Address, status: DispatchStatus) -> Decision:
             "It already moves: a veto comes too late. Stop brakes it, Prune stops it and shuts it."
         )
         return Decision("", f"{name} is being carried out.", "", address, why)
+    item = possible(address, status)
+    if item is not None and (item.pruned or item.vetoed):
+        return _restore(address, item.reasons, PRUNED if item.pruned else "vetoed once")
     detail = "It is skipped once, and another route is looked for."
     return Decision(VETO, f"Veto {name} once?", f"Veto {name}", address, detail)
 
 
 def prune(address: Address, status: DispatchStatus) -> Decision:
     """To shut an operation out until somebody restores it."""
+    item = possible(address, status)
+    if item is not None and item.pruned:
+        return _restore(address, item.reasons, PRUNED)
     name = address.operation
     moving = "It is stopped and held. " if status.running == address else ""
     detail = f"{moving}It stays shut out until it is restored. Why?"

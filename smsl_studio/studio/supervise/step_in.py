@@ -106,6 +106,11 @@ class StepIn(QWidget):
         if self._status is not None and self._why.text().rstrip(".") in self._status.sentence:
             # Why it holds stands above already.
             self.say("")
+        item = decisions.possible(self._subject, status) if status is not None else None
+        if item is not None and item.pruned:
+            self.prune.set_words("Restore…", "", "check")
+        else:
+            self.prune.set_words("Prune…", "", "scissors")
         said = ""
         if self._status is not None and blueprint is not None:
             said = decisions.detour_words(blueprint, self._status, subject)
