@@ -14,6 +14,7 @@ from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.overlays.card import Card
 from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
+from smsl_studio.studio.keys_back import KeysBack
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens
 from smsl_studio.studio.tips import tip_text
@@ -55,6 +56,7 @@ class FixCard(Card):
         self.setFixedWidth(WIDTH)
         self.float_up()
         canvas.installEventFilter(self)
+        KeysBack(self)
         session.selection_changed.connect(lambda *_: self._choose())
         session.blueprint_changed.connect(lambda *_: self.hide())
         self.hide()

@@ -128,6 +128,7 @@ def test_a_state_branch_that_is_deleted_is_named_and_can_be_taken_back(sit: Sit)
     person.click(toast.button)
     assert "SB2" in session.blueprint.branches
     assert not toast.isVisible()
+    assert person.window.outline.tree.hasFocus()
 
 
 def test_arrows_in_the_outline_lead_the_canvas_along(sit: Sit) -> None:

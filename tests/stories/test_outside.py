@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QEvent, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from smsl_studio.blueprint import editing
@@ -223,3 +223,23 @@ def test_what_a_save_cannot_keep_is_said_before_and_once(sit: Sit, tmp_path: Pat
     assert "State_more" in path.read_text()
     lost = "Saved, hfsm.json loses another name (hard links), which would keep the old text."
     assert asked == [lost, lost]
+
+
+@pytest.mark.parametrize("answer", ["theirs", "mine"])
+def test_after_the_answer_one_goes_on_where_one_typed(
+    sit: Sit, tmp_path: Path, answer: str
+) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    person = sit(path)
+    edit(person)
+    person.window.show_tab("Source")
+    editor = person.window.source.editor
+    person.click(editor.viewport())
+    assert editor.hasFocus()
+    replaced(path, other(path))
+    person.until(lambda: bool(bar(person)))
+    button = getattr(person.window.safety.bar, answer)
+    button.setFocus(Qt.FocusReason.MouseFocusReason)
+    person.click(button)
+    assert not bar(person)
+    assert editor.hasFocus()

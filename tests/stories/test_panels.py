@@ -437,6 +437,7 @@ def test_the_card_repairs_the_selected_element(sit: Sit) -> None:
     assert "Op_1b" in person.blueprint["SB1"].table["State_cbb"]
     person.until_inspected()
     assert not card.isVisible()
+    assert person.window.canvas.hasFocus()
 
 
 def test_the_card_goes_where_no_state_is(sit: Sit) -> None:

@@ -43,9 +43,9 @@ Pair = tuple[str, str]
 
 
 class CompareDialog(QDialog):
-    """A window of its own: one works on beside it, and the drawing may come in front of it.
+    """Both sides and the changes. Esc closes it, and it remembers nothing.
 
-    Esc closes it, and it remembers nothing.
+    One works on beside it where it stands alone (see ``stand_alone``).
     """
 
     element_wanted = Signal(object)
@@ -57,9 +57,9 @@ class CompareDialog(QDialog):
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        # A dialog stays in front of its window, whose drawing is looked at in between.
-        self.setWindowFlags(Qt.WindowType.Window)
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
         self.setWindowTitle("Compare")
+        self._stands_alone = False
         self._difference: Difference | None = None
         self._pairs: list[Pair] = []
         self._shown: Pair | None = None
@@ -120,6 +120,11 @@ class CompareDialog(QDialog):
         made.clicked.connect(call)
         QShortcut(QKeySequence(keys), self, activated=call)  # type: ignore[call-overload]
         return made
+
+    def stand_alone(self) -> None:
+        """Let the window come in front of it; a dialog stays in front of its window for ever."""
+        self._stands_alone = True
+        self.setWindowFlags(Qt.WindowType.Window)
 
     # What is shown.
 
@@ -249,7 +254,7 @@ class CompareDialog(QDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         handle = self.windowHandle()
-        if handle is not None:
+        if self._stands_alone and handle is not None:
             handle.setTransientParent(None)  # type: ignore[arg-type]
         low = min(max(self.changes.height_of_all() + 8, LIST[0]), LIST[1])
         self._split.setSizes([self._split.height() - low, low])

@@ -12,6 +12,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import draw
+from smsl_studio.studio.keys_back import KeysBack
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import capital
 
@@ -47,6 +48,7 @@ class Toast(QWidget):
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.hide)
         over.installEventFilter(self)
+        KeysBack(self)
         self.hide()
 
     @property

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.icons import pixmap
+from smsl_studio.studio.keys_back import KeysBack
 from smsl_studio.studio.theme import Tokens
 
 
@@ -39,6 +40,7 @@ class ChangeBar(QFrame):
             button.setProperty("role", "row")
             button.clicked.connect(wanted)
             layout.addWidget(button)
+        KeysBack(self)
         self.set_tokens(tokens)
         self.hide()
 
