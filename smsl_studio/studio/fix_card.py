@@ -21,6 +21,8 @@ from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import as_it_is, capital, whole_sentence
 
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
+STEP = 16
+"""So far apart are the places that are tried where no corner is free."""
 
 
 class FixCard(Card):
@@ -60,6 +62,11 @@ class FixCard(Card):
         session.selection_changed.connect(lambda *_: self._choose())
         session.blueprint_changed.connect(lambda *_: self.hide())
         self.hide()
+
+    @property
+    def words(self) -> tuple[QLabel, ...]:
+        """What is read on the card."""
+        return tuple(part for part in (self._title, self._body) if not part.isHidden())
 
     def set_findings(self, findings: Sequence[Finding]) -> None:
         """What inspection has to say now."""
@@ -108,13 +115,16 @@ class FixCard(Card):
         self.setAccessibleName(plain_text(f"{self._title.text()} {self._body.text()}"))
         layout = self.layout()
         assert layout is not None
+        # The line of the title still knows how high the title before was.
+        layout.invalidate()
+        layout.activate()
         self.setFixedHeight(layout.totalHeightForWidth(WIDTH))
         self._place()
         self.show()
         self.raise_()
 
     def _place(self) -> None:
-        """In the first corner in which it covers no state."""
+        """In the first corner in which it covers no state, else wherever it covers none."""
         wide, high = self._canvas.width() - WIDTH - EDGE, self._canvas.height() - self.height()
         corners = (
             QPoint(EDGE, TOP),
@@ -122,14 +132,32 @@ class FixCard(Card):
             QPoint(EDGE, high - FOOT),
             QPoint(wide, high - FOOT - 60),
         )
-        self.move(next((at for at in corners if self._is_free(at)), corners[0]))
+        at = next((at for at in corners if not self._covered(at)), None)
+        self.move(at if at is not None else self._elsewhere(corners[0]))
 
-    def _is_free(self, at: QPoint) -> bool:
+    def _elsewhere(self, corner: QPoint) -> QPoint:
+        """Where it covers the fewest states and no other floating part, as near as can be."""
+        overlays = self._canvas.overlays
+        far = QPoint(self._canvas.width(), self._canvas.height()) - QPoint(EDGE, EDGE)
+        spots = [
+            QPoint(x, y)
+            for y in range(EDGE, far.y() - self.height() + 1, STEP)
+            for x in range(EDGE, far.x() - self.width() + 1, STEP)
+            if not overlays.floats_in(QRect(QPoint(x, y), self.size()))
+        ]
+        return min(
+            spots,
+            key=lambda at: (self._covered(at), (at - corner).manhattanLength()),
+            default=corner,
+        )
+
+    def _covered(self, at: QPoint) -> int:
+        """How many states it would cover there."""
         sheet = self._canvas.sheet
         if sheet is None:
-            return True
+            return 0
         box = self._canvas.mapToScene(QRect(at, self.size())).boundingRect()
-        return not sheet.states_in(box.left(), box.top(), box.right(), box.bottom())
+        return len(sheet.states_in(box.left(), box.top(), box.right(), box.bottom()))
 
     def _apply(self) -> None:
         if self._shown is not None:

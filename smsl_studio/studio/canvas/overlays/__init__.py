@@ -138,6 +138,11 @@ class Overlays:
         others = (self.zoom, self.map, self.key)
         return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
 
+    def floats_in(self, area: QRect) -> bool:
+        """Whether anything that stands over the picture for long stands in this area."""
+        parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend)
+        return any(not part.isHidden() and part.geometry().intersects(area) for part in parts)
+
     def show_banner(self, text: str) -> None:
         if text == self.banner.text:
             return

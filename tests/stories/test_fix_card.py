@@ -1,0 +1,70 @@
+"""The card of a finding: it covers no state while there is room for it, and is read as a whole."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+
+from smsl_studio.blueprint import editing
+from smsl_studio.studio.fix_card import FixCard
+from tests.stories.conftest import Sit
+from tests.stories.person import SAMPLES, Person
+
+Key, Modifier = Qt.Key, Qt.KeyboardModifier
+
+
+def odd_state(person: Person) -> FixCard:
+    """Add a state that leads nowhere; the card that says so."""
+    person.press(Key.Key_N, [Modifier.ControlModifier, Modifier.ShiftModifier])
+    person.type("State099")
+    person.press(Key.Key_Return)
+    person.until_inspected()
+    card = person.window.fix_card
+    person.until(card.isVisible)
+    return card
+
+
+def covered(person: Person) -> list[str]:
+    """The states that lie below the card, even in part."""
+    canvas, card = person.window.canvas, person.window.fix_card
+    found = []
+    for name in canvas.positions:
+        rect = canvas.rect_of(person.blueprint.resolve(f"SB1/{name}"))
+        assert rect is not None
+        if canvas.mapFromScene(rect).boundingRect().intersects(card.geometry()):
+            found.append(name)
+    return found
+
+
+def in_the_corners(person: Person) -> None:
+    """Draw so that a state stands in each corner of the view, and leave room in between."""
+    canvas = person.window.canvas
+    canvas.zoom_to(1.0)
+    wide, high = canvas.width(), canvas.height()
+    names = list(person.blueprint["SB1"].table)
+    spots = [(90, 120), (wide - 90, 120), (90, high - 120), (wide - 90, high - 170)]
+    spots += [(wide // 2 + 60 * at, high - 60) for at in range(len(names) - len(spots))]
+    points = [canvas.mapToScene(QPoint(*spot)) for spot in spots]
+    places = {name: (at.x(), at.y()) for name, at in zip(names, points, strict=True)}
+    person.window.session.edit("Move", lambda bp: editing.set_layout(bp, "SB1", places))
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1440, 900), (1100, 720)])
+def test_the_card_of_a_finding_covers_no_state(sit: Sit, size: tuple[int, int]) -> None:
+    person = sit(SAMPLES / "hfsm.json", size)
+    canvas = person.window.canvas
+    canvas.camera.motion = False
+    in_the_corners(person)
+    card = odd_state(person)
+    assert covered(person) == []
+    assert canvas.rect().contains(card.geometry())
+    overlays = canvas.overlays
+    for part in (overlays.zoom, overlays.map, overlays.breadcrumb, overlays.legend):
+        assert part.isHidden() or not part.geometry().intersects(card.geometry())
+
+
+def test_the_words_of_the_card_are_whole_from_the_first(sit: Sit) -> None:
+    person = sit(SAMPLES / "hfsm.json", (1280, 800))
+    card = odd_state(person)
+    for words in card.words:
+        assert words.height() >= words.heightForWidth(words.width())
