@@ -85,6 +85,7 @@ def test_the_drawing_comes_in_front_of_the_compare_view_and_f7_leads_back(
     assert handle is not None
     assert handle.transientParent() is None
     assert dialog.windowType() is Qt.WindowType.Window
+    assert dialog.screen().availableGeometry().contains(dialog.geometry())
     window.outline.tree.setFocus()
     person.press(Qt.Key.Key_Return)
     person.until(window.isActiveWindow)

@@ -155,7 +155,7 @@ class Comparing(QObject):
         if self._dialog is not None:
             self._dialog.close()
         self._dialog = CompareDialog(self._tokens, self._window)
-        self._dialog.stand_alone()
+        self._dialog.stand_alone(self._window)
         lend_run_keys(self._dialog, self._window)
         self._dialog.element_wanted.connect(self._show_element)
         self._dialog.undo_wanted.connect(self._undo)

@@ -28,7 +28,7 @@ from smsl_studio.studio.compare.side import Side
 from smsl_studio.studio.controls import Combo, Elided, row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.rows import LINE, RowsView
-from smsl_studio.studio.screens import open_at
+from smsl_studio.studio.screens import open_at, place_over
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 
@@ -121,10 +121,11 @@ class CompareDialog(QDialog):
         QShortcut(QKeySequence(keys), self, activated=call)  # type: ignore[call-overload]
         return made
 
-    def stand_alone(self) -> None:
-        """Let the window come in front of it; a dialog stays in front of its window for ever."""
+    def stand_alone(self, over: QWidget) -> None:
+        """Let its window, which it lies over at first, come in front; a dialog would stay there."""
         self._stands_alone = True
         self.setWindowFlags(Qt.WindowType.Window)
+        place_over(self, over)
 
     # What is shown.
 
