@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QRect, Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from tests.stories.at_supervise import AtSupervise
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES
+from tests.stories.test_files import copy_of
 
 Key = Qt.Key
 REGISTRATION = SAMPLES / "registration-digitization.json"
@@ -117,3 +118,47 @@ def test_the_check_has_the_paper_s_form_and_every_source(sit: Sit) -> None:
     tips = [w.toolTip() for w in at.pane.check.findChildren(QWidget) if "lambda s:" in w.toolTip()]
     assert tips
     assert "f1(s): true, Landmarks planned reads 1" in tips[0]
+
+
+def is_whole(button: QPushButton) -> bool:
+    """Whether nothing of a button's words is cut off by its padding and its frame."""
+    words = button.text().replace("&&", "&")
+    return button.fontMetrics().horizontalAdvance(words) + 26 <= button.width()
+
+
+@pytest.mark.parametrize("width", [1440, 1280])
+def test_the_buttons_of_a_question_have_their_whole_words(
+    sit: Sit, tmp_path: Path, width: int
+) -> None:
+    path = copy_of("hfsm.json", tmp_path)
+    long = "OperationThatBringsThePatientToWhereTheToolCanReachTheTargetUnderTheSkin"
+    path.write_text(path.read_text().replace("Operation100B", long))
+    at = AtSupervise(sit(path, (width, 900)))
+    at.start_paused()
+    asking = at.pane.step_in.asking
+    at.press(at.number("Operation100A"))
+    at.person.until(lambda: is_whole(asking.do))
+    assert asking.do.text() == "Carry out Operation100A"
+    assert is_whole(asking.leave)
+    at.press(at.number(long))
+    assert asking.do.accessibleName() == f"Carry out {long}"
+    assert "…" in asking.do.text()
+    assert long in asking.do.toolTip()
+    at.person.until(lambda: is_whole(asking.do) and is_whole(asking.leave))
+    assert asking.rect().contains(asking.do.geometry())
+    assert asking.do.geometry().bottom() < asking.leave.geometry().top()
+
+
+def test_what_is_offered_while_a_run_holds_has_its_whole_words(sit: Sit) -> None:
+    at = AtSupervise(sit(SAMPLES / "hfsm.json"))
+    at.start_paused()
+    for name in ("Operation100A", "Operation100B"):
+        at.press(at.number(name), Key.Key_P)
+        at.person.type("x")
+        at.press(Key.Key_Return)
+        at.until_stands(name, "pruned")
+    at.press(Key.Key_F5)
+    at.until_phase("No route")
+    buttons = at.pane.hold.buttons()
+    assert "Restore Operation100B" in [button.text() for button in buttons]
+    at.person.until(lambda: all(map(is_whole, buttons)))

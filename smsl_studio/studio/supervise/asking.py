@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QFrame, QLabel, QLineEdit, QPushButton, QVBoxLayout
 
-from smsl_studio.studio.controls import label
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.supervise.decisions import Decision
+from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import as_it_is, capital
+
+SIDE, GAP = 12, 6
+AROUND = 28
+"""Pixels of a button beside its words."""
 
 
 class Asking(QFrame):
@@ -37,18 +43,21 @@ class Asking(QFrame):
         self.leave.clicked.connect(self.drop)
         self._keys = (_key("Enter"), _key("Esc"))
         column = QVBoxLayout(self)
-        column.setContentsMargins(12, 10, 12, 12)
+        column.setContentsMargins(SIDE, 10, SIDE, 12)
         column.setSpacing(6)
         for part in (self._sentence, self._detail, self.reason, self._refusal):
             column.addWidget(part)
-        across = QHBoxLayout()
-        across.setSpacing(6)
+        # One button above the other where both do not fit side by side.
+        self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._buttons.setSpacing(GAP)
         for button, key in ((self.do, self._keys[0]), (self.leave, self._keys[1])):
-            across.addWidget(button)
-            across.addWidget(key)
-        across.addStretch(1)
+            pair = row(button, key, spacing=GAP)
+            self._buttons.addLayout(pair)
+            self._buttons.setAlignment(pair, Qt.AlignmentFlag.AlignLeft)
+        self._buttons.addStretch(1)
+        self.do.setMinimumWidth(1)
         column.addSpacing(2)
-        column.addLayout(across)
+        column.addLayout(self._buttons)
         self.hide()
 
     @property
@@ -71,13 +80,34 @@ class Asking(QFrame):
         _say(self._sentence, decision.sentence)
         _say(self._detail, decision.detail)
         self.reason.setVisible(decision.reasoned)
-        self.do.setText(as_it_is(decision.verb))
         for part in (self.do, self._keys[0]):
             part.setVisible(bool(decision.verb))
         self.leave.setText("Let it be" if decision.verb else "Close")
+        self._fit()
         if anew:
             self.refuse("")
             self.reason.clear()
+
+    def _fit(self) -> None:
+        """The buttons side by side or one above the other; a name that is longer still is cut in
+        its middle."""
+        verb = plain_text(self.decision.verb) if self.decision is not None else ""
+        self.do.ensurePolished()
+        metrics, (enter, escape) = self.do.fontMetrics(), self._keys
+        room = self.contentsRect().width() - 2 * SIDE
+        first = room - GAP - enter.sizeHint().width()
+        second = self.leave.sizeHint().width() + GAP + escape.sizeHint().width()
+        beside = metrics.horizontalAdvance(verb) + AROUND <= first - GAP - second
+        way = QBoxLayout.Direction
+        self._buttons.setDirection(way.LeftToRight if beside else way.TopToBottom)
+        words = metrics.elidedText(verb, Qt.TextElideMode.ElideMiddle, first - AROUND)
+        self.do.setText(as_it_is(words))
+        self.do.setAccessibleName(verb)
+        self.do.setToolTip(tip_text("" if words == verb else verb))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
 
     def take_focus(self) -> None:
         """Lead the keys here: to the reason where one is needed, else to what Enter does."""

@@ -17,6 +17,8 @@ from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import as_it_is, capital
 
 BUTTON = 132
+WIDEST, AROUND = 280, 30
+"""A button with a long name, and what it has beside its words."""
 MOST = 180
 """Pixels of the reasons before they scroll."""
 
@@ -118,16 +120,28 @@ class HoldCard(QFrame):
         """The button, and what it does beside it."""
         line = QWidget()
         button = QPushButton()
+        button.ensurePolished()
         metrics = button.fontMetrics()
-        middle = Qt.TextElideMode.ElideMiddle
-        words = metrics.elidedText(plain_text(decision.verb), middle, BUTTON - 28)
-        button.setText(as_it_is(words))
-        button.setFixedWidth(BUTTON)
+        middle, verb = Qt.TextElideMode.ElideMiddle, plain_text(decision.verb)
+        needed = metrics.horizontalAdvance(verb) + AROUND
+        whole = needed <= BUTTON
+        wide = BUTTON if whole else min(WIDEST, needed)
+        button.setText(as_it_is(metrics.elidedText(verb, middle, wide - AROUND + 2)))
+        button.setFixedWidth(wide)
         button.setAccessibleName(plain_text(decision.verb))
         button.setToolTip(tip_text(f"{decision.verb}: {decision.detail}"))
         button.clicked.connect(lambda _=False: self._want(decision))
         said = label(decision.detail, "hint")
         across = row(button)
+        if not whole:
+            # A long name takes the line, and what it does stands below.
+            across.addStretch(1)
+            both = QVBoxLayout(line)
+            both.setContentsMargins(0, 0, 0, 0)
+            both.setSpacing(2)
+            both.addLayout(across)
+            both.addWidget(said)
+            return line
         across.addWidget(said, 1)
         line.setLayout(across)
         return line
