@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
@@ -70,6 +71,11 @@ class FindBar(QWidget):
             part.setProperty("role", "row")
         for field in (self.words, self.other):
             field.installEventFilter(self)
+        # Who has typed what to find goes on to what shall stand there, and then to doing it.
+        stops = (self.words, self.other, self.one, self.every, self.back, self.on, self.shut,
+                 self.case, self.whole, self.regular)  # fmt: skip
+        for before, after in pairwise(stops):
+            self.setTabOrder(before, after)
 
     def set_tokens(self, tokens: Tokens) -> None:
         for button, name in ((self.back, "chevron-up"), (self.on, "chevron-down"),

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 
 from smsl_studio.studio.source.find import Match, Search, find, replaced
 from tests.studio.source.conftest import CTRL, HFSM, NONE, SHIFT, Writer
@@ -118,3 +118,28 @@ def test_what_was_replaced_is_told_until_one_looks_for_something_else(at_text: A
     assert bar.count.text() == f"{count} replaced"
     QTest.keyClicks(bar.words, "x")
     assert bar.count.text() == "Not found"
+
+
+def focus() -> QWidget:
+    found = QApplication.focusWidget()
+    assert found is not None
+    return found
+
+
+def test_tab_leads_from_what_is_found_to_what_shall_stand_there(at_text: At) -> None:
+    writer = at_text()
+    bar = writer.pane.find_bar
+    writer.key(Qt.Key.Key_H, CTRL)
+    QTest.keyClicks(focus(), "State_1")
+    QTest.keyClick(focus(), Qt.Key.Key_Tab)
+    QTest.keyClicks(focus(), "State_9")
+    assert (bar.words.text(), bar.other.text()) == ("State_1", "State_9")
+    seen = []
+    for _ in range(10):
+        seen.append(focus())
+        QTest.keyClick(focus(), Qt.Key.Key_Tab)
+    assert seen[:3] == [bar.other, bar.one, bar.every]
+    assert set(seen) >= {bar.back, bar.on, bar.case, bar.whole, bar.regular}
+    bar.open_bar(replacing=False)
+    QTest.keyClick(bar.words, Qt.Key.Key_Tab)
+    assert focus() is bar.back
