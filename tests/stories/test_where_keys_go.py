@@ -128,3 +128,29 @@ def test_the_legend_covers_no_state_wherever_one_looks(sit: Sit) -> None:
                     assert rect is not None
                     shown = canvas.mapFromScene(rect).boundingRect()
                     assert not shown.intersects(legend.geometry()), (zoom, dx, dy, name)
+
+
+def test_a_key_that_shows_a_panel_puts_the_keys_there_and_back(sit: Sit) -> None:
+    person = sit(HFSM)
+    window = person.window
+    person.ctrl(Key.Key_U)
+    assert window.source.editor.hasFocus()
+    person.press(Key.Key_End, [Qt.KeyboardModifier.ControlModifier])
+    person.type(" ")
+    person.until(lambda: window.session.edited)
+    person.ctrl(Key.Key_U)
+    assert window.canvas.hasFocus()
+    for key, panel in ((Key.Key_I, window.properties), (Key.Key_H, window.history)):
+        person.ctrl(key)
+        assert panel.isVisible()
+        assert panel.hasFocus()
+        person.ctrl(key)
+        assert window.canvas.hasFocus()
+
+
+def test_the_source_has_the_keys_also_where_its_side_was_hidden(sit: Sit) -> None:
+    person = sit(HFSM)
+    person.window.actions_table["right_panel"].trigger()
+    assert not person.window.source.isVisible()
+    person.ctrl(Key.Key_U)
+    assert person.window.source.editor.hasFocus()

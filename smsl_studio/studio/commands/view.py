@@ -33,6 +33,11 @@ def view_actions(
         return Action(f"theme_{name}", words, lambda: windows.set_theme(name), "View",
                       checked=lambda: windows.theme == name, section=4)  # fmt: skip
 
+    def enter(name: str) -> None:
+        """The keys go to a panel; from there, back to the drawing."""
+        if not docks.enter_tab(name):
+            canvas.setFocus()
+
     return (
         Action("mode_draw", "Draw mode", lambda: shell.set_mode("draw"), "View", "", ("Ctrl+1",),
                checked=drawn, short="Draw", tip="Draw and check the blueprint"),
@@ -50,11 +55,12 @@ def view_actions(
         Action("zoom_out", "Zoom out", canvas.zoom_out, "View", "minus", ("Ctrl+-",), drawn,
                section=1),
         in_draw("left"), in_draw("right"), in_draw("bottom"),
-        Action("show_source", "Source", lambda: shell.show_tab("Source"), "View", "",
-               ("Ctrl+U",), drawn, section=3, tip="Show the exact text"),
-        Action("show_properties", "Properties", lambda: shell.show_tab("Properties"), "View", "",
+        Action("show_source", "Source", lambda: enter("Source"), "View", "",
+               ("Ctrl+U",), drawn, section=3,
+               tip="Show the exact text and type there; once more: back to the drawing"),
+        Action("show_properties", "Properties", lambda: enter("Properties"), "View", "",
                ("Ctrl+I",), drawn, section=3),
-        Action("show_history", "History", lambda: shell.show_tab("History"), "View", "",
+        Action("show_history", "History", lambda: enter("History"), "View", "",
                ("Ctrl+H",), drawn, section=3),
         theme("light", "Light theme"), theme("dark", "Dark theme"),
         theme("system", "Theme of the desktop"),

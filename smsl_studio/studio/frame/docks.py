@@ -132,6 +132,16 @@ class Docks(QObject):
                 tabs.show_page(name)
         self.changed.emit()
 
+    def enter_tab(self, name: str) -> bool:
+        """Bring a panel to the front with the keys in it; False where they are there already."""
+        self.show_tab(name)
+        tabs = self.right_tabs if name in self.right_tabs.names else self.bottom_tabs
+        page, focus = tabs.page(name), QApplication.focusWidget()
+        if focus is not None and (page is focus or page.isAncestorOf(focus)):
+            return False
+        page.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        return True
+
     def _resize_right(self, name: str) -> None:
         """The source is wider than a form; each keeps the width it was given."""
         if name != self._tab and self.right.isVisible():

@@ -64,6 +64,12 @@ class Tabs(QWidget):
     def current(self) -> str:
         return self._names[self.bar.currentIndex()]
 
+    def page(self, name: str) -> QWidget:
+        """The panel under a tab."""
+        found = self._pages.widget(self._names.index(name))
+        assert found is not None
+        return found
+
     def show_page(self, name: str) -> None:
         self.bar.setCurrentIndex(self._names.index(name))
 
