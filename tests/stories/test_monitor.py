@@ -218,3 +218,45 @@ def test_the_button_at_the_facts_opens_it(sit: Sit) -> None:
     at = AtMonitor(AtRun(sit(SAMPLES / "hanoi-2.json")))
     at.person.click(at.run.pane.monitor_button)
     at.person.until(lambda: at.page.isVisible())
+
+
+def test_the_page_has_a_stop_of_its_own_while_a_run_exists(sit: Sit) -> None:
+    run = AtRun(sit(SAMPLES / "hanoi-2.json", size=(1280, 800)))
+    at = AtMonitor(run)
+    page = at.open()
+    assert not page.stop.isVisible()
+    page.close()
+    run.person.come_back()
+    run.choose(world="table")
+    run.person.click(run.pane.transport.by_hand)
+    run.person.press(Key.Key_F5)
+    run.until_phase("Ready")
+    page = at.open()
+    assert page.stop.isVisible()
+    assert page.stop.size() == run.pane.transport.stop.size()
+    assert page.phase.text() == "Ready"
+    stop = page.stop
+    assert page.rect().contains(stop.geometry())
+    page.resize(page.minimumSizeHint())
+    assert page.rect().contains(stop.geometry())
+    run.person.click(stop)
+    run.until_phase("Stopped")
+    assert page.phase.text().endswith("Stopped")
+    assert stop.isVisible()
+    run.pane.run.end()
+    run.person.until(lambda: not stop.isVisible())
+
+
+def test_the_key_that_opens_the_page_closes_it(sit: Sit) -> None:
+    at = AtMonitor(AtRun(sit(SAMPLES / "hanoi-2.json")))
+    page = at.open()
+    at.person.until(page.isActiveWindow)
+    at.person.ctrl(Key.Key_M)
+    assert not page.isVisible()
+    at.person.come_back()
+    # Behind the window it is brought to the front first.
+    at.open()
+    at.person.come_back()
+    at.person.ctrl(Key.Key_M)
+    at.person.until(page.isActiveWindow)
+    assert page.isVisible()

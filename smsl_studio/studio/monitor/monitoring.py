@@ -27,8 +27,8 @@ class Monitoring(QObject):
         return self.page is not None and self.page.isVisible()
 
     def toggle(self) -> None:
-        """Show the page, or close it."""
-        if self.page is not None and self.is_open:
+        """Show the page; where it is in front already, close it."""
+        if self.page is not None and self.is_open and self.page.isActiveWindow():
             self.page.close()
         else:
             self.show()
@@ -37,7 +37,7 @@ class Monitoring(QObject):
         """Show the page in front of the window."""
         if self.page is None:
             self.page = MonitorPage(self._run, self._tokens, self._window)
-            lend_run_keys(self.page, self._window.window())
+            lend_run_keys(self.page, self._window.window(), {"monitor"})
             self.page.finished.connect(lambda _: self.changed.emit())
         self.page.show()
         self.page.raise_()

@@ -12,6 +12,7 @@ from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulating import Commanded, Disturbed, FaultInjected
 from smsl_studio.studio.controls import Elided, label, row, rule
+from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.monitor.checks import Checks
 from smsl_studio.studio.monitor.disturb_bar import KINDS, DisturbBar
 from smsl_studio.studio.monitor.estimates import Estimates
@@ -19,8 +20,10 @@ from smsl_studio.studio.monitor.fault_bar import FaultBar
 from smsl_studio.studio.monitor.network import network_rows
 from smsl_studio.studio.monitor.rows import MonitorRow, monitor_rows, of_lost, summary
 from smsl_studio.studio.monitor.table import MonitorTable
+from smsl_studio.studio.phase_badge import PhaseBadge
 from smsl_studio.studio.rows import RowsView
 from smsl_studio.studio.run.framing import head, panel, split
+from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.theme import Tokens
@@ -72,8 +75,13 @@ class MonitorPage(QDialog):
         self.table.disturb_wanted.connect(self._open_menu)
         self.bar.wanted.connect(self._disturb)
         self.faults.wanted.connect(self._inject)
-        top = row(self.words, self._refusal, self._time)
-        top.setContentsMargins(12, 10, 12, 10)
+        # It may lie over the window: so it has a Stop of its own, alike in size, words and key.
+        self.phase, self.stop = PhaseBadge(), KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
+        self.stop.setToolTip("A controlled stop, at any time (F8)")
+        self.stop.clicked.connect(self._run.stop)
+        top = row(self.words, self._refusal, self._time, self.phase, self.stop)
+        top.setContentsMargins(12, 8, 12, 8)
         left = QWidget()
         left.setProperty("role", "panel")
         left.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -109,6 +117,9 @@ class MonitorPage(QDialog):
         if not self.isVisible():
             return
         run = self._run
+        self.phase.show_phase(*phase_words(run.phase), run.sentence)
+        for part in (self.phase, self.stop):
+            part.setVisible(run.exists)
         status, blueprint = run.status, run.blueprint
         if status is None or blueprint is None or not status.configuration:
             self._show_nothing()
@@ -147,7 +158,7 @@ class MonitorPage(QDialog):
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Take other colours."""
-        for part in (self.table, self.network, self.checks):
+        for part in (self.table, self.network, self.checks, self.stop):
             part.set_tokens(tokens)
         self.refresh()
 

@@ -149,8 +149,9 @@ class RunPane(QWidget):
             self.canvas.say("Nothing runs. Play or Step starts a run")
 
     def show_monitor(self) -> None:
-        """Show every sensor, fact, node and state check of the run, in a window beside it."""
-        self.monitoring.show()
+        """Show every sensor, fact, node and state check of the run, in a window beside it; where
+        that is in front already, close it."""
+        self.monitoring.toggle()
 
     def shut(self) -> None:
         """End the run and free what it holds; for closing the window."""
