@@ -30,10 +30,16 @@ from smsl_studio.host.spare import Spare
 from smsl_studio.host.starting import Child, start_child
 from smsl_studio.host.wire import Frame, NoAnswer
 from smsl_studio.monitor.sample import Sample
-from smsl_studio.stop import Stopped, heed, starving
+from smsl_studio.stop import BrokenOff, Looks, Stopped, heed, starving
 
 LOOK = 0.05
 """How often (s) a waiting parent looks at the child's pulse, and whether it shall stop."""
+
+LONGEST = 40
+"""How many looks more a child gets for its answer while the machine gives it no time to work."""
+
+_QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
+"""What a world answers at once: where somebody stops the run meanwhile, it may finish that."""
 
 
 class ProcessHost:
@@ -249,6 +255,7 @@ class ProcessHost:
     def _wait(self, child: Child, verb: str, limit: float) -> Frame:
         """The frame that ends the answer; the one place that waits for the child."""
         began = heard = time.monotonic()
+        late: Looks | None = None
         if verb == "cancel":
             child.starved()  # what it was given before, when it may have had nothing to do, is past
         while True:
@@ -261,7 +268,7 @@ class ProcessHost:
             if self._closing:
                 raise self._lost("the host is closed")
             with starving(child.starved()):
-                heed()
+                late = _heeded(late, verb)
             now = time.monotonic()
             if now - began > limit:
                 raise self._lost(
@@ -288,3 +295,23 @@ class ProcessHost:
         if self._child is not None:
             self._child.kill()
         self._child = None
+
+
+def _heeded(late: Looks | None, verb: str) -> Looks | None:
+    """Ask whether the answer is still wanted, as long as nobody has said no (``late`` is None).
+
+    Then the world has until the last of its looks to answer: it may only be slow, and whoever
+    stops a run wants it braked, not ended.
+    """
+    if late is not None:
+        late.heed()
+        return late
+    try:
+        heed()
+    except BrokenOff:
+        raise
+    except Stopped:
+        if verb not in _QUICK:
+            raise
+        return Looks(1, LONGEST)
+    return None

@@ -183,6 +183,26 @@ def test_a_stop_ends_a_child_that_does_not_answer(lamp: Callable[..., ProcessHos
     assert child_processes() == []
 
 
+def test_a_world_that_is_at_a_tick_when_a_stop_comes_may_finish_it(tmp_path: Path) -> None:
+    told = tmp_path / "told"
+    waits = f"while not __import__('os').path.exists({str(told)!r}): pass"
+    code = LAMP_PLUGIN.replace('print("switching")', waits)
+    write_plugin(tmp_path, "lamp", code)
+    host = ProcessHost(blueprint_of(LAMP), "lamp", 0, [tmp_path])
+    host.open(START)
+    host.begin(ON)
+
+    def stop() -> None:
+        told.touch()
+        raise Stopped
+
+    with heeding(stop):
+        assert host.tick().outcome is Outcome.RUNNING
+    host.cancel("hold")
+    assert host.pid is not None
+    host.close()
+
+
 def test_a_stop_ends_the_building_of_a_world(tmp_path: Path) -> None:
     code = LAMP_PLUGIN.replace(
         '    @library.world("lamp"', "    FOREVER\n" + '    @library.world("lamp"', 1
