@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -293,3 +293,24 @@ def test_the_canvas_of_run_is_drawn_when_it_is_seen(sit: Sit) -> None:
     assert canvas.rect_of(fresh) is not None
     session.edit("Delete", lambda bp: editing.delete(bp, [fresh]))
     assert canvas.rect_of(fresh) is None
+
+
+class Opened(QObject):
+    """Notes every window that comes up."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.windows: list[str] = []
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Show and isinstance(watched, QWidget) and watched.isWindow():
+            self.windows.append(type(watched).__name__)
+        return False
+
+
+def test_no_part_comes_up_as_a_window_of_its_own(sit: Sit, qapp: QApplication) -> None:
+    opened = Opened()
+    qapp.installEventFilter(opened)
+    sit(SAMPLES / "hfsm.json")
+    qapp.removeEventFilter(opened)
+    assert opened.windows == ["Window"]

@@ -39,7 +39,8 @@ class Properties(QScrollArea):
         self.state = StateForm(session, tokens)
         self.operation = OperationForm(session, tokens)
         self.several = _Several(session)
-        self.header = HeaderForm(session, tokens)
+        # It shows itself, and without a parent it would be a window of its own for a moment.
+        self.header = HeaderForm(session, tokens, inner)
         self.hazards = HazardForm(session, tokens)
         self.file = FileForm(session, tokens)
         self._rule = rule()
