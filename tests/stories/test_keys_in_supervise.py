@@ -111,3 +111,17 @@ def test_in_run_the_canvas_has_the_keys_when_a_question_goes(sit: Sit) -> None:
     run.until_phase("Stopped")
     person.until(lambda: not run.pane.possible.asking.isVisible())
     assert focus() is canvas
+
+
+def test_the_board_has_the_keys_when_why_a_run_holds_has_gone(sit: Sit) -> None:
+    at = AtSupervise(sit(HFSM))
+    at.start_paused()
+    at.press(Key.Key_F8)
+    at.until_phase("Stopped")
+    (reset, *_) = at.pane.hold.buttons()
+    reset.setFocus()
+    at.press(Key.Key_Return, Key.Key_Return)
+    at.until_phase("Paused")
+    assert focus() is at.pane
+    at.press(Key.Key_1)
+    assert at.asked.startswith("Carry out")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QApplication, QFrame, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.status import DispatchStatus, Offer
 from smsl_studio.legible import plain_text
@@ -70,8 +70,6 @@ class HoldCard(QFrame):
     def show_status(self, status: DispatchStatus | None, exists: bool) -> None:
         """Follow the run."""
         held = status is not None and exists and status.phase in LATCHED
-        if not held:
-            self._let_go()
         self.setVisible(held)
         if status is None or not held:
             self._offer(())
@@ -99,7 +97,6 @@ class HoldCard(QFrame):
         if tuple(found) == self._shown:
             return
         self._shown = tuple(found)
-        self._let_go()
         while self._buttons.count():
             item = self._buttons.takeAt(0)
             old = item.widget() if item else None
@@ -109,12 +106,6 @@ class HoldCard(QFrame):
                 old.deleteLater()
         for offer in self._shown:
             self._buttons.addWidget(self._row(offered(offer)))
-
-    def _let_go(self) -> None:
-        """A button that goes takes no keys along: what is around it has them then."""
-        parent, focus = self.parentWidget(), QApplication.focusWidget()
-        if parent is not None and focus is not None and self.isAncestorOf(focus):
-            parent.setFocus()
 
     def _row(self, decision: Decision) -> QWidget:
         """The button, and what it does beside it."""
