@@ -35,6 +35,10 @@ from smsl_studio.stop import BrokenOff, Looks, Stopped, heed, starving
 LOOK = 0.05
 """How often (s) a waiting parent looks at the child's pulse, and whether it shall stop."""
 
+LAST_LOOK = 0.025
+"""How long (s) a child has to finish its answer after a stop; with what went before it is less than
+the grace of a signal (see ``stop``)."""
+
 LONGEST = 40
 """How many looks more a child gets for its answer while the machine gives it no time to work."""
 
@@ -259,7 +263,7 @@ class ProcessHost:
         if verb == "cancel":
             child.starved()  # what it was given before, when it may have had nothing to do, is past
         while True:
-            frame = child.heard(LOOK)
+            frame = child.heard(LOOK if late is None else LAST_LOOK)
             if frame is not None and frame.kind != "loads":
                 return frame
             if frame is not None:

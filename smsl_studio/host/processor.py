@@ -36,12 +36,13 @@ class ProcessorTime(NamedTuple):
         return cls(now, ran, waited, ready)
 
     def starved_since(self, before: ProcessorTime) -> bool:
-        """Whether it was given less than half of the time since then, and could have used it.
+        """Whether it was given too little time since then for a short answer.
 
-        A wait that has not ended yet, one for a disk, and a processor that was taken from the
-        whole machine are counted nowhere: it is ready then, and has not worked.
+        It waited most of the time, or could work now and has hardly worked: a wait that has not
+        ended yet, one for a disk, and a processor that was taken from the whole machine are
+        counted nowhere.
         """
-        half = (self.at - before.at) / 2
-        if self.waited - before.waited > half:
+        wall = self.at - before.at
+        if self.waited - before.waited > wall / 2:
             return True
-        return self.ready and self.ran - before.ran < half
+        return self.ready and self.ran - before.ran < wall / 10

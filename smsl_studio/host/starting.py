@@ -122,7 +122,10 @@ class Child:
     @property
     def dead(self) -> bool:
         """Whether it has ended; also where something it started keeps its pipes open."""
-        return exit_code(self.pid) is not None
+        try:
+            return exit_code(self.pid) is not None
+        except ChildProcessError:
+            return True  # a signal broke off its end after it was waited for
 
     def ending(self) -> int | None:
         """How it ended: its exit status, or the number of the signal as a negative one."""

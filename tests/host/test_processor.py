@@ -18,10 +18,11 @@ Time = ProcessorTime
     [
         pytest.param(Time(0), Time(0.05, waited=0.04), True, id="waited, and has worked since"),
         pytest.param(Time(0), Time(0.05, ready=True), True, id="waits still"),
-        pytest.param(Time(0, 7.0), Time(0.05, 7.01, 0.0, True), True, id="taken from the machine"),
+        pytest.param(Time(0, 7.0), Time(0.05, 7.002, 0.0, True), True, id="taken from the machine"),
         pytest.param(
             Time(0, 7.0), Time(0.05, 7.048, 0.0, True), False, id="works and says nothing"
         ),
+        pytest.param(Time(0, 7.0), Time(0.05, 7.02, 0.0, True), False, id="works, half as quick"),
         pytest.param(Time(0, 7.0), Time(0.05, 7.001), False, id="sleeps"),
         pytest.param(Time(0, 7.0), Time(0.05, 7.03, 0.02), False, id="had enough to answer"),
         pytest.param(Time(0), Time(0.05), False, id="the kernel tells nothing"),
