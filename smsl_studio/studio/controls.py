@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QLocale, QPoint, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QLocale, QPoint, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QFocusEvent,
     QKeyEvent,
+    QKeySequence,
     QPainter,
     QPaintEvent,
     QPalette,
@@ -32,7 +33,7 @@ from smsl_studio.studio.icons import draw
 from smsl_studio.studio.theme import CONTROL, RADIUS_CONTROL
 from smsl_studio.studio.tips import tip_text
 
-Role = QPalette.ColorRole
+Role, Keys = QPalette.ColorRole, QKeySequence.StandardKey
 LEFT, BESIDE_TEXT = 9, 31
 """Of a choice: what is left of its text, and on both sides together (the chevron too)."""
 
@@ -294,6 +295,18 @@ class Field(QLineEdit):
         self._suffix.setVisible(bool(text))
         self._suffix.adjustSize()
         self._place_suffix()
+
+    def event(self, event: QEvent) -> bool:
+        """Undo is about the letters while something is being typed, and else about the drawing."""
+        if (
+            isinstance(event, QKeyEvent)
+            and event.type() is QEvent.Type.ShortcutOverride
+            and (event.matches(Keys.Undo) or event.matches(Keys.Redo))
+            and not self.changed
+        ):
+            event.ignore()
+            return True
+        return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.changed:

@@ -20,6 +20,7 @@ from smsl_studio.smsl.document import Document
 from smsl_studio.studio.aside import NOTHING, Aside, Unsaved, brought_back, put_aside
 from smsl_studio.studio.broken import Broken, Reading, read_text, texts_of, under_name
 from smsl_studio.studio.places import Places
+from smsl_studio.studio.renamed import branch_now, first_branch, now_named
 
 __all__ = ["Broken", "Fact", "Session"]
 
@@ -101,7 +102,7 @@ class Session(QObject):
         self._selection: tuple[Address, ...] = ()
         self._fact: Fact | None = None
         self._left: tuple[Address, ...] = ()
-        self._branch = _first_branch(blueprint)
+        self._branch = first_branch(blueprint)
         self._kept = _drawn(blueprint)
         """The SBs that the file had when it was opened or saved last, not those begun since."""
         self.places = Places()
@@ -211,7 +212,7 @@ class Session(QObject):
         self._broken = broken
         self._aside = NOTHING
         # The history tells that it is empty now, and whoever hears it looks at all of this.
-        self._branch = _first_branch(blueprint)
+        self._branch = first_branch(blueprint)
         self._selection, self._fact = (), None
         self.places.clear()
         self.history.clear()
@@ -311,31 +312,26 @@ class Session(QObject):
             self.broken_changed.emit()
 
     def _follow(self, before: Blueprint) -> None:
-        """Tell of another blueprint, and show and select what of the former still stands."""
-        blueprint = self._blueprint
+        """Tell of another blueprint, and show and select what of the former still stands.
+
+        What was renamed stays selected under its new name, already while the blueprint is told of:
+        a form that was empty for a moment would have lost the keys.
+        """
+        blueprint, former = self._blueprint, self._selection
+        self._selection = tuple(now_named(before, blueprint, one) for one in former)
         moved = self._branch not in blueprint.branches
         if moved:
-            self._branch = _renamed(before, blueprint, self._branch)
+            self._branch = branch_now(before, blueprint, self._branch)
         self.blueprint_changed.emit(before, blueprint)
         if moved:
             self.branch_changed.emit(self._branch)
         kept = tuple(a for a in self._selection if self._stands(a))
         fact = self._fact
+        if kept == self._selection != former:
+            self.selection_changed.emit(kept)
         self._choose(kept, fact if fact is not None and self._is_fact(fact) else None)
 
 
 def _drawn(blueprint: Blueprint) -> tuple[str, ...]:
     """The SBs that are more than begun."""
     return tuple(branch.name for branch in blueprint if len(branch.table) > 1)
-
-
-def _first_branch(blueprint: Blueprint) -> str:
-    return next(iter(blueprint.roots), next(iter(blueprint.branches), ""))
-
-
-def _renamed(before: Blueprint, after: Blueprint, branch: str) -> str:
-    """The SB that now stands where ``branch`` stood (it was renamed), else the first one."""
-    names, now = list(before.branches), list(after.branches)
-    if branch in names and len(names) == len(now):
-        return now[names.index(branch)]
-    return _first_branch(after)

@@ -101,6 +101,15 @@ def test_the_drawing_comes_in_front_of_the_compare_view_and_f7_leads_back(
     assert person.selected() == ["SB1/State_cbc/Op_2a"]
 
 
+def test_the_compare_view_opens_with_all_of_both_sides(sit: Sit, tmp_path: Path) -> None:
+    person = sit(at(tmp_path, "hfsm.json"))
+    places = {"State111": (2400.0, 40.0)}
+    person.window.session.edit("Move", lambda b: edit.set_layout(b, "SB1", places))
+    dialog = asked(person, "compare_saved")
+    for side in (dialog.before, dialog.after):
+        assert side.canvas.outside == 0
+
+
 def test_the_compare_view_goes_with_its_window(sit: Sit, tmp_path: Path) -> None:
     person = sit(at(tmp_path, "hfsm.json"))
     dialog = asked(person, "compare_saved")

@@ -95,6 +95,38 @@ def test_a_click_into_a_form_takes_the_keys_there(sit: Sit, file: Path) -> None:
     QTest.keyClick(elsewhere, Key.Key_Escape)
 
 
+def test_a_name_that_a_click_into_the_form_takes_over_leaves_the_keys_there(
+    sit: Sit, file: Path
+) -> None:
+    person = sit(file)
+    person.select("SB1/State100")
+    person.press(Key.Key_F2)
+    person.type("State112")
+    elsewhere = name_in_form(person)
+    person.click(elsewhere)
+    assert person.steps() == ["Rename State100 to State112"]
+    assert QApplication.focusWidget() is elsewhere
+    assert elsewhere.text() == "State112"
+
+
+@pytest.mark.parametrize("element", ["SB1/State100", "SB1/State100/Operation100A"])
+def test_after_a_name_is_given_in_the_form_it_still_has_the_keys(
+    sit: Sit, file: Path, element: str
+) -> None:
+    person = sit(file)
+    person.select(element)
+    field = name_in_form(person)
+    person.click(field)
+    field.selectAll()
+    person.type("State112")
+    person.press(Key.Key_Return)
+    assert len(person.steps()) == 1
+    assert QApplication.focusWidget() is field
+    person.ctrl(Key.Key_Z)
+    assert person.selected() == [element]
+    assert field.text() == element.rpartition("/")[2]
+
+
 def name_in_form(person: Person) -> Field:
     fields = person.window.properties.findChildren(Field)
     return next(f for f in fields if f.isVisible() and f.accessibleName() == "Name")

@@ -259,9 +259,10 @@ class CompareDialog(QDialog):
             handle.setTransientParent(None)  # type: ignore[arg-type]
         low = min(max(self.changes.height_of_all() + 8, LIST[0]), LIST[1])
         self._split.setSizes([self._split.height() - low, low])
-        self._link.fit()
         if not self.changes.currentIndex().isValid():
             self.show_next()
+        # Last, because the first change was looked for before there was room to see it in.
+        self._link.fit()
         self.changes.setFocus()
 
 

@@ -1,0 +1,43 @@
+"""What a thing is called now: after an edit that gave it another name and left it at its place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+
+
+def first_branch(blueprint: Blueprint) -> str:
+    """The SB that is shown of a blueprint at first; the empty text where it has none."""
+    return next(iter(blueprint.roots), next(iter(blueprint.branches), ""))
+
+
+def branch_now(before: Blueprint, after: Blueprint, branch: str) -> str:
+    """The SB that now stands where ``branch`` stood (it was renamed), else the first one."""
+    names, now = list(before.branches), list(after.branches)
+    if branch in names and len(names) == len(now):
+        return now[names.index(branch)]
+    return first_branch(after)
+
+
+def now_named(before: Blueprint, after: Blueprint, address: Address) -> Address:
+    """The address of a state or operation after an edit; of what went, the one it had."""
+    old, new = before.branches.get(address.branch), after.branches.get(address.branch)
+    if old is None or new is None or address.state not in old.table:
+        return address
+    state = _name_now(old.table, new.table, address.state)
+    if not address.operation or state not in new.table:
+        return replace(address, state=state)
+    operations = old.table[address.state], new.table[state]
+    return replace(address, state=state, operation=_name_now(*operations, address.operation))
+
+
+def _name_now(before: Iterable[str], after: Iterable[str], name: str) -> str:
+    """The new name at the place of one that is gone, where nothing came or went besides."""
+    names, now = list(before), list(after)
+    if name in now or name not in names or len(names) != len(now):
+        return name
+    found = now[names.index(name)]
+    return name if found in names else found
