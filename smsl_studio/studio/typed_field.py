@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 from shiboken6 import isValid
 
 from smsl_studio.studio.panels.lines.box import Box
@@ -19,13 +19,14 @@ def take_over(field: QWidget | None) -> None:
         return
     behind = _what_it_stands_in(field)
     mark = _Mark(field) if isinstance(field, QLineEdit) else None
-    field.clearFocus()
+    if behind is not None:
+        behind.setFocus()
+    else:
+        field.clearFocus()
     if isValid(field) and field.isVisible():
         field.setFocus()
         if mark is not None:
             mark.put_back()
-    elif behind is not None and isValid(behind) and QApplication.focusWidget() is None:
-        behind.setFocus()
 
 
 class _Mark:
