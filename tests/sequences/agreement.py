@@ -56,7 +56,7 @@ def _canvas(window: Window) -> Iterator[str]:
         if canvas.sheet is not None:
             yield "the canvas draws an SB that is not there"
         return
-    yield from _drawn(canvas, branch, "canvas")
+    yield from _drawn(canvas, branch, "canvas", branch)
     assert canvas.sheet is not None
     if canvas.sheet.picture.blueprint is not session.blueprint:
         yield "the canvas draws another blueprint"
@@ -69,8 +69,8 @@ def _canvas(window: Window) -> Iterator[str]:
         yield "an item is drawn for a state that is not there"
 
 
-def _drawn(canvas: Canvas, branch: StateBranch, where: str) -> Iterator[str]:
-    """What differs between a canvas and the SB it draws."""
+def _drawn(canvas: Canvas, branch: StateBranch, where: str, placed: StateBranch) -> Iterator[str]:
+    """What differs between a canvas and the SB it draws, in the places of ``placed``."""
     sheet = canvas.sheet
     if sheet is None:
         yield f"the {where} is empty"
@@ -95,7 +95,7 @@ def _drawn(canvas: Canvas, branch: StateBranch, where: str) -> Iterator[str]:
     ]
     if edges != there:
         yield f"the {where} draws other operations"
-    for state, at in branch.notes.layout.items():
+    for state, at in placed.notes.layout.items():
         if state in branch.table and rounded({"": canvas.positions[state]}) != rounded({"": at}):
             yield f"{state} is not drawn where the {where}'s file has it"
 
@@ -195,7 +195,9 @@ def _run(window: Window) -> Iterator[str]:
     if branch is None:
         yield f"Run mode shows the SB {pane.canvas.branch!r}"
         return
-    yield from _drawn(pane.canvas.canvas, branch, "run's canvas")
+    # A state that was moved makes no other drawing: the run shows it where it is now.
+    placed = branch if run.is_another(session.blueprint) else session.blueprint[branch.name]
+    yield from _drawn(pane.canvas.canvas, branch, "run's canvas", placed)
     same = session.blueprint.branches.get(branch.name)
     if held == session.blueprint and not run.foreign and same is not None and branch.notes.layout:
         drawn = rounded(session.places.shown(same))

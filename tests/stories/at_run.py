@@ -11,7 +11,7 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.studio.run.pane import RunPane
 from tests.stories.person import LEFT, Person, address
 
-PATIENCE = 30_000
+PATIENCE = 120_000
 """Milliseconds a world may take on a machine that is busy."""
 
 
