@@ -6,6 +6,7 @@ import argparse
 import signal
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
@@ -40,7 +41,9 @@ def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
     # Under nohup the end of the terminal is to be ignored, and stays so.
     ends = [end for end in known if end and signal.getsignal(end) is not signal.SIG_IGN]
-    before = [signal.signal(end, lambda *_: windows.leave()) for end in ends]
+    # Python hears it at any place, also in the middle of a drawing: nothing is closed there.
+    hear = partial(QTimer.singleShot, 0, application, windows.leave)
+    before = [signal.signal(end, lambda *_: hear()) for end in ends]
     try:
         return application.exec()
     finally:
