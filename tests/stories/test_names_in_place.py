@@ -16,7 +16,7 @@ from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
 Key = Qt.Key
-KEPT = [Key.Key_S, Key.Key_H, Key.Key_J, Key.Key_Plus]
+KEPT = [Key.Key_S, Key.Key_J, Key.Key_Plus]
 """With Ctrl: keys of the window that leave the focus where it is."""
 
 
@@ -63,6 +63,16 @@ def test_after_an_operation_is_named_and_saved_the_keys_act_on_it(sit: Sit, file
     person.ctrl(Key.Key_S)
     person.press(Key.Key_Delete)
     assert person.steps() == ["Rename Operation100A to Op_new", "Delete Op_new"]
+
+
+def test_a_key_that_leads_elsewhere_takes_a_name_over_and_leads_there(sit: Sit, file: Path) -> None:
+    person = sit(file)
+    person.select("SB1/State100")
+    person.press(Key.Key_F2)
+    person.type("State101")
+    person.ctrl(Key.Key_H)
+    assert person.steps() == ["Rename State100 to State101"]
+    assert person.window.history.hasFocus()
 
 
 @pytest.mark.parametrize("key", KEPT)
