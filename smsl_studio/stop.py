@@ -25,6 +25,9 @@ from contextlib import contextmanager
 GRACE = 0.1
 """Wall seconds in which graceful work must have heeded a signal before it is broken off."""
 
+LONGEST = 40
+"""How many looks more somebody gets for an answer while the machine gives it no time to work."""
+
 Listener = Callable[[], object]
 
 

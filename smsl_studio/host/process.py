@@ -30,7 +30,7 @@ from smsl_studio.host.spare import Spare
 from smsl_studio.host.starting import Child, start_child
 from smsl_studio.host.wire import Frame, NoAnswer
 from smsl_studio.monitor.sample import Sample
-from smsl_studio.stop import BrokenOff, Looks, Stopped, heed, starving
+from smsl_studio.stop import LONGEST, BrokenOff, Looks, Stopped, heed, starving
 
 LOOK = 0.05
 """How often (s) a waiting parent looks at the child's pulse, and whether it shall stop."""
@@ -38,9 +38,6 @@ LOOK = 0.05
 LAST_LOOK = 0.025
 """How long (s) a child has to finish its answer after a stop; with what went before it is less than
 the grace of a signal (see ``stop``)."""
-
-LONGEST = 40
-"""How many looks more a child gets for its answer while the machine gives it no time to work."""
 
 _QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
 """What a world answers at once: where somebody stops the run meanwhile, it may finish that."""

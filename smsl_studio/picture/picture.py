@@ -112,7 +112,7 @@ class Picture:
         return keys[order], order.astype(np.int32)
 
     def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """The edges from one state to another, and those that lead back, by number."""
+        """The numbers of the edges from ``a`` to ``b``, and of those from ``b`` to ``a``."""
         keys, numbers = self._by_ends
         key = min(a, b) * (len(self) + 1) + max(a, b)
         first, last = np.searchsorted(keys, (key, key + 1))

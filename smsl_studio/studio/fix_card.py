@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QTimer, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout
 
 from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.overlays.card import Card
 from smsl_studio.studio.controls import label, row
@@ -23,6 +25,8 @@ from smsl_studio.studio.words import as_it_is, capital, whole_sentence
 WIDTH, EDGE, TOP, RIGHT_TOP, FOOT = 236, 14, 86, 56, 58
 STEP = 16
 """So far apart are the places that are tried where no corner is free."""
+CROWD = 500
+"""Among more states than these there is no free place to be found."""
 
 
 class FixCard(Card):
@@ -145,11 +149,26 @@ class FixCard(Card):
             for x in range(EDGE, far.x() - self.width() + 1, STEP)
             if not overlays.floats_in(QRect(QPoint(x, y), self.size()))
         ]
-        return min(
-            spots,
-            key=lambda at: (self._covered(at), (at - corner).manhattanLength()),
-            default=corner,
-        )
+        nodes = self._nodes_in_view()
+        if not spots or len(nodes) > CROWD:
+            return corner
+        x, y = np.array([(at.x(), at.y()) for at in spots], dtype=np.float64).T[:, :, None]
+        left, top, right, bottom = nodes.T
+        across = (left < x + self.width()) & (right > x)
+        covered = (across & (top < y + self.height()) & (bottom > y)).sum(axis=1).tolist()
+        ways = [(at - corner).manhattanLength() for at in spots]
+        return spots[min(range(len(spots)), key=lambda i: (covered[i], ways[i]))]
+
+    def _nodes_in_view(self) -> Floats:
+        """Left, top, right and bottom of the nodes that are seen, (n, 4), in pixels."""
+        sheet, view = self._canvas.sheet, self._canvas.viewport().rect()
+        if sheet is None:
+            return np.empty((0, 4))
+        box = self._canvas.mapToScene(view).boundingRect()
+        seen = sheet.states_in(box.left(), box.top(), box.right(), box.bottom())
+        at, half = sheet.at[seen], sheet.halves()[seen]
+        way = self._canvas.viewportTransform()
+        return np.hstack([at - half, at + half]) * way.m11() + [way.dx(), way.dy()] * 2
 
     def _covered(self, at: QPoint) -> int:
         """How many states it would cover there."""

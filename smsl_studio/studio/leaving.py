@@ -16,7 +16,7 @@ class Leaving:
         self.agreed = False
 
     def ask(self, several: bool = False) -> bool:
-        """Ask what becomes of the run and of unsaved work; False where the window shall stay.
+        """Ask whether the run may end and whether to save; False where the window shall stay.
 
         Nothing is done yet. ``several`` windows are asked about: each question says more of the
         file, so that it is known which one is meant.

@@ -13,18 +13,22 @@ HIGH = 32
 
 
 class PhaseBadge(Label):
-    """Alike wherever a run is stopped from: the same word, in the same colours."""
+    """The state of a run as one word in its colour; every bar that has Stop shows the same."""
 
     def __init__(self) -> None:
         super().__init__()
         self._kind = ""
+        self._said: tuple[str, str, str] | None = None
         self.setProperty("role", "phase")
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setFixedHeight(HIGH)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def show_phase(self, words: str, kind: str, tip: str = "") -> None:
-        """Show the word of a run state, dressed as its ``kind`` asks for."""
+        """Show the word of a run state, dressed as its ``kind`` asks for; it is told each frame."""
+        if (words, kind, tip) == self._said:
+            return
+        self._said = words, kind, tip
         self.setText(words if kind == "quiet" else f"●  {words}")
         self.setToolTip(tip_text(tip))
         self.setAccessibleName(plain_text(f"The run: {words}"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
@@ -34,10 +34,12 @@ def now_named(before: Blueprint, after: Blueprint, address: Address) -> Address:
     return replace(address, state=state, operation=_name_now(*operations, address.operation))
 
 
-def _name_now(before: Iterable[str], after: Iterable[str], name: str) -> str:
-    """The new name at the place of one that is gone, where nothing came or went besides."""
-    names, now = list(before), list(after)
-    if name in now or name not in names or len(names) != len(now):
+def _name_now(before: Collection[str], after: Collection[str], name: str) -> str:
+    """The new name at the place of one that is gone, where nothing came or went besides.
+
+    Both are tables: what still stands, which most do, is found at once.
+    """
+    if name in after or name not in before or len(before) != len(after):
         return name
-    found = now[names.index(name)]
-    return name if found in names else found
+    found = list(after)[list(before).index(name)]
+    return name if found in before else found

@@ -14,15 +14,13 @@ from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.words import all_words
 from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
-from smsl_studio.stop import BrokenOff, Looks, Stopped, heeding
+from smsl_studio.stop import LONGEST, BrokenOff, Looks, Stopped, heeding
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
 
 PATIENCE = 2
 """How often a stop looks whether the world has braked, before it is ended instead."""
-LONGEST = 40
-"""How often more it looks while the machine gives the world no time to brake."""
 MUTE = "the simulation process did not brake and was ended"
 
 

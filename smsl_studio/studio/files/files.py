@@ -188,7 +188,7 @@ class Files(QObject):
         return self.save() if answer == "save" else answer == "discard"
 
     def ask_unsaved(self, several: bool = False) -> Answer:
-        """What becomes of unsaved changes; where there are none they can be discarded.
+        """Ask whether to save unsaved changes; ``discard`` where there are none.
 
         ``several`` windows are asked about, and two of them may show files of the same name.
         """
@@ -201,7 +201,7 @@ class Files(QObject):
         return self._asker.unsaved(f"{said} {self._told_apart()}" if several else said)
 
     def _told_apart(self) -> str:
-        """What tells the file from another one of the same name."""
+        """Words by which a person knows this file from another one with the same name."""
         if self.path is not None:
             return f"{self._name} is in {self.path.parent}."
         states = sum(len(branch.table) for branch in self._session.blueprint)

@@ -15,7 +15,7 @@ from shiboken6 import isValid
 from smsl_studio.studio.frame.modes import DRAW, Modes
 
 HEARD = "supervise"
-"""The mode whose letters and digits act wherever no text is typed."""
+"""In this mode letters and digits are commands, except while somebody types text."""
 
 
 class KeysHome(QObject):
@@ -46,7 +46,8 @@ class KeysHome(QObject):
             self._modes.take_focus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """A letter or digit that nobody took is for the page, also from a button of a bar."""
+        """A letter or digit that no widget used goes to the page, also if a button of a bar has the
+        focus."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
             return self._hear(event)
         return super().eventFilter(watched, event)

@@ -131,8 +131,10 @@ class ModeBar(QToolBar):
 
     def show_phase(self, words: str, kind: str, tip: str) -> None:
         """Say beside Stop how the run stands, so that one sees what a Stop has done."""
+        before = self.phase.text()
         self.phase.show_phase(words, kind, tip)
-        self._precedence.fit()
+        if self.phase.text() != before:
+            self._precedence.fit()
 
     def show_mode(self, mode: str) -> None:
         self._mode = mode

@@ -1,4 +1,4 @@
-"""The name of a fact, as the outline and the branch header let one type it."""
+"""How the name of a fact is changed, in the outline and in the branch header alike."""
 
 from __future__ import annotations
 
