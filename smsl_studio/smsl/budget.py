@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.limits import MAX_CHARACTERS, TOO_LONG, TOO_MANY_VALUES
+from smsl_studio.smsl.limits import MAX_CHARACTERS, TOO_LONG, too_many_values
 
 
 def over_budget(text: str) -> tuple[str, str]:
     """What is wrong with a text that is beyond the budget, and what to do."""
-    return TOO_LONG if len(text) > MAX_CHARACTERS else TOO_MANY_VALUES
+    return TOO_LONG if len(text) > MAX_CHARACTERS else too_many_values(text)
 
 
 def share_of_budget(document: Document) -> int:

@@ -16,8 +16,16 @@ MAX_CHARACTERS = LARGEST_FILE
 MAX_VALUES = 500_000
 """So many names and values a file may hold: members of maps and elements of lists, of any depth."""
 
-MAX_BRANCHES = 10_000
-"""So many SBs a blueprint may have, imported ones too."""
+FREE_VALUES = 20_000
+CHARACTERS_A_VALUE = 8
+"""Beyond the free ones, a text needs so many characters for each name or value that it holds.
+
+What people draw has 15 to 40, with the indentation. What costs time is the number of values, so a
+text that is short and stands for very many is refused before they are made.
+"""
+
+MAX_BRANCHES = 4000
+"""So many SBs a blueprint may have, imported ones too: a hundred times what people draw."""
 
 MAX_NAME = 10_000
 """So many characters a name may have: it is drawn, listed and sought in many places."""
@@ -33,10 +41,6 @@ TOO_DEEP = (
 )
 """What is told of it, and what to do."""
 
-TOO_MANY_VALUES = (
-    f"more than {MAX_VALUES:,} names and values stand in one file",
-    "Split it into several files, and import them.",
-)
 TOO_MANY_BRANCHES = (
     f"a blueprint has at most {MAX_BRANCHES:,} State Branches",
     "Split it into several blueprints.",
@@ -47,6 +51,21 @@ TOO_LONG = (
     f"the file is larger than {MAX_CHARACTERS >> 20} million characters",
     "Split it into several files, and import them.",
 )
+
+
+def most_values(text: str) -> int:
+    """How many names and values a text of this length may hold."""
+    return min(MAX_VALUES, FREE_VALUES + len(text) // CHARACTERS_A_VALUE)
+
+
+def too_many_values(text: str) -> tuple[str, str]:
+    """What is told of a text that holds more than it may, and what to do."""
+    most = most_values(text)
+    if most == MAX_VALUES:
+        words = f"more than {most:,} names and values stand in one file"
+        return words, "Split it into several files, and import them."
+    words = f"more than {most:,} names and values stand in {len(text):,} characters"
+    return words, "Write fewer of them; a name that says what it means is longer."
 
 
 def too_large(number: str) -> bool:

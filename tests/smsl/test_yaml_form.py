@@ -156,7 +156,7 @@ def test_a_refusal_names_the_place(text: str, line: int, column: int, words: str
 
 
 def test_a_file_may_not_ask_for_too_much(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("smsl_studio.smsl.yaml_form.nodes.MAX_VALUES", 50)
+    monkeypatch.setattr("smsl_studio.smsl.limits.MAX_VALUES", 50)
     error = refusal("SB: {S: {a: S}}\n_x: [" + "a," * 50 + "]\nSC: {}\n")
     assert "names and values stand in one file" in error.sentence
     assert recover("SB: {}\n_x: [" + "a," * 50 + "]", "f.yaml").values["SB"] == {}

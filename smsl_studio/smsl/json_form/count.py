@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from itertools import islice
 
-from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_VALUES
+from smsl_studio.smsl.limits import MAX_CHARACTERS, most_values
 
 _MARKS = re.compile(r'[,{\[]|"[^"\\]*+(?:\\.[^"\\]*+)*+"', re.DOTALL)
 
@@ -20,7 +20,8 @@ def beyond_budget(text: str) -> int | None:
     """
     if len(text) > MAX_CHARACTERS:
         return 0
-    if sum(map(text.count, ",{[")) <= MAX_VALUES:
+    most = most_values(text)
+    if sum(map(text.count, ",{[")) <= most:
         return None
     marks = (found.start() for found in _MARKS.finditer(text) if found[0][0] != '"')
-    return next(islice(marks, MAX_VALUES, None), None)
+    return next(islice(marks, most, None), None)

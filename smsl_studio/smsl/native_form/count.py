@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_VALUES
+from smsl_studio.smsl.limits import MAX_CHARACTERS, most_values
 from smsl_studio.smsl.native_form.tokens import QUOTED
 
 _MARKS = re.compile(rf"(->|[\[{{])|#([^\r\n]*+)|{QUOTED}|//[^\r\n]*+")
@@ -21,7 +21,8 @@ def beyond_budget(text: str) -> int | None:
     """
     if len(text) > MAX_CHARACTERS:
         return 0
-    if sum(map(text.count, ("->", "[", "{", "#", ",", "("))) <= MAX_VALUES:
+    most = most_values(text)
+    if sum(map(text.count, ("->", "[", "{", "#", ",", "("))) <= most:
         return None
     count = 0
     for found in _MARKS.finditer(text):
@@ -29,13 +30,13 @@ def beyond_budget(text: str) -> int | None:
             count += 1
         elif found[2] is not None:
             count += 1
-            if count + sum(map(found[2].count, ",{[(")) > MAX_VALUES:
+            if count + sum(map(found[2].count, ",{[(")) > most:
                 for inner in _IN_A_LINE.finditer(text, *found.span(2)):
                     count += inner[0][0] != '"'
-                    if count > MAX_VALUES:
+                    if count > most:
                         return inner.start()
             else:
                 count += sum(1 for one in _IN_A_LINE.finditer(found[2]) if one[0][0] != '"')
-        if count > MAX_VALUES:
+        if count > most:
             return found.start()
     return None

@@ -15,7 +15,7 @@ from typing import Any
 import yaml
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.limits import MAX_DEPTH, MAX_VALUES, TOO_DEEP, TOO_MANY_VALUES
+from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP, most_values, too_many_values
 from smsl_studio.smsl.yaml_form.faults import Fault, shown, syntax_fault
 
 MAX_REPEATED = 250_000
@@ -70,6 +70,7 @@ class Tree:
         self.faults: list[Fault] = []
         self.roots: list[Node] = []
         self.count = 0
+        self.most = most_values(text)
         self._anchors: dict[str, Node] = {}
         self._repeated = 0
         self._read()
@@ -83,7 +84,7 @@ class Tree:
             text = text[:at] + _ODD.sub("\ufffd", text[at:])
         for _ in range(_RESUMES):
             stopped = self._read_from(text, at)
-            if stopped is None or self.count > MAX_VALUES:
+            if stopped is None or self.count > self.most:
                 return
             following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped - 1, at)))
             if following is None:
@@ -280,8 +281,8 @@ class _Building:
     def _count(self, node: Node) -> None:
         """Count one more member or element; reading stops where there are too many."""
         self._tree.count += 1
-        if self._tree.count == MAX_VALUES + 1:
-            self._stop(node.start, *TOO_MANY_VALUES)
+        if self._tree.count == self._tree.most + 1:
+            self._stop(node.start, *too_many_values(self._tree.text))
 
 
 def _odd_character(match: re.Match[str]) -> Fault:
