@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from benches.row import Row, median_ms
-from smsl_studio.blueprint.comparing import compare
+from smsl_studio.blueprint.comparison import compare
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rules import hanoi_values

@@ -8,7 +8,7 @@ from functools import partial
 from benches.row import Row, median_ms
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.generate.rules import hanoi
-from smsl_studio.studio.find.places import Places
+from smsl_studio.studio.find.places import PlaceIndex
 
 TYPED = (
     "State_abcabc",
@@ -37,7 +37,7 @@ def rows() -> Iterator[Row]:
               f"{len(times)}", max(times), bound=f"under {BOUND:g} ms")  # fmt: skip
 
 
-def _indexed(blueprint: Blueprint) -> Places:
-    places = Places()
+def _indexed(blueprint: Blueprint) -> PlaceIndex:
+    places = PlaceIndex()
     places.show(blueprint)
     return places

@@ -19,8 +19,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benches.row import Row
+from smsl_studio.studio.journal.leftovers import left_behind
 from smsl_studio.studio.journal.place import folder_of
-from smsl_studio.studio.journal.recovering import left_behind
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLE = ROOT / "samples" / "hfsm.json"

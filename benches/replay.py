@@ -17,7 +17,7 @@ from tempfile import TemporaryDirectory
 from benches.row import Row, median_ms
 from smsl_studio.runlog.events import Committed, Event, FactChanged, OperationStarted, RunStarted
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.runlog.retelling import Retelling
+from smsl_studio.runlog.playback import Playback
 
 EVENTS = 100_000
 JUMPS = 300
@@ -44,8 +44,8 @@ def long_run(count: int = EVENTS) -> tuple[Event, ...]:
 
 def rows() -> Iterator[Row]:
     events = long_run()
-    retelling = Retelling(events)
-    yield Row(f"fold {EVENTS:,} events, with snapshots", median_ms(lambda: Retelling(events), 3))
+    retelling = Playback(events)
+    yield Row(f"fold {EVENTS:,} events, with snapshots", median_ms(lambda: Playback(events), 3))
     chance, slowest = Random(1), 0.0
     for _ in range(JUMPS):
         at = chance.randrange(EVENTS)
@@ -74,9 +74,9 @@ def _opened(path: Path) -> Iterator[Row]:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     from PySide6.QtWidgets import QApplication, QMainWindow
 
-    from smsl_studio.front.reading import read
-    from smsl_studio.studio.replay.recording import open_recording
-    from smsl_studio.studio.replay.replaying import Replaying
+    from smsl_studio.front.inputs import read
+    from smsl_studio.studio.replay.playback import ReplayVerbs
+    from smsl_studio.studio.replay.recorded_run import open_recording
     from smsl_studio.studio.theme import LIGHT
 
     drawn = read(path.with_name("round.json"))
@@ -85,7 +85,7 @@ def _opened(path: Path) -> Iterator[Row]:
     application = QApplication.instance() or QApplication([])
     window = QMainWindow()
     window.resize(1280, 800)
-    replaying = Replaying(lambda: drawn, path.parent, LIGHT, window)
+    replaying = ReplayVerbs(lambda: drawn, path.parent, LIGHT, window)
     window.setCentralWidget(replaying.pane)
     window.show()
     longest, shown, end = 0.0, 0.0, time.monotonic() + PATIENCE

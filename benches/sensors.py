@@ -26,7 +26,7 @@ from benches.row import Row, median_ms
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.monitor.message import fact_payload
 from smsl_studio.monitor.reception import Reception

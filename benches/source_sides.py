@@ -11,7 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.source.pane import SourcePane
 from smsl_studio.studio.theme import LIGHT
 
 WORD = '"Op_1"'
@@ -23,7 +23,7 @@ class Ours:
     def __init__(self, text: str, size: tuple[int, int]) -> None:
         self._text, self._size = text, size
         self._session = Session(read_blueprint(form_named("json").parse(text, "a.json")))
-        self._pane = Source(self._session, LIGHT)
+        self._pane = SourcePane(self._session, LIGHT)
         self._pane.resize(*size)
 
     @property
@@ -32,7 +32,7 @@ class Ours:
 
     def open(self) -> None:
         """Another pane, shown."""
-        pane = Source(self._session, LIGHT)
+        pane = SourcePane(self._session, LIGHT)
         pane.resize(*self._size)
         pane.show()
         pane.grab()

@@ -56,7 +56,7 @@ class _Thread(threading.local):
 _thread = _Thread()
 
 
-class Looks:
+class StopListener:
     """A listener that calls the work off when it is asked for the ``last`` time.
 
     Asked in ``starving`` work it waits, ``most`` times at most: on a machine that is busy, who has

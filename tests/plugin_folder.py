@@ -8,7 +8,7 @@ from textwrap import dedent
 from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.front.reading import read_bytes
+from smsl_studio.front.inputs import read_bytes
 from smsl_studio.library.permission import allow
 from smsl_studio.library.survey import FoundPlugin, survey
 

@@ -30,9 +30,9 @@ def _is_large(blueprint: Any, *_: Any) -> bool:
     return bool(blueprint.state_count)
 
 
-RUN = "smsl_studio.front.running:run"
-READ = "smsl_studio.cli.reading:read"
-REPLAY = "smsl_studio.cli.replaying:execute"
+RUN = "smsl_studio.front.runs:run"
+READ = "smsl_studio.cli.blueprint_argument:read"
+REPLAY = "smsl_studio.cli.replay:execute"
 LOG = ("--log", "run.jsonl", "--format", "json")
 SLOWLY = ("--speed", "1", "--script")
 _STALL = ("run", "{}/walk.json", "--world", "stall", *LOG)
@@ -42,8 +42,8 @@ SCENES = {
     "reading native": Scene(("check", "{}/flat.smsl"), READ, READ, 2.0),
     "checking": Scene(
         ("check", "{}/flat.json"),
-        "smsl_studio.cli.checking:inspect",
-        "smsl_studio.cli.checking:inspect",
+        "smsl_studio.cli.check:inspect",
+        "smsl_studio.cli.check:inspect",
         2.0,
         fits=_is_large,
     ),
@@ -59,7 +59,7 @@ SCENES = {
     ),
     "planning a route": Scene(
         ("route", "{}/cube.json", "--sb", "BASE", "--from", "State_000000", "--to", "State_111111"),
-        "smsl_studio.cli.routing:plan_route",
+        "smsl_studio.cli.route:plan_route",
         "smsl_studio.dispatch.planner:Planner.legs",
         2.0,
     ),
@@ -85,25 +85,25 @@ SCENES = {
     "replay": Scene(
         ("replay", "{}/line.jsonl"),
         REPLAY,
-        "smsl_studio.cli.replaying:_tell",
+        "smsl_studio.cli.replay:_tell",
         0.5,
     ),
     "verifying": Scene(
         ("replay", "{}/line.jsonl", "--verify"),
         REPLAY,
-        "smsl_studio.cli.replaying:verify",
+        "smsl_studio.cli.replay:verify",
         0.2,
     ),
     "account": Scene(
         ("replay", "{}/line.jsonl", "-o", "account.html"),
         REPLAY,
-        "smsl_studio.cli.replaying:_account",
+        "smsl_studio.cli.replay:_account",
         0.3,
     ),
     "saving": Scene(
         ("convert", "{}/flat.json", "-o", "flat.smsl"),
-        "smsl_studio.cli.converting:save_document",
-        "smsl_studio.cli.converting:save_document",
+        "smsl_studio.cli.convert:save_document",
+        "smsl_studio.cli.convert:save_document",
         0.2,
     ),
 }

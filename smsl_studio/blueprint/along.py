@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from smsl_studio.blueprint.configuration import Configuration
-from smsl_studio.blueprint.edges import Edge, Edges, Kind
+from smsl_studio.blueprint.edges import Edge, EdgeKind, Edges
 from smsl_studio.blueprint.joint import Carried
 
 Held = Mapping[str, Carried]
@@ -56,7 +56,7 @@ class Along:
         taken: dict[str, Edge],
         loaded: Mapping[str, str],
     ) -> None:
-        kind = Kind.RISE if crossing > 0 else Kind.FALL
+        kind = EdgeKind.RISE if crossing > 0 else EdgeKind.FALL
         for base, digit in self._hierarchy.bases[sub]:
             if base in loaded:
                 continue
@@ -83,7 +83,7 @@ class Along:
                 words = f"{here} has no {kind.value} of digit {digit} for {sub} to take along"
                 raise Unavailable(words, *reasons)
 
-    def _singles(self, kind: Kind, base: str, state: str, digit: int) -> list[Edge]:
+    def _singles(self, kind: EdgeKind, base: str, state: str, digit: int) -> list[Edge]:
         """The pure rises or falls of one digit, cheapest first; ``load`` edges do not count."""
         found = (
             edge

@@ -10,11 +10,11 @@ from typing import Protocol
 
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
-from smsl_studio.blueprint.failing import failing_states
+from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.model import StateBranch
 
 
-class Kind(Enum):
+class EdgeKind(Enum):
     """The effect of an edge on the digits that sub-SBs expand."""
 
     PURE = "pure"
@@ -42,7 +42,7 @@ class Edge:
     source: str
     name: str
     target: str
-    kind: Kind = Kind.PURE
+    kind: EdgeKind = EdgeKind.PURE
     falls: tuple[int, ...] = ()
     rises: tuple[int, ...] = ()
     crossing: int = 0
@@ -156,11 +156,11 @@ class Edges:
         load = note.subs == "load" and bool(falls or rises)
         address = Address(branch.name, source, name)
         exact = address in self.exact
-        function = load or kind is Kind.PURE or others or exact
+        function = load or kind is EdgeKind.PURE or others or exact
         price = self.costs.get(address)
         if price is None:
             price = branch.cost(source, name)
-        single = kind in (Kind.RISE, Kind.FALL)
+        single = kind in (EdgeKind.RISE, EdgeKind.FALL)
         requires = tuple(self._required(key, value) for key, value in note.requires.items())
         return Edge(
             branch.name,
@@ -208,10 +208,10 @@ def _dearer(edge: Edge, extra: float) -> Edge:
     return replace(edge, cost=edge.cost + extra, price=edge.price + extra)
 
 
-def _kind(falls: tuple[int, ...], rises: tuple[int, ...], others: bool) -> Kind:
+def _kind(falls: tuple[int, ...], rises: tuple[int, ...], others: bool) -> EdgeKind:
     changed = len(falls) + len(rises)
     if changed == 0:
-        return Kind.PURE
+        return EdgeKind.PURE
     if changed > 1 or others:
-        return Kind.MIXED
-    return Kind.RISE if rises else Kind.FALL
+        return EdgeKind.MIXED
+    return EdgeKind.RISE if rises else EdgeKind.FALL

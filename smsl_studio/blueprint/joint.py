@@ -15,7 +15,7 @@ from smsl_studio.blueprint.edges import Edge
 
 
 @dataclass(frozen=True)
-class Action:
+class JointAction:
     """One library function and its consequences.
 
     ``begins`` are the edges that start with it, bases first. ``moved`` has every SB that stands
@@ -41,7 +41,7 @@ class JointStep:
 
     asked: Edge
     edges: tuple[Edge, ...]
-    actions: tuple[Action, ...]
+    actions: tuple[JointAction, ...]
     cost: float
     after: Mapping[str, str]
     """Every SB that stands elsewhere at the end."""
@@ -67,7 +67,7 @@ class Carried:
     places: Mapping[str, str] = field(default_factory=dict)
 
 
-class Script:
+class StepDraft:
     """A joint step while it is being written; ``configuration`` is where the writing has got to.
 
     ``links`` are pairs (crossing, base edge) that commit together. A ``light`` script is written
@@ -104,7 +104,7 @@ class Script:
         self.cost += cost
         self.counts[branch] = self.counts.get(branch, 0) + count
 
-    def add(self, other: Script, names: Iterable[str]) -> None:
+    def add(self, other: StepDraft, names: Iterable[str]) -> None:
         """All that another light script did to the SBs ``names`` is done here too."""
         self.configuration.update((name, other.configuration[name]) for name in names)
         self.cost += other.cost
@@ -172,7 +172,7 @@ def _commits(
 
 def _actions(
     functions: list[Edge], carried: list[Carried], done: list[Carried], commits: Commits
-) -> Iterator[Action]:
+) -> Iterator[JointAction]:
     begun = _by(carried, lambda c: c.first)
     ended = _by(done, lambda c: c.done)
     committed = _by(done, lambda c: commits[id(c)])
@@ -188,7 +188,7 @@ def _actions(
                 open_ones[fact] -= 1
                 if not open_ones[fact]:
                     del open_ones[fact]
-        yield Action(
+        yield JointAction(
             edge=function,
             begins=tuple(c.edge for c in begun.get(index, [])),
             moved={branch: state for c in now for branch, state in c.places.items()},

@@ -18,12 +18,12 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
 from smsl_studio.blueprint.meaning import blueprint_meaning, branch_meaning
-from smsl_studio.blueprint.resolving import resolved
+from smsl_studio.blueprint.resolution import resolved
 from smsl_studio.errors import AddressError, Place, did_you_mean
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
-    from smsl_studio.blueprint.importing import Imports
+    from smsl_studio.blueprint.imports import Imports
     from smsl_studio.smsl.document import Document
 
 Json = Any

@@ -24,7 +24,7 @@ _DRIVE = re.compile(r"[A-Za-z]:")
 
 
 @dataclass(frozen=True, slots=True)
-class Refusal:
+class RefusedName:
     """Why a name is not followed, and what to do about it."""
 
     sentence: str
@@ -55,32 +55,32 @@ def project_of(file: str) -> str:
         folder = above
 
 
-def refusal_of_name(name: str) -> Refusal | None:
+def refusal_of_name(name: str) -> RefusedName | None:
     """Why a name cannot be that of an import, whatever stands there; None where it can."""
     if len(name) > LONGEST or "\0" in name:
-        return Refusal("the import is no name of a file", "Name a file beside this one.")
+        return RefusedName("the import is no name of a file", "Name a file beside this one.")
     if name.startswith("/") or "\\" in name or _DRIVE.match(name):
-        return Refusal(
+        return RefusedName(
             "the import is not named from the folder of this file",
             "Write the way from here, with / between folders.",
         )
     if PurePath(name).suffix.lower() not in SUFFIXES:
         endings = ", ".join(SUFFIXES)
-        return Refusal("the import has no suffix of a blueprint", f"It ends with {endings}.")
+        return RefusedName("the import has no suffix of a blueprint", f"It ends with {endings}.")
     return None
 
 
 def refusal_of_place(
     real: str, project: str, what: str = "the import", suffixes: Iterable[str] = SUFFIXES
-) -> Refusal | None:
+) -> RefusedName | None:
     """Why a file (by its real path) cannot be read for a project; None where it can."""
     if not _is_below(real, project):
-        return Refusal(
+        return RefusedName(
             f"{what} leads out of the project",
             f"Keep it below {project}, or put a file smsl.toml into the folder that holds both.",
         )
     if PurePath(real).suffix.lower() not in suffixes:
-        return Refusal(
+        return RefusedName(
             f"{what} leads to a file of another kind", f"It ends with {', '.join(suffixes)}."
         )
     return None

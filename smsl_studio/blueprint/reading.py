@@ -30,13 +30,13 @@ def read_blueprint(
     An SB whose values are the very objects that ``former`` was read from is taken over from it,
     with everything that has been worked out about it, so that an edit costs what it touches.
     Imported files are found relative to the document's own; those that ``former`` imports, or
-    that are among the ``opened``, count as they are in memory. See ``importing``.
+    that are among the ``opened``, count as they are in memory. See ``imports``.
     """
     own = partial(branches_of, former=former)
     fields = fields_of(document)
     if "_imports" not in fields:
         return Blueprint(own(document), document, fields)
-    from smsl_studio.blueprint.importing import follow, gather
+    from smsl_studio.blueprint.imports import follow, gather
     from smsl_studio.blueprint.project import real_path
 
     imports = former.imports if former else None
@@ -53,7 +53,7 @@ def read_gathered(documents: Sequence[Document]) -> Blueprint:
     They are ``Blueprint.documents``: no name in them is followed and no file is read, so that a
     process to which they were sent has what the sender has looked at.
     """
-    from smsl_studio.blueprint.importing import KEY, Import, Imports, gather
+    from smsl_studio.blueprint.imports import KEY, Import, Imports, gather
 
     root, *others = documents
     files = tuple(Import(one, (root.file, one.file), (KEY,)) for one in others)
@@ -67,7 +67,7 @@ def fields_of(document: Document) -> dict[str, Json]:
 
 def salvage(document: Document) -> Blueprint:
     """What can be read of a document: whatever is of a wrong kind is left out."""
-    from smsl_studio.blueprint.importing import follow, gather
+    from smsl_studio.blueprint.imports import follow, gather
 
     def own(one: Document) -> dict[str, StateBranch]:
         return _read(one, None)[0]

@@ -54,11 +54,11 @@ def cheapest(
     most: int = MOST,
     ahead: Callable[[Node], float] = nothing,
 ) -> list[Move] | None:
-    """The cheapest sequence of moves to a goal, or None where there is none (see ``Search``)."""
-    return Search(start, is_goal, moves, most, ahead).found()
+    """The cheapest sequence of moves to a goal, None where there is none (see ``PlanSearch``)."""
+    return PlanSearch(start, is_goal, moves, most, ahead).found()
 
 
-class Search(Generic[Node]):
+class PlanSearch(Generic[Node]):
     """The search for the cheapest sequence of moves to a goal.
 
     Ties: cost, number of names, number of moves, then the names themselves, move by move. Costs

@@ -20,11 +20,11 @@ from smsl_studio.blueprint.configuration import (
     standing,
 )
 from smsl_studio.blueprint.downhill import Downhill
-from smsl_studio.blueprint.edges import NO_COSTS, Edge, Edges, Extra, Kind
-from smsl_studio.blueprint.failing import failing_states
-from smsl_studio.blueprint.joint import Carried, JointStep, Script
+from smsl_studio.blueprint.edges import NO_COSTS, Edge, EdgeKind, Edges, Extra
+from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.joint import Carried, JointStep, StepDraft
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.blueprint.search import Move, Search, patience
+from smsl_studio.blueprint.search import Move, PlanSearch, patience
 from smsl_studio.blueprint.sub_route import Region, SubRoute
 from smsl_studio.errors import PlanningError
 from smsl_studio.stop import heed
@@ -88,7 +88,7 @@ class Stepper:
         key = (self.key(configuration), edge)
         found = self._steps.get(key)
         if found is None:
-            script = Script(configuration)
+            script = StepDraft(configuration)
             try:
                 self._carry(script, edge, {})
                 found = script.joint_step()
@@ -97,9 +97,9 @@ class Stepper:
             self._steps[key] = found
         return found
 
-    def glance(self, configuration: Configuration, edge: Edge) -> Script | None:
+    def glance(self, configuration: Configuration, edge: Edge) -> StepDraft | None:
         """What a joint step would cost and where it would end, without writing it down."""
-        script = Script(configuration, light=True)
+        script = StepDraft(configuration, light=True)
         try:
             self._carry(script, edge, {})
         except Unavailable:
@@ -110,7 +110,7 @@ class Stepper:
         """A configuration as a tuple in the order of ``hierarchy.order``."""
         return tuple(configuration[name] for name in self.hierarchy.order)
 
-    def _carry(self, script: Script, edge: Edge, held: Held) -> Carried:
+    def _carry(self, script: StepDraft, edge: Edge, held: Held) -> Carried:
         """Write the edge, its subs' movements and the bases' edges that must go with it."""
         self._allow(script.configuration, edge)
         if not script.light:
@@ -131,7 +131,7 @@ class Stepper:
         for other in along:
             done = script.run(other) if other.function else done
             script.finish(inner[other.branch], done, {other.branch: other.target})
-        if not held and (edge.crossing or edge.kind is not Kind.PURE):
+        if not held and (edge.crossing or edge.kind is not EdgeKind.PURE):
             self._agree(script)
         return carried
 
@@ -170,7 +170,7 @@ class Stepper:
         crossed = [edge.branch] if edge.crossing else []
         return tuple(fact for sub in (*crossed, *loaded) for fact in self.hierarchy.bases[sub])
 
-    def _agree(self, script: Script) -> None:
+    def _agree(self, script: StepDraft) -> None:
         broken = disagreements(self.hierarchy, script.configuration)
         if broken:
             names = ", ".join(f"{name}/{digit}" for name, digit in broken)
@@ -179,7 +179,7 @@ class Stepper:
     # what moves with it ---------------------------------------------------------------------------
 
     def _link(
-        self, script: Script, new: list[Carried], places: Mapping[str, str], held: Held
+        self, script: StepDraft, new: list[Carried], places: Mapping[str, str], held: Held
     ) -> None:
         """Every crossing commits with the edges of its bases."""
         pairs = [(carried, carried.edge.branch) for carried in new if carried.edge.crossing]
@@ -211,7 +211,7 @@ class Stepper:
                 raise Unavailable(f"{edge} loads {name} into a failure: {fails[state]}")
         return found
 
-    def _drive(self, script: Script, edge: Edge, held: Held) -> None:
+    def _drive(self, script: StepDraft, edge: Edge, held: Held) -> None:
         """Falls to INITIAL, then rises to ACTIVATING, in order of digit (clause 5)."""
         subs = dict(self.hierarchy.subs[edge.branch])
         for digit in (*edge.falls, *edge.rises):
@@ -233,10 +233,10 @@ class Stepper:
             for part in route:
                 self._carry(script, part, held)
 
-    def _take(self, script: Script, way: SubRoute, held: Held) -> None:
+    def _take(self, script: StepDraft, way: SubRoute, held: Held) -> None:
         """Go a sub-route in one stride; what it changes and costs is worked out once."""
         if way.whole is None:
-            whole = Script(script.configuration, light=True)
+            whole = StepDraft(script.configuration, light=True)
             before, self._within = self._within, way
             try:
                 for part in way.edges:
@@ -306,7 +306,7 @@ class Stepper:
                 if edge.crossing not in (0, crossing):
                     continue
                 heed()
-                script = Script(here, light=True)
+                script = StepDraft(here, light=True)
                 try:
                     self._carry(script, edge, held)
                 except Unavailable as no:
@@ -319,7 +319,7 @@ class Stepper:
 
         most = patience(self.hierarchy.blueprint.state_count)
         start = region.key(configuration)
-        way.search = Search(start, lambda node: node[at] == goal, moves, most)
+        way.search = PlanSearch(start, lambda node: node[at] == goal, moves, most)
         return way
 
     def _no_way(
@@ -349,7 +349,7 @@ class Stepper:
             self._blocks[branch.name] = reasons[:MOST_REASONS]
         return self._blocks[branch.name]
 
-    def _stride(self, script: Script, branch: StateBranch, goal: str) -> None:
+    def _stride(self, script: StepDraft, branch: StateBranch, goal: str) -> None:
         far = self.downhill(branch.name, goal).far.get(script.configuration[branch.name])
         if far is None:
             raise self._no_way(script.configuration, branch, goal, self._shut_in(branch))
@@ -381,6 +381,6 @@ class Stepper:
             )
         )
 
-    def _last_crossing(self, script: Script, carried: Carried) -> int:
+    def _last_crossing(self, script: StepDraft, carried: Carried) -> int:
         found = (one.done for one, base in script.links if base is carried and one is not carried)
         return 0 if script.light else max(found)

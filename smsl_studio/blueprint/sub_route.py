@@ -7,8 +7,8 @@ from collections.abc import Collection
 from smsl_studio.blueprint.allowance import Part
 from smsl_studio.blueprint.configuration import Configuration
 from smsl_studio.blueprint.edges import Edge, Edges
-from smsl_studio.blueprint.joint import Script
-from smsl_studio.blueprint.search import Search
+from smsl_studio.blueprint.joint import StepDraft
+from smsl_studio.blueprint.search import PlanSearch
 
 Key = tuple[str, ...]
 
@@ -52,8 +52,8 @@ class SubRoute(Part):
     def __init__(self, region: Region) -> None:
         super().__init__()
         self.region = region
-        self.search: Search[Key] | None = None
+        self.search: PlanSearch[Key] | None = None
         self.reasons: dict[str, None] = {}
         self.edges: tuple[Edge, ...] = ()
         self.closed: tuple[str, ...] = ()
-        self.whole: Script | None = None
+        self.whole: StepDraft | None = None

@@ -11,7 +11,7 @@ import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
 
-from smsl_studio.cli.arguments import COMMANDS, Parser, overview
+from smsl_studio.cli.arguments import COMMANDS, ArgumentParser, overview
 from smsl_studio.cli.output import Output, claimed_stdout, last_note, lead_nowhere, report
 from smsl_studio.cli.signals import Signals, heard
 from smsl_studio.errors import PlanningError, RunRefused, StudioError, UsageError, did_you_mean
@@ -98,7 +98,7 @@ def _dispatch(arguments: Sequence[str], out: Output, signals: Signals) -> int:
             advice=did_you_mean(name, COMMANDS) or "smsl-studio --help lists what there is.",
         )
     module = import_module(f"smsl_studio.cli.{COMMANDS[name].module}")
-    parser = Parser(name, out)
+    parser = ArgumentParser(name, out)
     module.add_arguments(parser)
     options = parser.parse_args(rest)
     options.signals = signals

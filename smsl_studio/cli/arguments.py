@@ -14,7 +14,7 @@ MOST_DIGITS = 100
 
 
 @dataclass(frozen=True, slots=True)
-class Command:
+class CliCommand:
     """A command: the file it lives in, and what it does in one line."""
 
     module: str
@@ -22,23 +22,23 @@ class Command:
 
 
 COMMANDS = {
-    "open": Command("opening", "open the window, on files if any are named"),
-    "check": Command("checking", "inspect blueprints: every finding with its place"),
-    "fmt": Command("formatting", "lay files out canonically, comments and _ fields kept"),
-    "convert": Command("converting", "write a blueprint in another form: .json, .smsl, .yaml"),
-    "diff": Command("comparing", "compare two blueprints by what they mean; layout apart"),
-    "render": Command("rendering", "draw a picture of a blueprint: SVG, PNG or PDF"),
-    "digest": Command("digesting", "SHA-256 of what blueprints do, say and need"),
-    "route": Command("routing", "plan the cheapest route between two states"),
-    "run": Command("running", "run a blueprint in a world, headless"),
-    "sweep": Command("sweeping", "run every single edge in a world and check where it leads"),
-    "replay": Command("replaying", "tell a run again from its log, or verify the log"),
-    "worlds": Command("worlds", "list the worlds there are"),
-    "plugins": Command("plugins", "list the plugins there are; allow or forbid one"),
+    "open": CliCommand("open", "open the window, on files if any are named"),
+    "check": CliCommand("check", "inspect blueprints: every finding with its place"),
+    "fmt": CliCommand("fmt", "lay files out canonically, comments and _ fields kept"),
+    "convert": CliCommand("convert", "write a blueprint in another form: .json, .smsl, .yaml"),
+    "diff": CliCommand("diff", "compare two blueprints by what they mean; layout apart"),
+    "render": CliCommand("render", "draw a picture of a blueprint: SVG, PNG or PDF"),
+    "digest": CliCommand("digest", "SHA-256 of what blueprints do, say and need"),
+    "route": CliCommand("route", "plan the cheapest route between two states"),
+    "run": CliCommand("run", "run a blueprint in a world, headless"),
+    "sweep": CliCommand("sweep", "run every single edge in a world and check where it leads"),
+    "replay": CliCommand("replay", "tell a run again from its log, or verify the log"),
+    "worlds": CliCommand("worlds", "list the worlds there are"),
+    "plugins": CliCommand("plugins", "list the plugins there are; allow or forbid one"),
 }
 
 
-class Parser(argparse.ArgumentParser):
+class ArgumentParser(argparse.ArgumentParser):
     """The parser of one command; wrong usage is a UsageError, help goes where data goes."""
 
     def __init__(self, name: str, out: Output) -> None:
@@ -54,14 +54,14 @@ class Parser(argparse.ArgumentParser):
         self._out.line(self.format_help().rstrip())
 
 
-def add_format(parser: Parser) -> None:
+def add_format(parser: ArgumentParser) -> None:
     """``--format text|json``."""
     parser.add_argument(
         "--format", choices=("text", "json"), default="text", help="text for people (default), json"
     )
 
 
-def add_world(parser: Parser, required: bool) -> None:
+def add_world(parser: ArgumentParser, required: bool) -> None:
     """``--world NAME``."""
     parser.add_argument(
         "--world",
@@ -71,7 +71,7 @@ def add_world(parser: Parser, required: bool) -> None:
     )
 
 
-def add_seed_and_host(parser: Parser) -> None:
+def add_seed_and_host(parser: ArgumentParser) -> None:
     """``--seed N`` and ``--host local|process``."""
     parser.add_argument(
         "--seed",

@@ -10,12 +10,12 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from difflib import unified_diff
 
-from smsl_studio.blueprint.comparing import Difference, compare
+from smsl_studio.blueprint.comparison import Difference, compare
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.blueprint_argument import note_stand_ins
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.reading import note_stand_ins
 from smsl_studio.errors import Place, ReadError
-from smsl_studio.front.reading import read_bytes
+from smsl_studio.front.inputs import read_bytes
 from smsl_studio.legible import one_line
 from smsl_studio.picture.aligned import as_drawn
 from smsl_studio.smsl.inputs import read_ordinary

@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING
 
-from smsl_studio.cli.arguments import Parser
+from smsl_studio.cli.arguments import ArgumentParser
 from smsl_studio.errors import UsageError
 
 if TYPE_CHECKING:
     from smsl_studio.picture.colours import Colours
-    from smsl_studio.picture.panel import Panel
+    from smsl_studio.picture.panel import SvgPanel
 
 FORMS = (".svg", ".png", ".pdf")
 
 
-def add_picture(parser: Parser, required: bool) -> None:
+def add_picture(parser: ArgumentParser, required: bool) -> None:
     """``-o OUT.svg|.png|.pdf``."""
     parser.add_argument(
         "-o",
@@ -37,7 +37,7 @@ def picture_form(output: str) -> str:
     return suffix
 
 
-def draw_picture(panels: Sequence[Panel], title: str, output: str, colours: Colours) -> bytes:
+def draw_picture(panels: Sequence[SvgPanel], title: str, output: str, colours: Colours) -> bytes:
     """The bytes of a picture for this file: panels one below another, or in a PDF one a page."""
     from smsl_studio.picture.paper import as_pdf, as_png
     from smsl_studio.picture.svg import as_svg, one_below_another

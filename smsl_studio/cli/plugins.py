@@ -6,10 +6,10 @@ import argparse
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from smsl_studio.cli.arguments import Parser, add_format
+from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.host.describing import describe
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.legible import one_line
 from smsl_studio.library.loading import Plugin, PluginFault
 from smsl_studio.library.operation_library import FaultEntry
@@ -19,7 +19,7 @@ from smsl_studio.library.survey import FoundPlugin, survey
 VERBS = ("allow", "forbid")
 
 
-def add_arguments(parser: Parser) -> None:
+def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument(
         "verb",
         nargs="?",

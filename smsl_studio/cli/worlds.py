@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import argparse
 
-from smsl_studio.cli.arguments import Parser, add_format
+from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output
 from smsl_studio.cli.plugins import fault_as_json, print_waiting, waiting_as_json
-from smsl_studio.host.describing import describe
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.legible import one_line
 from smsl_studio.library.operation_library import TABLE
 
 
-def add_arguments(parser: Parser) -> None:
+def add_arguments(parser: ArgumentParser) -> None:
     add_format(parser)
 
 

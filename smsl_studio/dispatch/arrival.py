@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address, fact_text
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.senses import Moment
-from smsl_studio.dispatch.supervision.rechecking import informed, lost
+from smsl_studio.dispatch.supervision.recheck import informed, lost
 from smsl_studio.runlog.events import GoalReached
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ class Arrival:
     ``moved``: an operation has ended since goals were looked for; by hand nothing else is a reason.
     """
 
-    def __init__(self, run: Run, goals: Sequence[Address]) -> None:
+    def __init__(self, run: LiveRun, goals: Sequence[Address]) -> None:
         self.closing = self.moved = False
         self._run, self._goals = run, tuple(goals)
         self._told: set[Address] = set()
@@ -109,7 +109,7 @@ class Arrival:
         return found | {(n, d) for n in below for d in range(run.blueprint[n].num_facts)}
 
 
-def _doubtful(run: Run, goals: Sequence[Address]) -> bool:
+def _doubtful(run: LiveRun, goals: Sequence[Address]) -> bool:
     return any(run.check(goal.branch, goal.state).truth is not True for goal in goals)
 
 

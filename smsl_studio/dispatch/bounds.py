@@ -24,7 +24,7 @@ Extra = Mapping[str, float]
 """For each state of a quiet sub, what its first rise costs more than the cheapest one."""
 
 
-class Bounds:
+class CostBounds:
     """Bounds on the cost from any joint configuration to where all ``wanted`` hold.
 
     ``start`` is where the search begins; ``quiet`` are the subs of which only operations that leave

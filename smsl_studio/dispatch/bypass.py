@@ -11,14 +11,14 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.people.questions import title_of
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.runlog.events import SubsBypassed
 
 
 class Bypasses:
     """The bypasses of one run, and which of them have been told."""
 
-    def __init__(self, run: Run, course: Course) -> None:
+    def __init__(self, run: LiveRun, course: Course) -> None:
         notes = (note for branch in run.blueprint for note in branch.notes.operations.values())
         self._any = any(note.subs == "load" for note in notes)
         self._run, self._course = run, course

@@ -14,16 +14,16 @@ from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.desk import no_words, who_words
 from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.questions import operation_task
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.safeguards import Safeguards
-from smsl_studio.dispatch.stage import ENDED, Failure, Stage, fault_words
+from smsl_studio.dispatch.stage import ENDED, ActionStage, StepFailure, fault_words
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.host.protocol import Bound, Outcome, Tick
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
 
 HAIR = 1e-9
-MOVING = (Stage.RUNNING, Stage.ASKING, Stage.SETTLING)
+MOVING = (ActionStage.RUNNING, ActionStage.ASKING, ActionStage.SETTLING)
 UNSURE = "the operation was cancelled and may have changed it"
 
 
@@ -32,10 +32,10 @@ class Carrier:
     comes after it. ``wants`` are the questions that people must answer while it is ``ASKING``; it
     goes on when it is told how they were ``answered``."""
 
-    def __init__(self, run: Run, step: JointStep) -> None:
+    def __init__(self, run: LiveRun, step: JointStep) -> None:
         self.step = step
-        self.stage = Stage.NEXT
-        self.failure: Failure | None = None
+        self.stage = ActionStage.NEXT
+        self.failure: StepFailure | None = None
         self.since = run.time
         self.check: CheckResult | None = None
         self.wants: tuple[Question, ...] = ()
@@ -64,7 +64,7 @@ class Carrier:
     @property
     def remaining(self) -> tuple[Edge, ...]:
         """The edges that have not started yet."""
-        later = self._index if self.stage is Stage.NEXT else self._index + 1
+        later = self._index if self.stage is ActionStage.NEXT else self._index + 1
         return tuple(e for action in self.step.actions[later:] for e in action.begins)
 
     @property
@@ -75,7 +75,7 @@ class Carrier:
     @property
     def can_freeze(self) -> bool:
         """Whether a pause may hold it where it is, to go on with it later."""
-        return self.stage in (Stage.ASKING, Stage.SETTLING) or (
+        return self.stage in (ActionStage.ASKING, ActionStage.SETTLING) or (
             self.bound.stop == "hold" and self.bound.resumes
         )
 
@@ -88,16 +88,16 @@ class Carrier:
     @property
     def touched(self) -> tuple[FactKey, ...]:
         """The facts that what has begun and is not committed may have changed."""
-        begun = self.step.actions[: self._index + (self.stage is not Stage.NEXT)]
+        begun = self.step.actions[: self._index + (self.stage is not ActionStage.NEXT)]
         return tuple(sorted(touched(self._run, begun, set(self.uncommitted))))
 
     def advance(self, shut: Mapping[Address, str]) -> None:
         """One tick. Afterwards ``stage`` says whether the step goes on, is done or has failed."""
-        if self.stage is Stage.NEXT:
+        if self.stage is ActionStage.NEXT:
             self._begin(shut)
-        elif self.stage is Stage.RUNNING:
+        elif self.stage is ActionStage.RUNNING:
             self._running()
-        elif self.stage is Stage.SETTLING:
+        elif self.stage is ActionStage.SETTLING:
             tick = self._tick()
             self._notice()
             if tick.time >= self._until - HAIR:
@@ -108,10 +108,10 @@ class Carrier:
         declares (``finish``: it goes on to its end). Whatever ends, nothing commits any more."""
         if not self.moving or not self._notice():
             return
-        own = self.stage is Stage.RUNNING or self._person_acts
-        if self.stage is Stage.SETTLING or (own and self.bound.stop == "finish"):
+        own = self.stage is ActionStage.RUNNING or self._person_acts
+        if self.stage is ActionStage.SETTLING or (own and self.bound.stop == "finish"):
             return
-        if self.stage is Stage.RUNNING:
+        if self.stage is ActionStage.RUNNING:
             self._cancel(self.bound.stop, "cancelled", self._lost_words)
         else:
             self._end_asking(self._lost_words)
@@ -131,31 +131,31 @@ class Carrier:
 
     @property
     def _person_acts(self) -> bool:
-        return self.stage is Stage.ASKING and self.wants[0].kind == "operation"
+        return self.stage is ActionStage.ASKING and self.wants[0].kind == "operation"
 
     def abort(self, mode: str, reason: str) -> None:
         """Cancel the running function; the step fails without blame once the world has settled."""
-        if self.stage is Stage.RUNNING:
+        if self.stage is ActionStage.RUNNING:
             self._cancel(mode, "cancelled", reason)
             self._fault, self._blame = reason, False
             self._settle()
-        elif self.stage is Stage.ASKING:
+        elif self.stage is ActionStage.ASKING:
             self._end_asking(reason)
             self._fault, self._blame = reason, False
             self._settle()
-        elif self.stage is Stage.NEXT:
+        elif self.stage is ActionStage.NEXT:
             self._fail(reason, risky=False, pending=bool(self._run.transit))
 
     def cut(self, reason: str) -> tuple[FactKey, ...]:
         """End it where it is: braked, nothing settles and nothing more commits. What it may have
         touched."""
         touched = self.touched
-        if self.stage is Stage.RUNNING:
+        if self.stage is ActionStage.RUNNING:
             stop = self.bound.stop
             self._cancel("hold" if stop == "finish" else stop, "cancelled", reason)
-        elif self.stage is Stage.ASKING:
+        elif self.stage is ActionStage.ASKING:
             self._end_asking(reason)
-        self.stage = Stage.FAILED
+        self.stage = ActionStage.FAILED
         return touched
 
     def _end_asking(self, reason: str) -> None:
@@ -201,10 +201,10 @@ class Carrier:
             self._want(operation_task(run.blueprint, action.edge.address))
             return
         run.host.begin(action.edge.address)
-        self.stage = Stage.RUNNING
+        self.stage = ActionStage.RUNNING
 
     def _want(self, *questions: Question) -> None:
-        self.wants, self.stage = questions, Stage.ASKING
+        self.wants, self.stage = questions, ActionStage.ASKING
 
     def answered(self, closed: Sequence[Closed]) -> None:
         """People have answered what it wants, or will not: it goes on from there."""
@@ -233,7 +233,7 @@ class Carrier:
             if run.opened.world == TABLE:
                 # Nobody can touch a table that stands in memory: what was done is written down.
                 run.host.begin(edge.address)
-                self.stage = Stage.RUNNING
+                self.stage = ActionStage.RUNNING
                 return
             self._ended("returned", self._by)
         else:
@@ -257,7 +257,7 @@ class Carrier:
         if tick.outcome is Outcome.RUNNING:
             self.watch()
             limit = self.bound.timeout
-            if self.stage is not Stage.RUNNING or tick.time - self.since < limit - HAIR:
+            if self.stage is not ActionStage.RUNNING or tick.time - self.since < limit - HAIR:
                 return
             self._fault = f"{self.action.edge} took longer than its {limit:g} s"
             self._cancel("abort", "timed_out", self._fault)
@@ -275,7 +275,7 @@ class Carrier:
         )
 
     def _settle(self) -> None:
-        self.stage = Stage.SETTLING
+        self.stage = ActionStage.SETTLING
         settle = self._run.opened.settle
         self._until = self._run.time + settle
         if settle <= 0:
@@ -316,9 +316,9 @@ class Carrier:
         self._rests.end(action)
         self._index += 1
         if self._index == len(self.step.actions):
-            self.stage = Stage.DONE
+            self.stage = ActionStage.DONE
             return
-        self.action, self.stage = self.step.actions[self._index], Stage.NEXT
+        self.action, self.stage = self.step.actions[self._index], ActionStage.NEXT
         broken = run.broken()
         if broken:
             words = "; ".join(all_words(run.blueprint, broken))
@@ -346,5 +346,5 @@ class Carrier:
         if pending is None:
             pending = bool(self.action.transit)
         edge = self.action.edge
-        self.failure = Failure(edge, reason, risky, pending, unanswered, self._lost)
-        self.stage = Stage.FAILED
+        self.failure = StepFailure(edge, reason, risky, pending, unanswered, self._lost)
+        self.stage = ActionStage.FAILED

@@ -17,20 +17,20 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.looking import Standing, look, look_at_nothing, phase_at_end, stand
 from smsl_studio.dispatch.start import begin_run
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, phase_at_end, stand
 from smsl_studio.dispatch.supervision.command import in_order
 from smsl_studio.dispatch.supervision.commands import Commands
-from smsl_studio.dispatch.supervision.leaving import leave
+from smsl_studio.dispatch.supervision.departure import leave
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
-from smsl_studio.dispatch.supervision.reviewing import Reviewer
+from smsl_studio.dispatch.supervision.review import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.supervision.table import obey, refuse
 from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.errors import HostError, RunRefused
-from smsl_studio.host.protocol import Host, Opened
+from smsl_studio.host.protocol import Host, OpenedWorld
 from smsl_studio.runlog.ends import BROKEN_OFF, UNBEGUN
 from smsl_studio.runlog.events import Event, Held, RunFinished
 from smsl_studio.stop import BrokenOff, Stopped, restartable
@@ -188,7 +188,7 @@ class Dispatcher(Commands):
         self.host.close()
 
     @property
-    def opened(self) -> Opened | None:
+    def opened(self) -> OpenedWorld | None:
         """What the host said when its world stood; None before, and where it never stood."""
         return self._driver.run.opened if self._driver else None
 

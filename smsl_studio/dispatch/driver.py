@@ -16,17 +16,17 @@ from smsl_studio.dispatch.bypass import Bypasses
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.outlook import Outlook
-from smsl_studio.dispatch.people.admitting import admit
+from smsl_studio.dispatch.people.admission import admit
 from smsl_studio.dispatch.people.board import Closed
 from smsl_studio.dispatch.people.desk import Desk
-from smsl_studio.dispatch.people.starting import Starting
+from smsl_studio.dispatch.people.start import StartTasks
 from smsl_studio.dispatch.planner import holds
-from smsl_studio.dispatch.pricing import Pricing
-from smsl_studio.dispatch.run import Run
-from smsl_studio.dispatch.stage import Failure, Stage
+from smsl_studio.dispatch.price_updates import PriceUpdates
+from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.stage import ActionStage, StepFailure
 from smsl_studio.dispatch.supervision.loop_guard import REPEATS, LoopGuard
-from smsl_studio.dispatch.supervision.rechecking import informed, lost
-from smsl_studio.dispatch.supervision.reviewing import Reviewer
+from smsl_studio.dispatch.supervision.recheck import informed, lost
+from smsl_studio.dispatch.supervision.review import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.trouble import Hold, Trouble
 from smsl_studio.errors import PlanningError, RunRefused
@@ -47,7 +47,7 @@ class Driver:
 
     def __init__(
         self,
-        run: Run,
+        run: LiveRun,
         course: Course,
         state: RunState,
         trouble: Trouble,
@@ -63,9 +63,9 @@ class Driver:
         self.reviewer, self.loops, self.attended = reviewer, loops, attended
         self.repeats = LoopGuard(REPEATS)
         self.desk = Desk(run, someone or (lambda: self.attended))
-        self.starting = Starting(self, seed, course.goals, findings)
+        self.starting = StartTasks(self, seed, course.goals, findings)
         self.outlook = Outlook(run, course)
-        self.pricing = Pricing(run, course)
+        self.pricing = PriceUpdates(run, course)
         self.bypasses = Bypasses(run, course)
         self.carrier: Carrier | None = None
         self.proposed: Address | None = None
@@ -118,7 +118,7 @@ class Driver:
         else:
             self._tick()
             self.carrier.watch()
-            if self.carrier.stage is not Stage.ASKING:
+            if self.carrier.stage is not ActionStage.ASKING:
                 self.desk.withdraw()
                 self._after(self.carrier)
                 return
@@ -127,7 +127,7 @@ class Driver:
 
     def _outlived(self) -> bool:
         """Whether what people are asked for is no longer carried out; then they are not."""
-        if self.carrier is None or self.carrier.stage is Stage.ASKING:
+        if self.carrier is None or self.carrier.stage is ActionStage.ASKING:
             return False
         self.desk.withdraw()
         return True
@@ -206,14 +206,14 @@ class Driver:
 
     def _after(self, carrier: Carrier) -> None:
         """What becomes of a step that has gone on, by a tick or by an answer."""
-        if carrier.stage is Stage.ASKING:
+        if carrier.stage is ActionStage.ASKING:
             nobody = self.desk.ask(carrier.wants, partial(self._answered, carrier))
             if nobody:
                 carrier.unanswered(nobody)
         if carrier.failure is not None:
             self.carrier = None
             self._failed(carrier.step, carrier.failure)
-        elif carrier.stage is Stage.DONE:
+        elif carrier.stage is ActionStage.DONE:
             self.carrier = None
             if self.run.broken():
                 self.hold(self.trouble.relocalise())
@@ -232,7 +232,7 @@ class Driver:
         carrier.answered(closed)
         self._after(carrier)
 
-    def _failed(self, step: JointStep, failure: Failure) -> None:
+    def _failed(self, step: JointStep, failure: StepFailure) -> None:
         """Relocalise, once people have said what only they know of the scene. Where the step lost
         what it rests on the run holds at once, and people are asked when it is to go on."""
 

@@ -7,12 +7,14 @@ from collections.abc import Collection, Iterable
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.joint import Action
+from smsl_studio.blueprint.joint import JointAction
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 
 
-def touched(run: Run, begun: Iterable[Action], open_edges: Collection[Address]) -> set[FactKey]:
+def touched(
+    run: LiveRun, begun: Iterable[JointAction], open_edges: Collection[Address]
+) -> set[FactKey]:
     """The facts that actions which have begun may have changed, as far as it is not committed.
 
     ``open_edges`` are those of their edges that are not.
@@ -32,7 +34,7 @@ def touched(run: Run, begun: Iterable[Action], open_edges: Collection[Address]) 
     return found
 
 
-def changed_by(run: Run, action: Action) -> set[FactKey]:
+def changed_by(run: LiveRun, action: JointAction) -> set[FactKey]:
     """The facts that an action is to change, or says that it may."""
     found = set(run.bound[action.edge.address].touches)
     for name, state in {**action.moved, **action.committed}.items():
@@ -40,7 +42,7 @@ def changed_by(run: Run, action: Action) -> set[FactKey]:
     return found
 
 
-def moved_by(run: Run, edge: Edge) -> frozenset[str]:
+def moved_by(run: LiveRun, edge: Edge) -> frozenset[str]:
     """The SBs that carrying out one edge moves: its own, with ``load`` also those it sets below."""
     if not edge.load:
         return frozenset((edge.branch,))
@@ -49,7 +51,7 @@ def moved_by(run: Run, edge: Edge) -> frozenset[str]:
     return frozenset((edge.branch,)).union(*below)
 
 
-def _loaded(run: Run, action: Action) -> set[FactKey]:
+def _loaded(run: LiveRun, action: JointAction) -> set[FactKey]:
     """The facts of the SBs below that the function of a ``load`` edge brings about itself."""
     found: set[FactKey] = set()
     for name, state in {**action.moved, **action.committed}.items():

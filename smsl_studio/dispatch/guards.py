@@ -1,7 +1,7 @@
 """Guards: all that is asked before anything moves, for every edge of a joint step (clause 4).
 
 What does not depend on sensing (permitted, not shut out, bound, sub-SB routes) is answered by the
-stepper; here are the questions to the scene. The supervisor is asked last (``reviewing``).
+stepper; here are the questions to the scene. The supervisor is asked last (``review``).
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.effects import moved_by
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.safeguards import lost_critical
 from smsl_studio.dispatch.words import check_words, required_words
 from smsl_studio.errors import AddressError
 
 
-def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
+def refusals(run: LiveRun, step: JointStep) -> tuple[str, ...]:
     """Why a joint step may not begin now, as sentences; empty where it may."""
     reasons = [*_sources(run, step), *lost_critical(run)]
     for edge in step.edges:
@@ -31,7 +31,7 @@ def refusals(run: Run, step: JointStep) -> tuple[str, ...]:
     return tuple(dict.fromkeys(reasons)) if reasons else ()
 
 
-def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, ...]:
+def asked(run: LiveRun, course: Course, address: Address) -> JointStep | tuple[str, ...]:
     """The joint step of an operation that a person asks for, or every reason why there is none.
 
     What the scene, the supervisor and people say to it is asked next.
@@ -51,7 +51,7 @@ def asked(run: Run, course: Course, address: Address) -> JointStep | tuple[str, 
     return step.reasons if isinstance(step, Unavailable) else step
 
 
-def _sources(run: Run, step: JointStep) -> list[str]:
+def _sources(run: LiveRun, step: JointStep) -> list[str]:
     """Every edge that starts in an active state needs that state's check true on sensed facts;
     later ones are checked when the run gets there."""
     found: list[str] = []
@@ -66,14 +66,14 @@ def _sources(run: Run, step: JointStep) -> list[str]:
     return found
 
 
-def doubt(run: Run, edge: Edge) -> str:
+def doubt(run: LiveRun, edge: Edge) -> str:
     """Why an edge of a step that is under way may not run its function now: what it starts from
     does not check true. Empty where it may. What it requires is asked of ``Safeguards``."""
     check = run.check(edge.branch, run.believed[edge.branch], run.transit)
     return "" if check.truth is True else check_words(run.blueprint, check)
 
 
-def needs(run: Run, edge: Edge) -> Iterator[Term]:
+def needs(run: LiveRun, edge: Edge) -> Iterator[Term]:
     """The facts of other SBs that an edge requires, as they stand now."""
     for branch, digit, value in edge.requires:
         if digit < 0:
@@ -84,7 +84,7 @@ def needs(run: Run, edge: Edge) -> Iterator[Term]:
         yield Term(term.fact, value, term.reading, truth, term.reason)
 
 
-def _required(run: Run, step: JointStep) -> Iterator[str]:
+def _required(run: LiveRun, step: JointStep) -> Iterator[str]:
     """Required facts of SBs that the step has not moved by then must be sensed so."""
     moved: set[str] = set()
     for edge in step.edges:
@@ -93,7 +93,7 @@ def _required(run: Run, step: JointStep) -> Iterator[str]:
         moved |= moved_by(run, edge)
 
 
-def _unmet(run: Run, edge: Edge, moved: Collection[str]) -> Iterator[str]:
+def _unmet(run: LiveRun, edge: Edge, moved: Collection[str]) -> Iterator[str]:
     """What an edge requires of SBs that are not moved, and is not sensed so."""
     for term in needs(run, edge):
         branch, digit = term.fact

@@ -13,7 +13,7 @@ from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.guards import needs, refusals
 from smsl_studio.dispatch.people.needed import of_step
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.status import Possible
 from smsl_studio.stop import BrokenOff, Stopped
 
@@ -24,7 +24,7 @@ MOST_TOLD = 200
 class Outlook:
     """Questions to a run that change nothing; answers are kept until the scene or terms change."""
 
-    def __init__(self, run: Run, course: Course) -> None:
+    def __init__(self, run: LiveRun, course: Course) -> None:
         self._run = run
         self._course = course
         self._key: object = None

@@ -9,12 +9,12 @@ from functools import cached_property, partial
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.allowance import Allowance
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
-from smsl_studio.blueprint.edges import Edge, Kind
-from smsl_studio.blueprint.failing import failing_states
+from smsl_studio.blueprint.edges import Edge, EdgeKind
+from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.search import Move, Search, patience
+from smsl_studio.blueprint.search import Move, PlanSearch, patience
 from smsl_studio.blueprint.stepper import Stepper, Terms
-from smsl_studio.dispatch.bounds import Bounds
+from smsl_studio.dispatch.bounds import CostBounds
 from smsl_studio.dispatch.effort import fact_count, refuse_too_long
 from smsl_studio.dispatch.ways import Ways
 from smsl_studio.errors import PlanningError
@@ -76,7 +76,7 @@ class Planner:
             if any(note.requires for note in branch.notes.operations.values())
         }
         self._question: tuple[Key, tuple[Address, ...]] | None = None
-        self._searches: dict[object, Search[Key]] = {}
+        self._searches: dict[object, PlanSearch[Key]] = {}
         self._gave_up: PlanningError | None = None
 
     def legs(self, start: Configuration, goals: Sequence[Address]) -> tuple[Leg, ...] | None:
@@ -193,7 +193,7 @@ class Planner:
         wanted: Sequence[Address],
         movers: Sequence[str],
         clean: bool,
-    ) -> Search[Key]:
+    ) -> PlanSearch[Key]:
         """The search for such a way over joint configurations."""
         ill = [name for name in movers if clean or goal is None if self._failing(name)]
         quiet = self._quiet(movers, {*ill, *(one.branch for one in wanted)})
@@ -206,12 +206,12 @@ class Planner:
             )
 
         routed = goal.branch if goal is not None else movers[0]
-        return Search(
+        return PlanSearch(
             self.stepper.key(start),
             is_goal,
             lambda node: self._moves(node, movers, quiet, routed),
             patience(self.hierarchy.blueprint.state_count),
-            Bounds(self.stepper, start, wanted, movers, quiet),
+            CostBounds(self.stepper, start, wanted, movers, quiet),
         )
 
     def _lone_leg(
@@ -267,7 +267,7 @@ class Planner:
                     continue
                 here = here or dict(zip(self.hierarchy.order, node, strict=True))
                 key = (f"{at:06}", edge.name)
-                if edge.kind is Kind.PURE and not edge.crossing:
+                if edge.kind is EdgeKind.PURE and not edge.crossing:
                     if self.stepper.allows(here, edge):
                         to = (*node[:at], edge.target, *node[at + 1 :])
                         count = int(name == routed)

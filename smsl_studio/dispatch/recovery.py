@@ -8,21 +8,21 @@ from itertools import islice, product
 from smsl_studio.blueprint.check import state_check
 from smsl_studio.blueprint.configuration import disagreements
 from smsl_studio.blueprint.estimate import fitting
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.stop import heed
 
 MOST = 8
 """Candidates that are worth naming; more than one is a hold anyway."""
 
 
-def stands(run: Run, configuration: Mapping[str, str], vouched: bool = False) -> bool:
+def stands(run: LiveRun, configuration: Mapping[str, str], vouched: bool = False) -> bool:
     """Whether every state check of a configuration is true on the scene; ``vouched``: if a person
     vouches for the doubtful facts that nobody senses."""
     scene = run.senses.vouched if vouched else None
     return all(check.truth is True for check in run.checks(configuration, scene))
 
 
-def candidates(run: Run) -> tuple[Mapping[str, str], ...]:
+def candidates(run: LiveRun) -> tuple[Mapping[str, str], ...]:
     """The configurations whose every state check is true and that agree with themselves, if a
     person vouches for the doubtful facts that nobody senses.
 
@@ -31,14 +31,14 @@ def candidates(run: Run) -> tuple[Mapping[str, str], ...]:
     return _agreeing(run, _true_states)
 
 
-def located(run: Run) -> tuple[Mapping[str, str], ...]:
+def located(run: LiveRun) -> tuple[Mapping[str, str], ...]:
     """The same, going by the scene alone: what is committed counts for nothing where it is
     sensed."""
     return _agreeing(run, _estimated)
 
 
 def _agreeing(
-    run: Run, states_of: Callable[[Run, str, Mapping[str, str]], Sequence[str]]
+    run: LiveRun, states_of: Callable[[LiveRun, str, Mapping[str, str]], Sequence[str]]
 ) -> tuple[Mapping[str, str], ...]:
     """Subs are looked at first, because a base's digits are read from them; then the bases decide
     which of their states a sub may be in. No combination is tried that the bases rule out."""
@@ -65,7 +65,7 @@ def _agreeing(
     return tuple(one for one in islice(every, MOST) if stands(run, one, vouched=True))
 
 
-def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
+def sub_relocalised(run: LiveRun, branch: str) -> Mapping[str, str] | None:
     """The configuration where only one sub stands elsewhere, if that explains the whole scene.
 
     None where it is no sub, where no single state of it does, or where it would enter or leave
@@ -82,12 +82,12 @@ def sub_relocalised(run: Run, branch: str) -> Mapping[str, str] | None:
     return moved
 
 
-def _true_states(run: Run, name: str, believed: Mapping[str, str]) -> Sequence[str]:
+def _true_states(run: LiveRun, name: str, believed: Mapping[str, str]) -> Sequence[str]:
     scene, committed = run.senses.vouched, run.configuration[name]
     if state_check(run.blueprint, name, committed, scene, believed).truth is True:
         return [committed]
     return _estimated(run, name, believed)
 
 
-def _estimated(run: Run, name: str, believed: Mapping[str, str]) -> Sequence[str]:
+def _estimated(run: LiveRun, name: str, believed: Mapping[str, str]) -> Sequence[str]:
     return fitting(run.blueprint, name, run.senses.vouched, believed)

@@ -21,11 +21,11 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
-from smsl_studio.host.protocol import Happened, Host, Opened
+from smsl_studio.host.protocol import Happened, Host, OpenedWorld
 from smsl_studio.runlog.events import Event
 
 
-class Run:
+class LiveRun:
     """The facts of a run that all its parts share; verbs are elsewhere.
 
     ``configuration`` is committed. ``pending`` are the SBs that stand elsewhere, not committed;
@@ -41,7 +41,7 @@ class Run:
         self,
         hierarchy: Hierarchy,
         host: Host,
-        opened: Opened,
+        opened: OpenedWorld,
         start: Mapping[str, str],
         levels: Levels | None = None,
     ) -> None:

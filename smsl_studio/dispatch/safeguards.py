@@ -10,15 +10,15 @@ from collections.abc import Collection, Iterator
 
 from smsl_studio.blueprint.check import IN_TRANSIT, FactKey, Term, state_check
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.blueprint.joint import JointAction, JointStep
 from smsl_studio.dispatch.effects import changed_by
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.words import critical_words, required_words
 
 NOTHING: frozenset[FactKey] = frozenset()
 
 
-def lost_critical(run: Run, changing: Collection[FactKey] = NOTHING) -> tuple[str, ...]:
+def lost_critical(run: LiveRun, changing: Collection[FactKey] = NOTHING) -> tuple[str, ...]:
     """The critical facts that are false or unknown now, as sentences; empty where all is well.
 
     ``changing`` are facts that a step changes at this moment.
@@ -28,7 +28,7 @@ def lost_critical(run: Run, changing: Collection[FactKey] = NOTHING) -> tuple[st
     return tuple(critical_words(run.blueprint, term) for term in lost_terms(run, changing))
 
 
-def lost_terms(run: Run, changing: Collection[FactKey] = NOTHING) -> Iterator[Term]:
+def lost_terms(run: LiveRun, changing: Collection[FactKey] = NOTHING) -> Iterator[Term]:
     """The same facts, as terms of the state checks in which they are."""
     believed, scene = run.believed, run.senses.scene
     left_out = run.transit.union(changing)
@@ -49,14 +49,14 @@ class Safeguards:
     ``begin`` is called before the function of an action starts, ``end`` when its check was true.
     """
 
-    def __init__(self, run: Run, step: JointStep) -> None:
+    def __init__(self, run: LiveRun, step: JointStep) -> None:
         self._run = run
         self._idle = not run.critical and not any(edge.requires for edge in step.edges)
         self._required: list[Edge] = []
         self._changing = NOTHING
         self._changed: set[FactKey] = set()
 
-    def begin(self, action: Action) -> tuple[str, ...]:
+    def begin(self, action: JointAction) -> tuple[str, ...]:
         """What the edges that begin now require, and every critical fact: why they may not begin.
 
         From now on what the action changes is left out, and what its edges require must stay.
@@ -69,7 +69,7 @@ class Safeguards:
         self._changed |= self._changing
         return lost
 
-    def end(self, action: Action) -> None:
+    def end(self, action: JointAction) -> None:
         """What the action changed must from now on be as it is believed."""
         self._changing = NOTHING
         self._required = [edge for edge in self._required if edge not in action.commits]

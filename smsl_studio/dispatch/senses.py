@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
-from smsl_studio.host.protocol import Host, Opened, Tick
+from smsl_studio.host.protocol import Host, OpenedWorld, Tick
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.bus import FactBus
 from smsl_studio.monitor.facts import FactMonitor, SourceState
@@ -35,11 +35,11 @@ class Senses:
     """Time, scene and the last sensed value of every fact of one run.
 
     Whatever is sensed comes over ``bus``: what the host's sensors say, what sensors elsewhere say
-    (``Opened.remote``), and what anybody else publishes there. Those elsewhere age on the
+    (``OpenedWorld.remote``), and what anybody else publishes there. Those elsewhere age on the
     monotonic clock, all others on that of the run. ``rules`` say how facts are made of it.
     """
 
-    def __init__(self, host: Host, opened: Opened, rules: Mapping[FactKey, FactRule]) -> None:
+    def __init__(self, host: Host, opened: OpenedWorld, rules: Mapping[FactKey, FactRule]) -> None:
         self._host = host
         self._remote = opened.remote
         self.bus = FactBus()

@@ -17,7 +17,7 @@ ENDED = {
 """What is told of the end of a function."""
 
 
-class Stage(Enum):
+class ActionStage(Enum):
     """Where the current action stands."""
 
     NEXT = "next"
@@ -29,7 +29,7 @@ class Stage(Enum):
 
 
 @dataclass(frozen=True)
-class Failure:
+class StepFailure:
     """Why a joint step ended early. ``risky`` says that the operation itself is to blame,
     ``unanswered`` that people were asked and did not say what it needed. ``lost`` are the
     sentences about facts that it rested on and that were false or unknown meanwhile."""

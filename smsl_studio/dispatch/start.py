@@ -10,7 +10,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.goals import goals_of
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.protocol import Host
@@ -23,7 +23,7 @@ def begin_run(
     start: Mapping[str, str],
     goals: Sequence[Address],
     levels: Levels | None = None,
-) -> tuple[Run, tuple[Address, ...]]:
+) -> tuple[LiveRun, tuple[Address, ...]]:
     """Open the host where the run starts; the run and its goals in order. RunRefused says why not.
 
     Nothing is opened where the blueprint, the start or the goals already refuse.
@@ -39,11 +39,11 @@ def begin_run(
             f"{opened.world} is hardware and this blueprint has no inspection record",
             advice="Run it in a simulated world first.",
         )
-    return Run(hierarchy, host, opened, configuration, levels), ordered
+    return LiveRun(hierarchy, host, opened, configuration, levels), ordered
 
 
 def start_events(
-    run: Run, seed: int, goals: Sequence[Address], changes: Sequence[FactChanged]
+    run: LiveRun, seed: int, goals: Sequence[Address], changes: Sequence[FactChanged]
 ) -> tuple[Event, ...]:
     """The first events of a run whose sensors were read, which brought ``changes``; RunRefused
     where a state check is not true on sensed facts."""
@@ -70,7 +70,7 @@ _TOLD = 20
 """So many state checks that refuse a start are told, and so many sensors that are silent."""
 
 
-def _checked(run: Run) -> Iterator[StateChecked]:
+def _checked(run: LiveRun) -> Iterator[StateChecked]:
     for check in run.checks(run.configuration):
         yield StateChecked(
             t=run.time,
@@ -81,7 +81,7 @@ def _checked(run: Run) -> Iterator[StateChecked]:
         )
 
 
-def _silent(run: Run, checks: Sequence[CheckResult]) -> str:
+def _silent(run: LiveRun, checks: Sequence[CheckResult]) -> str:
     """What to do about facts that nobody has told from elsewhere; empty where there are none."""
     elsewhere = run.opened.remote
     wanted = {term.fact for check in checks for term in check.terms if term.truth is None}

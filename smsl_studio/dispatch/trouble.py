@@ -10,8 +10,8 @@ from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.recovery import candidates, stands, sub_relocalised
-from smsl_studio.dispatch.run import Run
-from smsl_studio.dispatch.stage import Failure
+from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.stage import StepFailure
 from smsl_studio.dispatch.words import all_words, check_words
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
@@ -49,13 +49,13 @@ class Trouble:
     ``candidates`` are the configurations the scene agreed with when it was last asked.
     """
 
-    def __init__(self, run: Run, course: Course, adopts: bool) -> None:
+    def __init__(self, run: LiveRun, course: Course, adopts: bool) -> None:
         self.candidates: tuple[Mapping[str, str], ...] = ()
         self._run = run
         self._course = course
         self._adopts = adopts
 
-    def blame(self, step: JointStep, failure: Failure) -> None:
+    def blame(self, step: JointStep, failure: StepFailure) -> None:
         """An operation failed: tag it and the root's edge risky."""
         run = self._run
         if failure.risky:
@@ -67,7 +67,7 @@ class Trouble:
         self._course.drop_plan()
         run.drop_pending()
 
-    def after(self, failure: Failure) -> Hold | None:
+    def after(self, failure: StepFailure) -> Hold | None:
         """Relocalise after a failure: by the sub alone where that explains the scene. Where the
         step lost what it rests on, the run holds, whatever the scene says."""
         run = self._run

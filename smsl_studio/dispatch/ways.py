@@ -11,8 +11,8 @@ from collections.abc import Collection, Iterator, Mapping
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.configuration import Configuration, Hierarchy
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.failing import failing_states
-from smsl_studio.blueprint.joint import Action, JointStep
+from smsl_studio.blueprint.failure_states import failing_states
+from smsl_studio.blueprint.joint import JointAction, JointStep
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.dispatch.effort import fact_count, refuse_too_long
@@ -217,5 +217,5 @@ def _declared(branch: StateBranch, graph: BranchGraph) -> list[float] | None:
 def _alone(edge: Edge) -> JointStep:
     """The joint step of an edge that runs its own function and moves nothing else."""
     place = {edge.branch: edge.target}
-    action = Action(edge, (edge,), place, (edge,), (edge,), place, NOTHING, NOTHING)
+    action = JointAction(edge, (edge,), place, (edge,), (edge,), place, NOTHING, NOTHING)
     return JointStep(edge, (edge,), (action,), round(edge.cost, 9), place)

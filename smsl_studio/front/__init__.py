@@ -9,14 +9,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from smsl_studio.front.hosting import worlds
-    from smsl_studio.front.reading import inspect, read, refusals
+    from smsl_studio.front.hosts import worlds
+    from smsl_studio.front.inputs import inspect, read, refusals
     from smsl_studio.front.routes import plan_route
-    from smsl_studio.front.running import Run, open_run, run
-    from smsl_studio.front.script.reading import read_script
-    from smsl_studio.front.suiting import worlds_for
-    from smsl_studio.front.sweeping import sweep
-    from smsl_studio.front.trying import try_edge
+    from smsl_studio.front.runs import Run, open_run, run
+    from smsl_studio.front.script.lines import read_script
+    from smsl_studio.front.single_edge import try_edge
+    from smsl_studio.front.suitable_worlds import worlds_for
+    from smsl_studio.front.sweeps import sweep
 
 __all__ = [
     "Run",
@@ -34,18 +34,18 @@ __all__ = [
 ]
 
 _HOMES = {
-    "read": "reading",
-    "read_script": "script.reading",
-    "inspect": "reading",
-    "refusals": "reading",
+    "read": "inputs",
+    "read_script": "script.lines",
+    "inspect": "inputs",
+    "refusals": "inputs",
     "plan_route": "routes",
-    "Run": "running",
-    "run": "running",
-    "open_run": "running",
-    "worlds": "hosting",
-    "worlds_for": "suiting",
-    "sweep": "sweeping",
-    "try_edge": "trying",
+    "Run": "runs",
+    "run": "runs",
+    "open_run": "runs",
+    "worlds": "hosts",
+    "worlds_for": "suitable_worlds",
+    "sweep": "sweeps",
+    "try_edge": "single_edge",
 }
 
 

@@ -46,9 +46,9 @@ def with_remote(
     rules = {key: _rule(blueprint, file, key) for key in dict.fromkeys(map(_fact, sensors))}
     values = {key: blueprint[key[0]].alphabet[key[1]] for key in rules}
     # Loaded where a broker is named, and only there.
-    from smsl_studio.monitor.mqtt import Link
+    from smsl_studio.monitor.mqtt import BrokerLink
 
-    remote = Remote(Link(broker, reception), reception, sensors, values, seed)
+    remote = Remote(BrokerLink(broker, reception), reception, sensors, values, seed)
     return WithRemote(host, remote, rules, frozenset(rules) if world == TABLE else frozenset())
 
 

@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.recording import Recording
-from smsl_studio.front.script.acting import Acting
+from smsl_studio.front.recorder import Recorder
+from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.runlog.events import Event
 from smsl_studio.stop import GRACE, Stopped, graceful
 
@@ -36,10 +36,10 @@ class StopAsked:
 
 def to_its_end(
     dispatcher: Dispatcher,
-    recording: Recording,
+    recording: Recorder,
     speed: float | None,
     asked: StopAsked,
-    acting: Acting | None,
+    acting: ScriptPlayer | None,
 ) -> None:
     """Tick until ``run_finished`` is told, paced by ``speed`` (see ``front.run``).
 

@@ -16,7 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.version import version
-from smsl_studio.library.binding import bind
+from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.grounds import grounds_of

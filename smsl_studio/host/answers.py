@@ -25,8 +25,8 @@ from smsl_studio.host.codec import (
     whole,
 )
 from smsl_studio.host.compound import mapped, mapping, optional, record, row, several
-from smsl_studio.host.costing import MOST as MOST_COST
-from smsl_studio.host.protocol import Bound, Opened, Outcome, Priced, SensorInfo, Tick
+from smsl_studio.host.cost_functions import MOST as MOST_COST
+from smsl_studio.host.protocol import Bound, OpenedWorld, Outcome, Priced, SensorInfo, Tick
 from smsl_studio.host.vocabulary import COUNT, NAME, PATIENCE, PLACE, SECONDS, sentence
 from smsl_studio.library.operation_library import STOP_MODES
 from smsl_studio.monitor.aggregate import MODES, FactRule
@@ -113,7 +113,7 @@ class RunAnswers:
             shared=flag(),
         )
         opened = record(
-            Opened,
+            OpenedWorld,
             ("remote",),
             world=text(1000),
             tick=number(1e-9, 1e3),
@@ -144,7 +144,7 @@ class RunAnswers:
             "costs": priced,
         }
 
-    def opened(self, opened: Opened) -> None:
+    def opened(self, opened: OpenedWorld) -> None:
         """From now on the sensors of this world may speak, and no others."""
         sensors = [(one.branch, one.digit, one.name) for one in opened.sensors]
         sample: Codec[Sample] = mapped(

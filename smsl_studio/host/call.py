@@ -8,7 +8,7 @@ from typing import Any
 from smsl_studio.host.brief import words_for
 from smsl_studio.host.protocol import Outcome
 from smsl_studio.library.bound import BoundOperation
-from smsl_studio.library.importing import where
+from smsl_studio.library.plugin_package import where
 
 
 class Call:

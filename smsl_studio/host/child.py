@@ -29,7 +29,7 @@ from smsl_studio.host.brief import brief
 from smsl_studio.host.codec import Codec, Unfit, nothing
 from smsl_studio.host.confinement import confine
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import Opened, Outcome, Tick
+from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.loading import Loaded, discover
 from smsl_studio.library.operation_library import TABLE
@@ -139,7 +139,7 @@ class _Child:
         with contextlib.suppress(StudioError):
             self.host.prepare()
 
-    def open(self, start: Mapping[str, str]) -> tuple[Opened, Status, Poses]:
+    def open(self, start: Mapping[str, str]) -> tuple[OpenedWorld, Status, Poses]:
         """Put the world into its start; its first words and its first picture."""
         opened = self.host.open(start)
         self._run.opened(opened)

@@ -17,13 +17,21 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.brief import finite, short_words
 from smsl_studio.host.call import Call, words_of
-from smsl_studio.host.costing import Costing
+from smsl_studio.host.cost_functions import CostFunctions
 from smsl_studio.host.engines import make_engine
 from smsl_studio.host.fact_rules import rules_of
-from smsl_studio.host.injecting import Injecting
-from smsl_studio.host.protocol import Bound, Happened, Opened, Outcome, Priced, SensorInfo, Tick
-from smsl_studio.host.sensing import Sensing
-from smsl_studio.library.binding import bind
+from smsl_studio.host.injections import Injections
+from smsl_studio.host.protocol import (
+    Bound,
+    Happened,
+    OpenedWorld,
+    Outcome,
+    Priced,
+    SensorInfo,
+    Tick,
+)
+from smsl_studio.host.sensor_schedule import SensorSchedule
+from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.bound import Bindings, BoundSensor
 from smsl_studio.library.loading import Loaded, discover
@@ -61,10 +69,10 @@ class LocalHost:
         self._location = ""
         self._settle = 0.0
         self._call: Call | None = None
-        self._sensing = Sensing((), 1.0, 0)
-        self._injecting = Injecting(world, {})
+        self._sensing = SensorSchedule((), 1.0, 0)
+        self._injecting = Injections(world, {})
         self._offered: Mapping[str, FaultEntry] | None = None
-        self._costing = Costing({})
+        self._costing = CostFunctions({})
         self._stepping = self._mending("broke")
         self._aside = _prints_aside()
         self._ticks = 0
@@ -80,7 +88,7 @@ class LocalHost:
                 with self._mending("cannot be drawn"):
                     engine.shapes()
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         """Build the world and put it into ``start`` (SB -> state).
 
         Opened again, it starts from time zero in the new place. WorldError where the world is
@@ -94,12 +102,14 @@ class LocalHost:
             self._arrange(engine, start)
             self._stepping = self._mending("broke")
             self._injecting = self._faults()
-            self._costing = Costing(bindings.costs)
+            self._costing = CostFunctions(bindings.costs)
             self._poses = ()
             with self._mending("cannot be drawn"):
                 shapes = engine.shapes()
-        self._sensing = Sensing(bindings.sensors, engine.tick, self._boot, self._values, self._seed)
-        return Opened(
+        self._sensing = SensorSchedule(
+            bindings.sensors, engine.tick, self._boot, self._values, self._seed
+        )
+        return OpenedWorld(
             world=self._name,
             tick=engine.tick,
             hardware=self._entry.hardware if self._entry else engine.hardware,
@@ -222,12 +232,12 @@ class LocalHost:
             self._loaded = Loaded() if self._name == TABLE else discover(self._paths)
         return self._loaded
 
-    def _faults(self) -> Injecting:
+    def _faults(self) -> Injections:
         if self._offered is None:
             table = self._name == TABLE
             found = table_faults(self._blueprint) if table else None
             self._offered = found or self._plugins().faults_of(self._name)
-        return Injecting(self._name, self._offered, "" if self._name == TABLE else self._location)
+        return Injections(self._name, self._offered, "" if self._name == TABLE else self._location)
 
     def _bind(self) -> Bindings:
         if self._bindings is None:

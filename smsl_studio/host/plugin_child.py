@@ -22,7 +22,7 @@ from smsl_studio.host.codec import Unfit, opaque
 from smsl_studio.host.compound import optional, row
 from smsl_studio.host.confinement import confine, end_with
 from smsl_studio.host.description import LARGEST, written
-from smsl_studio.host.plugin_process import SIZE, PluginProcess, Told
+from smsl_studio.host.plugin_process import SIZE, PluginAnswer, PluginProcess
 from smsl_studio.host.vocabulary import COUNT, sentence
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.loading import PluginFault, load_plugin
@@ -106,7 +106,7 @@ class _Loads:
             os.setpgid(pid, pid)
         one = PluginProcess(number, pid, told, self._limit, self._turn())
         self._running.append(one)
-        self._tell(one, Told(None))
+        self._tell(one, PluginAnswer(None))
 
     def _turn(self) -> float:
         """How long the next one may load before it makes room, in seconds."""
@@ -115,7 +115,7 @@ class _Loads:
         left = max(0.0, self._half - time.monotonic())
         return min(TURN, left * self._together / (len(self._waiting) + 1))
 
-    def _tell(self, one: PluginProcess, told: Told) -> None:
+    def _tell(self, one: PluginProcess, told: PluginAnswer) -> None:
         self._wire.send("loads", STEP.encode((one.number, one.pid, told.body, told.words)))
 
     def _ready(self, now: float) -> set[int]:

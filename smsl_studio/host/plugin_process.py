@@ -11,7 +11,7 @@ from collections.abc import Set
 from typing import NamedTuple
 
 from smsl_studio.host.description import LARGEST
-from smsl_studio.host.ending import ending_words, exit_code
+from smsl_studio.host.exit_words import ending_words, exit_code
 
 PATIENCE = 2.0
 """Seconds that a process may take to end after it has let go of its pipe."""
@@ -20,7 +20,7 @@ SIZE = struct.Struct("!I")
 """How a description begins on the pipe: with the number of its bytes."""
 
 
-class Told(NamedTuple):
+class PluginAnswer(NamedTuple):
     """A plugin's description, or why there is none."""
 
     body: bytes | None
@@ -55,7 +55,7 @@ class PluginProcess:
         """When it must be looked at, whatever is told: the end of its turn, or of its time."""
         return min(self._turn, self._until) if self.has_turn(now) else self._until
 
-    def told(self, ready: Set[int]) -> Told | None:
+    def told(self, ready: Set[int]) -> PluginAnswer | None:
         """What it has told, with the files that are ready; None while that is not whole."""
         if self._pipe in ready:
             piece = os.read(self._pipe, 2**16)
@@ -67,21 +67,23 @@ class PluginProcess:
         elif self._gone in ready and not self._closed:
             self._let_go()  # what it has started may hold the pipe for ever
         if self._closed and self._gone in ready:
-            return Told(None, f"the process that loaded it {ending_words(exit_code(self.pid))}")
+            return PluginAnswer(
+                None, f"the process that loaded it {ending_words(exit_code(self.pid))}"
+            )
         if time.monotonic() < self._until:
             return None
         if self._closed:
-            return Told(None, "it closed the pipe on which it is described")
-        return Told(None, f"it did not load within {self._limit:g} s")
+            return PluginAnswer(None, "it closed the pipe on which it is described")
+        return PluginAnswer(None, f"it did not load within {self._limit:g} s")
 
-    def _whole(self) -> Told | None:
+    def _whole(self) -> PluginAnswer | None:
         if len(self._come) < SIZE.size:
             return None
         (size,) = SIZE.unpack_from(self._come)
         if size > LARGEST:
-            return Told(None, f"its description has {size} bytes, more than {LARGEST}")
+            return PluginAnswer(None, f"its description has {size} bytes, more than {LARGEST}")
         whole = bytes(self._come[SIZE.size : SIZE.size + size])
-        return Told(whole) if len(whole) == size else None
+        return PluginAnswer(whole) if len(whole) == size else None
 
     def _let_go(self) -> None:
         self._closed = True

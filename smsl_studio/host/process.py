@@ -24,13 +24,13 @@ from smsl_studio.errors import HostError
 from smsl_studio.host.answers import CRASHED, LOADS, REFUSED, RunAnswers
 from smsl_studio.host.child import Recipe
 from smsl_studio.host.codec import Unfit
-from smsl_studio.host.ending import ending_words
-from smsl_studio.host.protocol import Happened, Opened, Outcome, Priced, Tick
+from smsl_studio.host.exit_words import ending_words
+from smsl_studio.host.protocol import Happened, OpenedWorld, Outcome, Priced, Tick
 from smsl_studio.host.spare import Spare
-from smsl_studio.host.starting import Child, start_child
-from smsl_studio.host.wire import Frame, NoAnswer
+from smsl_studio.host.started_child import Child, start_child
+from smsl_studio.host.wire import NoAnswer, WireFrame
 from smsl_studio.monitor.sample import Sample
-from smsl_studio.stop import LONGEST, BrokenOff, Looks, Stopped, heed, starving
+from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heed, starving
 
 LOOK = 0.05
 """How often (s) a waiting parent looks at the child's pulse, and whether it shall stop."""
@@ -95,12 +95,12 @@ class ProcessHost:
         """What a spare child is prepared with, to be quick for this run or one like it."""
         return self._recipe
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         """Start the child if there is none, and have it open its world (see ``LocalHost.open``)."""
         with self._using:
             if self._child is None and self._gone is None:
                 self._start()
-            opened: Opened
+            opened: OpenedWorld
             asked = self._ask("open", dict(start), limit=self._open_limit)
             opened, self._status, self._poses = asked
             if opened.world != self._recipe.world:
@@ -253,10 +253,10 @@ class ProcessHost:
         words = f"said what is no answer{self._doing}: {verb} {error}"
         return self._lost(f"the simulation process {words}")
 
-    def _wait(self, child: Child, verb: str, limit: float) -> Frame:
+    def _wait(self, child: Child, verb: str, limit: float) -> WireFrame:
         """The frame that ends the answer; the one place that waits for the child."""
         began = heard = time.monotonic()
-        late: Looks | None = None
+        late: StopListener | None = None
         if verb == "cancel":
             child.starved()  # what it was given before, when it may have had nothing to do, is past
         while True:
@@ -298,7 +298,7 @@ class ProcessHost:
         self._child = None
 
 
-def _heeded(late: Looks | None, verb: str) -> Looks | None:
+def _heeded(late: StopListener | None, verb: str) -> StopListener | None:
     """Ask whether the answer is still wanted, as long as nobody has said no (``late`` is None).
 
     Then the world has until the last of its looks to answer: it may only be slow, and whoever
@@ -314,5 +314,5 @@ def _heeded(late: Looks | None, verb: str) -> Looks | None:
     except Stopped:
         if verb not in _QUICK:
             raise
-        return Looks(1, LONGEST)
+        return StopListener(1, LONGEST)
     return None

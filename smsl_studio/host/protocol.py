@@ -84,7 +84,7 @@ class Elsewhere(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Opened:
+class OpenedWorld:
     """What a host says once its world stands.
 
     ``bound`` has every edge of the blueprint that has a library function in this world.
@@ -134,7 +134,7 @@ class Tick(NamedTuple):
 class Host(Protocol):
     """A place where a world and library code run. HostError when it is gone or silent."""
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         """Build the world and put it into ``start`` (SB -> state)."""
         ...
 
@@ -165,8 +165,8 @@ class Host(Protocol):
     def inject(self, fault: str, **parameters: float | str) -> None:
         """Let something go wrong in the world, from this instant on.
 
-        UsageError where the world has no such fault (``Opened.world_faults``) or it cannot be done
-        with these parameters; HostError where its code breaks.
+        UsageError where the world has no such fault (``OpenedWorld.world_faults``) or it cannot be
+        done with these parameters; HostError where its code breaks.
         """
         ...
 

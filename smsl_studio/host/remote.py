@@ -15,9 +15,9 @@ from typing import Protocol
 from smsl_studio.blueprint.address import Address, fact_text, split_fact
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.errors import HostError, UsageError
-from smsl_studio.host.protocol import Happened, Host, Opened, Priced, SensorInfo, Tick
+from smsl_studio.host.protocol import Happened, Host, OpenedWorld, Priced, SensorInfo, Tick
 from smsl_studio.monitor.aggregate import FactRule
-from smsl_studio.monitor.disturbance import Disturbed, checked
+from smsl_studio.monitor.disturbance import DisturbedSensor, checked
 from smsl_studio.monitor.reception import Reception, RemoteView
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.stop import heed
@@ -27,8 +27,8 @@ HELLO = 3.0
 LOOK = 0.01
 
 
-class Line(Protocol):
-    """What brings messages to a reception (see ``monitor.mqtt.Link``)."""
+class Feed(Protocol):
+    """What brings messages to a reception (see ``monitor.mqtt.BrokerLink``)."""
 
     @property
     def broker(self) -> str: ...
@@ -47,7 +47,7 @@ class Remote:
 
     def __init__(
         self,
-        line: Line,
+        line: Feed,
         reception: Reception,
         sensors: Sequence[SensorInfo],
         values: Mapping[FactKey, Sequence[str]],
@@ -57,7 +57,7 @@ class Remote:
         self._line, self._reception = line, reception
         self._closed = Flag()
         self._values, self._seed = values, seed
-        self._disturbed: dict[tuple[str, int, str], Disturbed] = {}
+        self._disturbed: dict[tuple[str, int, str], DisturbedSensor] = {}
 
     def clock(self) -> float:
         """This computer's monotonic seconds, on which samples from elsewhere age."""
@@ -99,7 +99,7 @@ class Remote:
             if key not in self._disturbed:
                 values = self._values.get(key[:2], ())
                 seed = f"{self._seed} {fact_text(*key[:2])} {sensor.name}"
-                self._disturbed[key] = Disturbed(values, seed)
+                self._disturbed[key] = DisturbedSensor(values, seed)
             self._disturbed[key].switch(kind, parameter)
         return tuple(sensor.name for sensor in met)
 
@@ -140,7 +140,7 @@ class WithRemote:
         self.remote = remote
         self._rules, self._alone = rules, alone
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         """Build the world, then connect; RunRefused where there is no broker."""
         opened = self.inner.open(start)
         self.remote.open()

@@ -10,7 +10,7 @@ import threading
 from pathlib import Path
 
 from smsl_studio.host.child import Recipe
-from smsl_studio.host.starting import Child, start_child
+from smsl_studio.host.started_child import Child, start_child
 from smsl_studio.library.stamp import library_stamp
 
 

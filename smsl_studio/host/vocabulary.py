@@ -8,7 +8,7 @@ from smsl_studio.errors import Place
 from smsl_studio.host.brief import brief
 from smsl_studio.host.codec import Codec, Unfit, number, text, whole
 from smsl_studio.host.compound import mapped, record
-from smsl_studio.library.wording import unfit_name
+from smsl_studio.library.terms import unfit_name
 
 
 def name(most: int, empty: bool = False) -> Codec[str]:

@@ -28,7 +28,7 @@ class NoAnswer(Exception):  # noqa: N818
     """What came is no answer; the text says why."""
 
 
-class Frame(NamedTuple):
+class WireFrame(NamedTuple):
     """One piece of an answer, not looked into."""
 
     kind: str
@@ -73,7 +73,7 @@ class Wire:
             while self._out:
                 self._out = self._out[self._end.send(self._out) :]
 
-    def read(self) -> Frame | None:
+    def read(self) -> WireFrame | None:
         """Read one piece, without waiting; the next frame, where it is whole now.
 
         EOFError at the end, NoAnswer where it can be none.
@@ -87,7 +87,7 @@ class Wire:
         self._come += piece
         return self.come()
 
-    def come(self) -> Frame | None:
+    def come(self) -> WireFrame | None:
         """The next frame, where it was read already; NoAnswer where it can be none."""
         if len(self._come) < _HEAD.size:
             return None
@@ -106,7 +106,7 @@ class Wire:
         self._awaiting = KINDS[kind] == "loads"
         if self._come and not self._awaiting:
             raise NoAnswer("something stands behind it")
-        return Frame(KINDS[kind], body)
+        return WireFrame(KINDS[kind], body)
 
     def hang_up(self) -> None:
         """Say and hear nothing more: the child sees that."""

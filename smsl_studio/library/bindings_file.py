@@ -74,7 +74,7 @@ class MqttTable(BaseModel):
         return (given,) if isinstance(given, str) else given
 
 
-class _File(BaseModel):
+class _BindingsFile(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     world: dict[str, WorldTable] = {}
@@ -124,7 +124,7 @@ def read_bindings(path: Path, project: str = "") -> BindingsFile:
     """A bindings file (below ``project``, if that is given); PluginError where it is broken."""
     text, values = read_toml(path, inside=project)
     try:
-        file = _File.model_validate(values)
+        file = _BindingsFile.model_validate(values)
         return BindingsFile(file.world, text, file.mqtt)
     except ValidationError as error:
         fault = error.errors(include_url=False)[0]

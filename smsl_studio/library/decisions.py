@@ -31,7 +31,7 @@ PATIENCE = 2.0
 _REMEDY = "Repair or remove it; every plugin of yours is then asked about anew."
 
 
-class Decision(BaseModel):
+class PluginDecision(BaseModel):
     """What was decided about the plugin at ``location``.
 
     ``digest`` is that of the files that were allowed. It is empty for a plugin whose files are not
@@ -46,11 +46,11 @@ class Decision(BaseModel):
     digest: str = Field(default="", pattern=r"^([0-9a-f]{64})?$")
 
 
-class _File(BaseModel):
+class _DecisionsFile(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
     version: Literal[1]
-    plugins: list[Decision]
+    plugins: list[PluginDecision]
 
 
 def decisions_file() -> Path:
@@ -58,7 +58,7 @@ def decisions_file() -> Path:
     return user_folder() / FILE
 
 
-def read_decisions() -> Mapping[str, Decision]:
+def read_decisions() -> Mapping[str, PluginDecision]:
     """The decisions by location, empty where there is no file; PluginError for one not believed."""
     file = decisions_file()
     try:
@@ -76,7 +76,7 @@ def read_decisions() -> Mapping[str, Decision]:
     return _decisions_in(file)
 
 
-def decide(decision: Decision, *, forget: bool = False) -> None:
+def decide(decision: PluginDecision, *, forget: bool = False) -> None:
     """Write a decision in the place of an earlier one about the same location, or forget that.
 
     SaveError where it cannot be written, PluginError where the file that is there is not believed.
@@ -99,7 +99,7 @@ def decide(decision: Decision, *, forget: bool = False) -> None:
         raise SaveError(f"{file} cannot be written: {error.strerror or error}") from None
 
 
-def _decisions_in(file: Path) -> Mapping[str, Decision]:
+def _decisions_in(file: Path) -> Mapping[str, PluginDecision]:
     try:
         with file.open("rb") as stream:
             raw = stream.read(LARGEST + 1)
@@ -108,7 +108,7 @@ def _decisions_in(file: Path) -> Mapping[str, Decision]:
     if len(raw) > LARGEST:
         raise _not_believed(file, f"it is longer than {LARGEST} bytes")
     try:
-        written = _File.model_validate(json.loads(raw))
+        written = _DecisionsFile.model_validate(json.loads(raw))
     except ValidationError as error:
         fault = error.errors(include_url=False)[0]
         where = ".".join(str(part) for part in fault["loc"])
@@ -121,7 +121,7 @@ def _decisions_in(file: Path) -> Mapping[str, Decision]:
     return decisions
 
 
-def _write(file: Path, decisions: Mapping[str, Decision]) -> None:
+def _write(file: Path, decisions: Mapping[str, PluginDecision]) -> None:
     """Put the new bytes in the place of the old ones, whole or not at all."""
     plugins = [one.model_dump() for one in sorted(decisions.values(), key=lambda d: d.location)]
     text = json.dumps({"version": 1, "plugins": plugins}, indent=4)

@@ -22,7 +22,7 @@
         @library.fault("hanoi", "disk_pushed")
         def push(world, disk: int): ...            # what goes wrong on purpose
 
-Every plugin fills a library of its own; ``binding`` reads them. Times are simulated seconds.
+Every plugin fills a library of its own; ``bindings`` reads them. Times are simulated seconds.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from typing import Any, TypeVar
 from smsl_studio.errors import PluginError
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.signature import Signature, signature_of
-from smsl_studio.library.wording import proper_name, seconds, truth, words_of_values
+from smsl_studio.library.terms import proper_name, seconds, truth, words_of_values
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 

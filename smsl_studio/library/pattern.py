@@ -52,7 +52,7 @@ class Pattern:
             return None if name else {}
         if not name.startswith(pieces[0].fixed):
             return None
-        ends = _Matching(pieces, name).ends(0, 0)
+        ends = _PatternMatch(pieces, name).ends(0, 0)
         if ends is None:
             return None
         values = (name[start:end] for start, end in reversed(ends))
@@ -65,7 +65,7 @@ class Pattern:
         )
 
 
-class _Matching:
+class _PatternMatch:
     """One name read by one pattern, from the left; what has failed once is not tried again."""
 
     def __init__(self, pieces: tuple[_Piece, ...], name: str) -> None:

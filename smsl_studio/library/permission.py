@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from smsl_studio.library.decisions import Decision, decide
+from smsl_studio.library.decisions import PluginDecision, decide
 from smsl_studio.library.survey import USER, FoundPlugin, PluginState
 
 
@@ -16,7 +16,7 @@ def allow(found: FoundPlugin) -> FoundPlugin:
     """
     if found.error is not None:
         raise found.error
-    decision = Decision(
+    decision = PluginDecision(
         location=found.location, name=found.name, decision="allowed", digest=found.digest
     )
     # What needs no permission is not written down.
@@ -26,5 +26,5 @@ def allow(found: FoundPlugin) -> FoundPlugin:
 
 def forbid(found: FoundPlugin) -> FoundPlugin:
     """Let no code of a plugin be loaded, whatever its files become; SaveError as above."""
-    decide(Decision(location=found.location, name=found.name, decision="forbidden"))
+    decide(PluginDecision(location=found.location, name=found.name, decision="forbidden"))
     return replace(found, state=PluginState.FORBIDDEN, error=None)

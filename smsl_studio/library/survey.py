@@ -17,7 +17,7 @@ from pathlib import Path
 
 from smsl_studio.errors import Place, PluginError
 from smsl_studio.home import user_folder
-from smsl_studio.library.decisions import Decision, decisions_file, read_decisions
+from smsl_studio.library.decisions import PluginDecision, decisions_file, read_decisions
 from smsl_studio.library.folders import plugin_path
 from smsl_studio.library.manifest import MANIFEST, Manifest, read_manifest
 from smsl_studio.library.ownership import exposure_on_the_way
@@ -84,7 +84,7 @@ class FoundPlugin:
 
 def survey(extra: Sequence[Path] = ()) -> tuple[FoundPlugin, ...]:
     """Every plugin there is, in the order in which they are loaded, each location once."""
-    decisions: Mapping[str, Decision] | None
+    decisions: Mapping[str, PluginDecision] | None
     try:
         decisions = read_decisions()
         found: list[FoundPlugin] = []
@@ -105,7 +105,7 @@ def survey(extra: Sequence[Path] = ()) -> tuple[FoundPlugin, ...]:
 
 
 def _in_folder(
-    folder: Path, source: str, decisions: Mapping[str, Decision] | None, *, must_exist: bool
+    folder: Path, source: str, decisions: Mapping[str, PluginDecision] | None, *, must_exist: bool
 ) -> Iterator[FoundPlugin]:
     """The plugin in a folder, or those in the folders in it."""
     try:
@@ -136,7 +136,9 @@ def _is_plugin(path: Path) -> bool:
         return False
 
 
-def _plugin_in(folder: Path, source: str, decisions: Mapping[str, Decision] | None) -> FoundPlugin:
+def _plugin_in(
+    folder: Path, source: str, decisions: Mapping[str, PluginDecision] | None
+) -> FoundPlugin:
     """The plugin in a folder as far as it can be told: its own words, and whether it is allowed."""
     whole = folder.resolve()
     name, location = whole.name, str(whole)
@@ -173,7 +175,7 @@ def _is_text(path: str) -> bool:
 
 
 def _state(
-    location: str, source: str, digest: str, decisions: Mapping[str, Decision] | None
+    location: str, source: str, digest: str, decisions: Mapping[str, PluginDecision] | None
 ) -> PluginState:
     if decisions is None:
         # Whatever was forbidden may stand here.
@@ -186,7 +188,7 @@ def _state(
     return PluginState.NEW if decided is None else PluginState.CHANGED
 
 
-def _packages(decisions: Mapping[str, Decision] | None) -> Iterator[FoundPlugin]:
+def _packages(decisions: Mapping[str, PluginDecision] | None) -> Iterator[FoundPlugin]:
     """The installed packages that offer a plugin. Their metadata is read, their code is not."""
     for point in sorted(metadata.entry_points(group=GROUP), key=lambda point: point.name):
         state = _state(point.value, INSTALLED, "", decisions)

@@ -16,7 +16,7 @@ NO_SENSOR = "no sensor reads it"
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class SourceValue:
     """What one source says of a fact now: its value, or None with the reason; ``age`` in s.
 
     ``human`` says that a person answered, ``contested`` that several programs speak for it.
@@ -31,7 +31,7 @@ class Said:
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class Aggregate:
     """The value of a fact, or None with the reason; ``conflict`` says that sources disagree."""
 
     value: str | None
@@ -69,46 +69,46 @@ class FactRule:
         return self.aggregation in ("all", "k_of_n")
 
 
-def aggregate(rule: FactRule, said: Sequence[Said]) -> Verdict:
+def aggregate(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
     """What ``said``, in the order of the sensors, amounts to under ``rule``."""
     if rule.aggregation == "human":
         said = [one for one in said if one.human]
-        return _first(rule, said) if said else Verdict(None, NOBODY)
+        return _first(rule, said) if said else Aggregate(None, NOBODY)
     people = _valid([one for one in said if one.human])
     said = [one for one in said if not one.human]
     contested = next((one for one in said if one.contested), None)
     if contested is not None:
         # Somebody says what is not so. Under no rule may the others outvote or replace that.
-        verdict = Verdict(None, contested.reason, contested.age)
+        verdict = Aggregate(None, contested.reason, contested.age)
     else:
-        verdict = MODES[rule.aggregation](rule, said) if said else Verdict(None, NO_SENSOR)
+        verdict = MODES[rule.aggregation](rule, said) if said else Aggregate(None, NO_SENSOR)
     if rule.shared and verdict.value is None and people:
-        return Verdict(people[0].value, "", people[0].age)
+        return Aggregate(people[0].value, "", people[0].age)
     return verdict
 
 
-def _agreeing(rule: FactRule, said: Sequence[Said]) -> Verdict:
+def _agreeing(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
     """Those that have a reading must agree; one is enough."""
     valid = _valid(said)
     if not valid:
         return _silent(said)
     if len({one.value for one in valid}) > 1:
         return _conflict(valid)
-    return Verdict(valid[0].value, "", min(one.age for one in valid))
+    return Aggregate(valid[0].value, "", min(one.age for one in valid))
 
 
-def _all(rule: FactRule, said: Sequence[Said]) -> Verdict:
+def _all(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
     """Everyone must have a reading, and all must agree."""
     verdict = _agreeing(rule, said)
     missing = [one for one in said if one.value is None]
     if verdict.value is None or not missing:
         oldest = max(one.age for one in said)
-        return verdict if verdict.value is None else Verdict(verdict.value, "", oldest)
+        return verdict if verdict.value is None else Aggregate(verdict.value, "", oldest)
     words = "; ".join(f"{one.source}: {one.reason}" for one in missing)
-    return Verdict(None, f"not all sensors have a reading ({words})", max(o.age for o in missing))
+    return Aggregate(None, f"not all sensors have a reading ({words})", max(o.age for o in missing))
 
 
-def _k_of_n(rule: FactRule, said: Sequence[Said]) -> Verdict:
+def _k_of_n(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
     """At least k must agree. Of a critical fact nobody may say otherwise; of any other, no k."""
     k = len(said) if rule.k is None else rule.k
     valid = _valid(said)
@@ -116,15 +116,15 @@ def _k_of_n(rule: FactRule, said: Sequence[Said]) -> Verdict:
     enough = [value for value, count in votes.items() if count >= k]
     if len(enough) == 1 and (len(votes) == 1 or not rule.critical):
         ages = sorted(one.age for one in valid if one.value == enough[0])
-        return Verdict(enough[0], "", ages[k - 1])
+        return Aggregate(enough[0], "", ages[k - 1])
     if len(votes) > 1:
         return _conflict(valid)
     age = max((one.age for one in said if one.value is None), default=0.0)
     reason = f"{len(valid)} of {len(said)} sensors have a reading, {k} must agree"
-    return Verdict(None, reason, age)
+    return Aggregate(None, reason, age)
 
 
-def _first(rule: FactRule, said: Sequence[Said]) -> Verdict:
+def _first(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
     """The first that has a reading decides; the others are what it falls back on. Of a critical
     fact none of them may say otherwise."""
     valid = _valid(said)
@@ -132,10 +132,10 @@ def _first(rule: FactRule, said: Sequence[Said]) -> Verdict:
         return _silent(said)
     if rule.critical and len({one.value for one in valid}) > 1:
         return _conflict(valid)
-    return Verdict(valid[0].value, "", valid[0].age)
+    return Aggregate(valid[0].value, "", valid[0].age)
 
 
-MODES: dict[str, Callable[[FactRule, Sequence[Said]], Verdict]] = {
+MODES: dict[str, Callable[[FactRule, Sequence[SourceValue]], Aggregate]] = {
     "single": _agreeing,
     "any": _agreeing,
     "all": _all,
@@ -144,14 +144,14 @@ MODES: dict[str, Callable[[FactRule, Sequence[Said]], Verdict]] = {
 }
 
 
-def _valid(said: Sequence[Said]) -> list[Said]:
+def _valid(said: Sequence[SourceValue]) -> list[SourceValue]:
     return [one for one in said if one.value is not None]
 
 
-def _silent(said: Sequence[Said]) -> Verdict:
-    return Verdict(None, said[0].reason, said[0].age)
+def _silent(said: Sequence[SourceValue]) -> Aggregate:
+    return Aggregate(None, said[0].reason, said[0].age)
 
 
-def _conflict(valid: Sequence[Said]) -> Verdict:
+def _conflict(valid: Sequence[SourceValue]) -> Aggregate:
     words = ", ".join(f"{one.source} says {one.value}" for one in valid)
-    return Verdict(None, f"conflict: {words}", max(one.age for one in valid), conflict=True)
+    return Aggregate(None, f"conflict: {words}", max(one.age for one in valid), conflict=True)

@@ -44,7 +44,7 @@ class BusCounts:
     retained: int = 0
 
 
-class Inbox:
+class Mailbox:
     """What waits for one subscriber."""
 
     def __init__(self, bus: FactBus) -> None:
@@ -86,18 +86,18 @@ class FactBus:
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
-        self._inboxes: tuple[Inbox, ...] = ()
+        self._inboxes: tuple[Mailbox, ...] = ()
         self._counts: Counter[str] = Counter()
         self._floods: Counter[SourceKey] = Counter()
 
-    def subscribe(self) -> Inbox:
+    def subscribe(self) -> Mailbox:
         """A new inbox; what was published before is not in it."""
-        inbox = Inbox(self)
+        inbox = Mailbox(self)
         with self.lock:
             self._inboxes = (*self._inboxes, inbox)
         return inbox
 
-    def forget(self, inbox: Inbox) -> None:
+    def forget(self, inbox: Mailbox) -> None:
         """Hand nothing more to an inbox."""
         with self.lock:
             self._inboxes = tuple(one for one in self._inboxes if one is not inbox)

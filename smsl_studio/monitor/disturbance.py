@@ -126,7 +126,7 @@ def checked(kind: str, parameters: Mapping[str, Any]) -> Parameter | None:
     return float(given)
 
 
-class Disturbed:
+class DisturbedSensor:
     """One sensor's samples on their way through what was switched on for it.
 
     ``values`` are those its fact can have, in order; ``seed`` decides every chance.

@@ -17,7 +17,7 @@ from typing import Protocol
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
 from smsl_studio.errors import UsageError
-from smsl_studio.monitor.aggregate import NOBODY, FactRule, Said, Verdict, aggregate
+from smsl_studio.monitor.aggregate import NOBODY, Aggregate, FactRule, SourceValue, aggregate
 from smsl_studio.monitor.ledger import Ledger
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.monitor.speaker import HAIR
@@ -25,7 +25,7 @@ from smsl_studio.monitor.speaker import HAIR
 NO_RULES: Mapping[FactKey, FactRule] = MappingProxyType({})
 
 
-class Source(Protocol):
+class FactSource(Protocol):
     """What the monitor must know of a sensor: which fact, and when it is stale (s).
 
     ``aggregation`` counts where no rule is declared for the fact.
@@ -53,7 +53,7 @@ class SourceState:
     """
 
     fact: FactKey
-    said: Said
+    said: SourceValue
     sample: Sample | None
     latency: float
     counted: int
@@ -71,8 +71,8 @@ class _Fact:
 
     rule: FactRule
     sources: dict[str, Ledger]
-    answer: tuple[Said, float] | None = None
-    agreed: tuple[Verdict, float] | None = None
+    answer: tuple[SourceValue, float] | None = None
+    agreed: tuple[Aggregate, float] | None = None
     alone: Ledger | None = None
 
 
@@ -84,7 +84,7 @@ class FactMonitor:
     """
 
     def __init__(
-        self, sensors: Iterable[Source], rules: Mapping[FactKey, FactRule] = NO_RULES
+        self, sensors: Iterable[FactSource], rules: Mapping[FactKey, FactRule] = NO_RULES
     ) -> None:
         self.strangers = 0
         self._facts: dict[FactKey, _Fact] = {}
@@ -128,7 +128,7 @@ class FactMonitor:
                 f"{fact_text(branch, digit)} is not a fact that a person answers",
                 advice="Its level must be human or shared.",
             )
-        said = Said(who, value, "" if value is not None else NOBODY, human=True)
+        said = SourceValue(who, value, "" if value is not None else NOBODY, human=True)
         fact.answer = (said, now)
 
     def answered(self) -> tuple[FactKey, ...]:
@@ -172,7 +172,7 @@ class FactMonitor:
         return tuple(found)
 
 
-def _others(fact: _Fact, now: float) -> list[Said]:
+def _others(fact: _Fact, now: float) -> list[SourceValue]:
     """What is said by no sensor that stands: a person's answer, and named sensors nobody has.
 
     Where none of those that are named stands, the fact is one that nobody reads, not one that is
@@ -182,20 +182,23 @@ def _others(fact: _Fact, now: float) -> list[Said]:
     if fact.sources and not fact.rule.awaits_all:
         return answers
     named = (name for name in fact.rule.sensors if name not in fact.sources)
-    return [*(Said(name, None, "this world has no such sensor", now) for name in named), *answers]
+    return [
+        *(SourceValue(name, None, "this world has no such sensor", now) for name in named),
+        *answers,
+    ]
 
 
 def _says(fact: _Fact) -> bool:
     return fact.answer is not None and fact.answer[0].value is not None
 
 
-def _answered(fact: _Fact, now: float) -> Said:
+def _answered(fact: _Fact, now: float) -> SourceValue:
     assert fact.answer is not None
     said, at = fact.answer
     age, limit = now - at, fact.rule.max_age
     if limit is not None and age > limit + HAIR:
-        return Said(said.source, None, f"the answer is {age:.1f} s old", age, human=True)
-    return Said(said.source, said.value, said.reason, age, human=True)
+        return SourceValue(said.source, None, f"the answer is {age:.1f} s old", age, human=True)
+    return SourceValue(said.source, said.value, said.reason, age, human=True)
 
 
 def _reading(fact: _Fact, now: float, live: float) -> Reading:
@@ -220,7 +223,7 @@ def _just_read(value: str | None) -> Reading:
     return Reading(value)
 
 
-def _patient(fact: _Fact, verdict: Verdict, said: list[Said], now: float) -> Verdict:
+def _patient(fact: _Fact, verdict: Aggregate, said: list[SourceValue], now: float) -> Aggregate:
     """What was agreed stays, ageing, while sources disagree for no longer than is declared, and
     one of them still says so."""
     if not verdict.conflict:
@@ -233,4 +236,4 @@ def _patient(fact: _Fact, verdict: Verdict, said: list[Said], now: float) -> Ver
     if not held or now - at > fact.rule.conflict_after + HAIR:
         fact.agreed = None
         return verdict
-    return Verdict(agreed.value, "", agreed.age + now - at)
+    return Aggregate(agreed.value, "", agreed.age + now - at)

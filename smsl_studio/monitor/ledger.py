@@ -9,7 +9,7 @@ boot. While more than one speaker is heard within that age, the source says noth
 
 from __future__ import annotations
 
-from smsl_studio.monitor.aggregate import Said
+from smsl_studio.monitor.aggregate import SourceValue
 from smsl_studio.monitor.sample import GOOD, Sample
 from smsl_studio.monitor.speaker import HAIR, Fit, Speaker, speaker_words
 
@@ -65,27 +65,27 @@ class Ledger:
         sample = only.sample
         return sample if sample.value is not None and sample.quality == GOOD else None
 
-    def said(self, now: float, live: float = 0.0) -> Said:
+    def said(self, now: float, live: float = 0.0) -> SourceValue:
         """What it says as things stand at ``now``, or ``live`` on the monotonic clock: its value,
         or nothing with the reason."""
         speaker = self.speaker(now, live)
         if speaker is None:
-            return Said(self.name, None, "no reading yet", now)
+            return SourceValue(self.name, None, "no reading yet", now)
         if self._only is None and len(heard := self._heard(now, live)) > 1:
             reason = speaker_words(self.name, heard)
-            return Said(self.name, None, reason, speaker.age(now, live), contested=True)
+            return SourceValue(self.name, None, reason, speaker.age(now, live), contested=True)
         sample = speaker.sample
         age = speaker.read_age(now, live)
         if age > self.max_age + HAIR:
-            return Said(self.name, None, f"no reading for {age:.1f} s", age)
+            return SourceValue(self.name, None, f"no reading for {age:.1f} s", age)
         if speaker.over:
-            return Said(self.name, None, "its samples are older than what was known", age)
+            return SourceValue(self.name, None, "its samples are older than what was known", age)
         if sample.value is None:
-            return Said(self.name, None, sample.reason or "no valid reading", age)
+            return SourceValue(self.name, None, sample.reason or "no valid reading", age)
         if sample.quality != GOOD:
             reason = sample.reason or f"its reading is {sample.quality}"
-            return Said(self.name, None, reason, age)
-        return Said(self.name, sample.value, "", age)
+            return SourceValue(self.name, None, reason, age)
+        return SourceValue(self.name, sample.value, "", age)
 
     @property
     def live(self) -> bool:

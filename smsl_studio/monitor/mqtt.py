@@ -51,7 +51,7 @@ def host_and_port(text: str) -> tuple[str, int]:
     return host, int(port)
 
 
-class Link:
+class BrokerLink:
     """The connections to one broker, for one reception."""
 
     def __init__(self, broker: str, reception: Reception) -> None:

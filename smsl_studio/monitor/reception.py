@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.monitor.bus import FactBus, SourceKey, too_long
-from smsl_studio.monitor.facts import Source
+from smsl_studio.monitor.facts import FactSource
 from smsl_studio.monitor.message import UnreadableError, read_fact, read_status
 from smsl_studio.monitor.nodes import Nodes, NodeState
 from smsl_studio.monitor.sample import Sample
@@ -39,7 +39,7 @@ SHOWN = 120
 
 
 @dataclass(frozen=True, slots=True)
-class Refusal:
+class RefusedMessages:
     """Messages that counted for nothing, for one reason: how many, and the newest in words."""
 
     kind: str
@@ -57,7 +57,7 @@ class Received:
     messages: int
     samples: int
     replaced: int
-    refusals: tuple[Refusal, ...]
+    refusals: tuple[RefusedMessages, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +76,7 @@ class RemoteView:
 class Reception:
     """Hears for one run of one site the sources that are declared."""
 
-    def __init__(self, site: str, run: str, sources: Iterable[Source]) -> None:
+    def __init__(self, site: str, run: str, sources: Iterable[FactSource]) -> None:
         self.site, self.run = site, run
         self._declared: Mapping[SourceKey, float] = {
             (source.branch, source.digit, source.name): source.max_age for source in sources
@@ -129,10 +129,14 @@ class Reception:
     def received(self) -> Received:
         """What came so far."""
         with self._lock:
-            refusals = [Refusal(kind, *said) for kind, said in sorted(self._refused.items())]
+            refusals = [
+                RefusedMessages(kind, *said) for kind, said in sorted(self._refused.items())
+            ]
             replaced, worst = self._bus.counts.replaced, self._bus.flooding
             if worst is not None and self._floods(worst):
-                refusals.append(Refusal(OVERTAKEN, replaced, _who(FactTopic("", "", *worst))))
+                refusals.append(
+                    RefusedMessages(OVERTAKEN, replaced, _who(FactTopic("", "", *worst)))
+                )
             return Received(self._messages, self._samples, replaced, tuple(refusals))
 
     def _floods(self, key: SourceKey) -> bool:

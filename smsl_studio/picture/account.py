@@ -11,12 +11,12 @@ from itertools import islice
 from typing import Any
 
 from smsl_studio.legible import markup
-from smsl_studio.picture.account_words import Causes, Told, told, vanished
+from smsl_studio.picture.account_words import AccountLine, Causes, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
-from smsl_studio.runlog.names import Names
-from smsl_studio.runlog.reading import LoggedRun
+from smsl_studio.runlog.log_reader import LoggedRun
+from smsl_studio.runlog.names import HeaderNames
 
 Json = Any
 DEEP = 2
@@ -73,7 +73,7 @@ def _page(run: LoggedRun) -> Iterator[str]:
     yield from _pairs("What was asked for", _header(run.header))
     yield from _pairs("Digests (SHA-256)", _named(run.header.get("digests")), code=True)
     yield from _pairs("Versions", _named(run.header.get("versions")))
-    names = Names.of_header(run.header.get("names"))
+    names = HeaderNames.of_header(run.header.get("names"))
     yield from _routes(run.events, names)
     yield from _events(run.events, names)
     yield "<footer>Made by SMSL Studio from the run's log. Not a medical device.</footer>"
@@ -106,7 +106,7 @@ def _outcome(run: LoggedRun) -> Iterator[str]:
         yield "</p>"
 
 
-def _routes(events: tuple[Event, ...], names: Names) -> Iterator[str]:
+def _routes(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
     routes = [one for one in events if isinstance(one, RoutePlanned)]
     if not routes:
         return
@@ -125,7 +125,7 @@ def _routes(events: tuple[Event, ...], names: Names) -> Iterator[str]:
         yield "<p>Further routes are left out here; the log has them.</p>"
 
 
-def _events(events: tuple[Event, ...], names: Names) -> Iterator[str]:
+def _events(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
     yield "<h2>What happened</h2>"
     yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
     yield "<tbody>"
@@ -137,7 +137,7 @@ def _events(events: tuple[Event, ...], names: Names) -> Iterator[str]:
     yield "</tbody></table>" + vanished(len(events) - MOST, "event")
 
 
-def _row(t: float, one: Told) -> str:
+def _row(t: float, one: AccountLine) -> str:
     cells = (
         f"<td>{t:.3f}</td><td>{one.kind}</td><td>{markup(one.what)}</td><td>{markup(one.by)}</td>"
     )

@@ -8,12 +8,12 @@ from dataclasses import replace
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.names import Names
+from smsl_studio.runlog.names import HeaderNames
 
 FACT, OPERATION = "fact", "operation"
 
 
-class Answers:
+class TaskAnswers:
     """The tasks of a run so far. Each event is looked at once, in order."""
 
     def __init__(self) -> None:
@@ -41,7 +41,7 @@ class Answers:
             return self._did.pop(event.address, "")
         return ""
 
-    def worded(self, event: Event, names: Names) -> Event:
+    def worded(self, event: Event, names: HeaderNames) -> Event:
         """The same event with the question beside the name of its task, and values in words."""
         if isinstance(event, run.TaskOpened):
             options = tuple(self._value(event, one, names) for one in event.options)
@@ -63,5 +63,5 @@ class Answers:
         asked = self._tasks.get(name)
         return f'{name} "{asked.question}"' if asked is not None and asked.question else name
 
-    def _value(self, task: run.TaskOpened | None, value: str, names: Names) -> str:
+    def _value(self, task: run.TaskOpened | None, value: str, names: HeaderNames) -> str:
         return names.value(task.address, value) if task is not None and task.kind == FACT else value

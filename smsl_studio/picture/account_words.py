@@ -8,12 +8,12 @@ from types import MappingProxyType
 from typing import Any
 
 from smsl_studio.blueprint.address import fact_text
-from smsl_studio.picture import account_regulating as regulating
-from smsl_studio.picture.account_people import Answers
-from smsl_studio.picture.account_regulating import LONGEST, listed, states
+from smsl_studio.picture import account_regulation as regulating
+from smsl_studio.picture.account_people import TaskAnswers
+from smsl_studio.picture.account_regulation import LONGEST, listed, states
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.names import NAMELESS, Names
+from smsl_studio.runlog.names import NAMELESS, HeaderNames
 
 BELIEVED, SENSED, DECIDED, DONE, ASKED = "believed", "sensed", "decided", "done", "asked"
 _KINDS: Mapping[type[Event], str] = MappingProxyType(
@@ -54,7 +54,7 @@ _BAD = (
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class AccountLine:
     """One line of the account."""
 
     kind: str
@@ -63,7 +63,9 @@ class Told:
     bad: bool
 
 
-def told(event: Event, world: str = "", cause: str = "", names: Names = NAMELESS) -> Told:
+def told(
+    event: Event, world: str = "", cause: str = "", names: HeaderNames = NAMELESS
+) -> AccountLine:
     """An event as the account has it; an event without words of its own is told by its fields.
 
     ``cause`` names whose command it answers (see ``Causes``), ``names`` what people call things.
@@ -73,7 +75,7 @@ def told(event: Event, world: str = "", cause: str = "", names: Names = NAMELESS
         words = _fact(event, names)
     else:
         words = _WORDS.get(type(event), _plainly)(names.told_in(event))
-    return Told(kind, words, cause or _by(event, kind, world), _is_bad(event))
+    return AccountLine(kind, words, cause or _by(event, kind, world), _is_bad(event))
 
 
 class Causes:
@@ -82,9 +84,9 @@ class Causes:
     def __init__(self) -> None:
         self._time = 0.0
         self._by: dict[str, str] = {}
-        self._answers = Answers()
+        self._answers = TaskAnswers()
 
-    def worded(self, event: Event, names: Names) -> Event:
+    def worded(self, event: Event, names: HeaderNames) -> Event:
         """The same event with the questions of its tasks and the words of values."""
         return self._answers.worded(event, names)
 
@@ -186,7 +188,7 @@ def _checked(event: run.StateChecked) -> str:
     return words + (f"; unknown: {'; '.join(event.unknown)}" if event.unknown else "")
 
 
-def _fact(event: run.FactChanged, names: Names) -> str:
+def _fact(event: run.FactChanged, names: HeaderNames) -> str:
     fact = fact_text(event.branch, event.digit)
     reads = "is unknown" if event.value is None else f"reads {names.value(fact, event.value)}"
     why = f" ({event.reason})" if event.reason else ""

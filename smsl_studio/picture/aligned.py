@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from smsl_studio.blueprint.comparing import Difference
+from smsl_studio.blueprint.comparison import Difference
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.shape import Point
 

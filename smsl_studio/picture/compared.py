@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing import Change, Difference
-from smsl_studio.blueprint.comparing.signs import Signs, sign_of, signs_of
+from smsl_studio.blueprint.comparison import Change, Difference
+from smsl_studio.blueprint.comparison.signs import Signs, sign_of, signs_of
 from smsl_studio.picture.aligned import changed_pairs, places_of
 from smsl_studio.picture.colours import LIGHT, Colours
 from smsl_studio.picture.crowd import crowd_of, refuse_too_many
 from smsl_studio.picture.figure import Figure
-from smsl_studio.picture.panel import EDGE, Panel, panel_of
+from smsl_studio.picture.panel import EDGE, SvgPanel, panel_of
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import Point
 from smsl_studio.picture.signs import WORDS, sign_at
@@ -24,7 +24,7 @@ WIDE = 900.0
 BETWEEN = 12.0
 
 
-def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[Panel]:
+def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[SvgPanel]:
     """The words first, then a panel for each SB that changed."""
     signs = signs_of(difference)
     panels = [_in_words(difference, colours)]
@@ -54,7 +54,7 @@ def draw_difference(difference: Difference, colours: Colours = LIGHT) -> list[Pa
 
 def _side(
     picture: Picture, word: str, signs: Signs, places: Mapping[str, Point], colours: Colours
-) -> Panel:
+) -> SvgPanel:
     name = picture.branch.name
     states = {
         i: sign for i, state in enumerate(picture.names) if (sign := signs.of(Address(name, state)))
@@ -65,15 +65,15 @@ def _side(
     return panel_of(figure, name, word, colours, states, operations)
 
 
-def _beside(panels: list[Panel]) -> Panel:
+def _beside(panels: list[SvgPanel]) -> SvgPanel:
     x, parts = 0.0, []
     for panel in panels:
         parts.append(panel.at(x, 0.0))
         x += panel.width + BETWEEN
-    return Panel(x - BETWEEN, max(panel.height for panel in panels), "\n".join(parts))
+    return SvgPanel(x - BETWEEN, max(panel.height for panel in panels), "\n".join(parts))
 
 
-def _in_words(difference: Difference, colours: Colours) -> Panel:
+def _in_words(difference: Difference, colours: Colours) -> SvgPanel:
     files = f"{difference.before.file}  →  {difference.after.file}"
     parts = [
         text((EDGE, 30.0), elided(files, TITLE, WIDE), TITLE, colours["tx"], 600, "start"),
@@ -87,7 +87,7 @@ def _in_words(difference: Difference, colours: Colours) -> Panel:
         parts.append(text((EDGE, y), words, SIZE, colours["tx2"], 600, "start"))
         rows, y = _rows(difference.fields, y + ROW, colours, "tx2")
         parts.extend(rows)
-    return Panel(WIDE + 3 * EDGE, y + 8.0, "\n".join(parts))
+    return SvgPanel(WIDE + 3 * EDGE, y + 8.0, "\n".join(parts))
 
 
 def _rows(

@@ -11,10 +11,10 @@ from functools import cached_property
 
 import numpy as np
 
+from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, spacing_of
 from smsl_studio.picture.picture import Chip, Face, Picture
-from smsl_studio.picture.routing import Style
 from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.picture.words import elided, mono_width, width
 
@@ -94,7 +94,7 @@ class Figure:
     def _geometry(self) -> Geometry:
         half = np.column_stack([self.widths, np.full(len(self.at), self.height)]) / 2
         boxes = np.hstack([self.at, half]) if len(self.at) else np.zeros((0, 4))
-        style = Style(1.0, self.level is not Level.FULL)
+        style = LineStyle(1.0, self.level is not Level.FULL)
         return Geometry(self.picture, boxes, style, self.label_size)
 
     def _hidden(self) -> bool:

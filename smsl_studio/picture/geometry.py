@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from smsl_studio.picture import labels, loops
+from smsl_studio.picture.curves import Between, LineStyle, around, in_row, is_clear, joined
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.picture import Picture
-from smsl_studio.picture.routing import Between, Style, around, in_row, is_clear, joined
-from smsl_studio.picture.shape import Box, EdgeShape, Floats, Point
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 
 MOST_AROUND = 60
 """So many pairs of states get a way around nodes; in a denser picture it would show nothing."""
@@ -28,17 +28,17 @@ class Geometry:
     """Shapes and label places by edge number; ``boxes`` is an (n, 4) array of centre, half size."""
 
     def __init__(
-        self, picture: Picture, boxes: Floats, style: Style, label_size: LabelSize
+        self, picture: Picture, boxes: Floats, style: LineStyle, label_size: LabelSize
     ) -> None:
         self.picture, self.boxes, self.style = picture, boxes, style
         self._label_size = label_size
         self._shapes: dict[int, EdgeShape] = {}
         self._labels: dict[int, labels.Rect | None] = {}
-        self._box: dict[int, Box] = {}
+        self._box: dict[int, NodeBox] = {}
         self._pairs: dict[tuple[int, int], Between] = {}
         self._middle = self._centre()
         self._places: labels.LabelPlaces | None = None
-        self._lines = labels.Lines({})
+        self._lines = labels.LinePieces({})
         self.small = picture.small
         self._around = 0
         if self.small:
@@ -83,12 +83,12 @@ class Geometry:
             self._labels.pop(edge, None)
         return list(concerned)
 
-    def box(self, state: int) -> Box:
+    def box(self, state: int) -> NodeBox:
         found = self._box.get(state)
         if found is None:
             x, y, w, h = self.boxes[state].tolist()
             radius = min((6.0 if self.style.compact else 8.0) * self.style.unit, h)
-            found = self._box[state] = Box(x, y, w, h, radius)
+            found = self._box[state] = NodeBox(x, y, w, h, radius)
         return found
 
     def _centre(self) -> Point:
@@ -164,11 +164,11 @@ class Geometry:
         for one in passing:
             if one.edge not in self._shapes:
                 self._route(one.edge)
-        self._lines = labels.Lines(self._shapes)
+        self._lines = labels.LinePieces(self._shapes)
         self._places = labels.LabelPlaces(self.boxes, self.style.unit)
         for state in looping:
             self._route_loops(state)
-        self._lines = labels.Lines(self._shapes)
+        self._lines = labels.LinePieces(self._shapes)
         for edge in sorted(self._shapes, key=self._label_order):
             self._place(edge)
 

@@ -81,7 +81,7 @@ class LabelPlaces:
         return [(x, y) for x in range(left, right + 1) for y in range(top, bottom + 1)]
 
 
-class Lines:
+class LinePieces:
     """Every line's pieces in one array, to count the lines a label would cover."""
 
     def __init__(self, shapes: dict[int, EdgeShape]) -> None:
@@ -127,7 +127,7 @@ def place(
     shape: EdgeShape,
     size: tuple[float, float],
     places: LabelPlaces,
-    lines: Lines,
+    lines: LinePieces,
     unit: float,
     compact: bool,
 ) -> Rect | None:

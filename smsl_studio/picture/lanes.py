@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.picture.routing import TIP_GAP
-from smsl_studio.picture.shape import Box, EdgeShape, Point, rounded
+from smsl_studio.picture.curves import TIP_GAP
+from smsl_studio.picture.shape import EdgeShape, NodeBox, Point, rounded
 
 FIRST, STEP, SLOT, RADIUS = 45.0, 20.0, 24.0, 8.0
 """From the row's border to the first lane; between lanes; between ends on one node; corners."""
@@ -27,10 +27,10 @@ class Passing:
 
 def in_lanes(
     passing: Sequence[Passing],
-    boxes: Sequence[Box],
+    boxes: Sequence[NodeBox],
     middle: Point,
     unit: float,
-    taken: Sequence[Box] = (),
+    taken: Sequence[NodeBox] = (),
 ) -> dict[int, EdgeShape]:
     """The lines of edges that pass by: level by level outside their row.
 
@@ -45,13 +45,13 @@ def in_lanes(
     return shapes
 
 
-def _row(p: Passing, boxes: Sequence[Box]) -> tuple[str, float]:
+def _row(p: Passing, boxes: Sequence[NodeBox]) -> tuple[str, float]:
     a, b = boxes[p.source], boxes[p.target]
     return ("row", round(a.y)) if abs(a.y - b.y) <= 1.0 else ("column", round(a.x))
 
 
 def _row_lanes(
-    row: Sequence[Passing], boxes: Sequence[Box], middle: Point, unit: float, column: bool
+    row: Sequence[Passing], boxes: Sequence[NodeBox], middle: Point, unit: float, column: bool
 ) -> dict[int, EdgeShape]:
     """Lanes of one row; a column is a row with x and y exchanged."""
     box = {i: _turned(boxes[i], column) for p in row for i in (p.source, p.target)}
@@ -87,12 +87,12 @@ def _row_lanes(
     return shapes
 
 
-def _turned(box: Box, column: bool) -> Box:
-    return Box(box.y, box.x, box.h, box.w, box.radius) if column else box
+def _turned(box: NodeBox, column: bool) -> NodeBox:
+    return NodeBox(box.y, box.x, box.h, box.w, box.radius) if column else box
 
 
 def _room(
-    line: float, half: float, outward: float, boxes: Sequence[Box], column: bool
+    line: float, half: float, outward: float, boxes: Sequence[NodeBox], column: bool
 ) -> float | None:
     """The free depth outside a row before the next row's nodes, None where nothing follows."""
     at = np.array([(b.x, b.w) if column else (b.y, b.h) for b in boxes])
@@ -101,7 +101,7 @@ def _room(
     return float(others.min() - half - 10.0) if len(others) else None
 
 
-def _levels(row: Sequence[Passing], box: dict[int, Box]) -> dict[int, int]:
+def _levels(row: Sequence[Passing], box: dict[int, NodeBox]) -> dict[int, int]:
     """The lane of each edge: the nearest one that is free, short edges first."""
     spans: list[list[tuple[float, float]]] = []
     levels: dict[int, int] = {}
@@ -123,7 +123,7 @@ def _levels(row: Sequence[Passing], box: dict[int, Box]) -> dict[int, int]:
 
 
 def _slots(
-    row: Sequence[Passing], box: dict[int, Box], levels: dict[int, int], unit: float
+    row: Sequence[Passing], box: dict[int, NodeBox], levels: dict[int, int], unit: float
 ) -> dict[int, tuple[float, float]]:
     """Where each edge leaves and reaches its nodes: side by side, so that lanes nest."""
     ends: dict[int, list[tuple[float, int, bool]]] = {}

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.picture.shape import Box, EdgeShape
+from smsl_studio.picture.shape import EdgeShape, NodeBox
 
 INNER, STEP = 8.0, 5.0
 CORNERS = ("bottom right", "top right", "bottom left", "top left", "right bottom", "right top")
@@ -26,7 +26,7 @@ class Corner:
     up: bool
 
 
-def corner_of(name: str, box: Box, count: int, unit: float) -> Corner:
+def corner_of(name: str, box: NodeBox, count: int, unit: float) -> Corner:
     """The place of ``count`` loops at a named corner of a node."""
     radius = (INNER + STEP * (count - 1)) * unit
     first, second = name.split()
@@ -49,7 +49,7 @@ def corner_of(name: str, box: Box, count: int, unit: float) -> Corner:
     return Corner(name, x, y, radius, label_x, y + 8 * unit * (-1 if up else 1), left, up)
 
 
-def arc(corner: Corner, box: Box, rank: int, unit: float) -> EdgeShape:
+def arc(corner: Corner, box: NodeBox, rank: int, unit: float) -> EdgeShape:
     """The ``rank``-th arc at a corner, from border to border, the innermost first."""
     radius = (INNER + STEP * rank) * unit
     if corner.name.startswith("right"):

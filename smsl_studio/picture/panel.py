@@ -19,7 +19,7 @@ LEAST = 420.0
 
 
 @dataclass(frozen=True)
-class Panel:
+class SvgPanel:
     """A piece of SVG whose upper left corner is at (0, 0)."""
 
     width: float
@@ -37,7 +37,7 @@ def panel_of(
     colours: Colours,
     states: Mapping[int, str] = NO_SIGNS,
     operations: Mapping[int, str] = NO_SIGNS,
-) -> Panel:
+) -> SvgPanel:
     """The panel of one SB; ``states`` and ``operations`` have the signs of a difference."""
     left, top, right, bottom = figure.bounds()
     rows = list(_legend(figure, colours))
@@ -57,7 +57,7 @@ def panel_of(
     for row, (svg, _) in enumerate(rows):
         parts.append(f'<g transform="translate({number(EDGE)} {number(below + row * ROW)})">')
         parts.append(f"{svg}</g>")
-    return Panel(wide, high + (12.0 if rows else 0.0), "\n".join(parts))
+    return SvgPanel(wide, high + (12.0 if rows else 0.0), "\n".join(parts))
 
 
 def _title(title: str, note: str, wide: float, colours: Colours) -> Iterator[str]:

@@ -92,7 +92,7 @@ class EdgeShape:
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class NodeBox:
     """A node as an obstacle: its centre and half its size."""
 
     x: float
@@ -110,7 +110,9 @@ class Box:
         return depth
 
 
-def between(points: Floats, source: Box, target: Box, start_gap: float, end_gap: float) -> Floats:
+def between(
+    points: Floats, source: NodeBox, target: NodeBox, start_gap: float, end_gap: float
+) -> Floats:
     """A line cut where it leaves ``source`` and reaches ``target``, with a gap to each border."""
     first = source.depth(points) - start_gap
     last = target.depth(points) - end_gap

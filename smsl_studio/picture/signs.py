@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from smsl_studio.blueprint.comparing.signs import ADDED, CHANGED, REMOVED
+from smsl_studio.blueprint.comparison.signs import ADDED, CHANGED, REMOVED
 from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.shape import Point
 from smsl_studio.picture.strokes import circle, polyline

@@ -11,7 +11,7 @@ from smsl_studio.legible import markup
 from smsl_studio.picture.colours import LIGHT, Colours
 from smsl_studio.picture.crowd import crowd_of, refuse_too_many
 from smsl_studio.picture.figure import Figure
-from smsl_studio.picture.panel import Panel, panel_of
+from smsl_studio.picture.panel import SvgPanel, panel_of
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.strokes import box, number
 from smsl_studio.picture.words import FAMILY
@@ -21,14 +21,14 @@ GAP = 20.0
 
 def draw_blueprint(
     blueprint: Blueprint, branches: Sequence[str], colours: Colours = LIGHT
-) -> list[Panel]:
+) -> list[SvgPanel]:
     """A panel for each of the SBs: where ``_layout`` puts its states, or where they fit best."""
     refuse_too_many(blueprint, branches, "Name those to draw with --sb.")
     crowd = crowd_of(blueprint, branches)
     return [_panel(Picture(blueprint, name, crowd), colours) for name in branches]
 
 
-def _panel(picture: Picture, colours: Colours) -> Panel:
+def _panel(picture: Picture, colours: Colours) -> SvgPanel:
     branch = picture.branch
     name = branch.name
     figure = Figure(picture, place_states(branch))
@@ -43,7 +43,7 @@ def size_words(states: int, operations: int) -> str:
     )
 
 
-def one_below_another(panels: Sequence[Panel], colours: Colours = LIGHT) -> Panel:
+def one_below_another(panels: Sequence[SvgPanel], colours: Colours = LIGHT) -> SvgPanel:
     """All panels in one, each on a ground of its own where there are several."""
     wide = max((panel.width for panel in panels), default=200.0)
     parts: list[str] = []
@@ -54,10 +54,10 @@ def one_below_another(panels: Sequence[Panel], colours: Colours = LIGHT) -> Pane
                              colours["line"]))  # fmt: skip
         parts.append(panel.at(0.0, y))
         y += panel.height + GAP
-    return Panel(wide, max(y - GAP, 20.0), "\n".join(parts))
+    return SvgPanel(wide, max(y - GAP, 20.0), "\n".join(parts))
 
 
-def as_svg(panel: Panel, title: str, colours: Colours = LIGHT) -> str:
+def as_svg(panel: SvgPanel, title: str, colours: Colours = LIGHT) -> str:
     """A panel as a file of its own."""
     wide, high = (4.0 * ceil((side + 2 * GAP) / 4) for side in (panel.width, panel.height))
     return "\n".join(

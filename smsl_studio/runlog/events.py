@@ -2,7 +2,7 @@
 
 An event carries no wall time, host, path or process number (those stand in the log's header), so
 that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text. What
-moves and is sensed is told here, what people and supervisors do in ``regulating``; both are read
+moves and is sensed is told here, what people and supervisors do in ``regulation``; both are read
 from this module.
 """
 
@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from smsl_studio.runlog.event import Event
-from smsl_studio.runlog.regulating import (
+from smsl_studio.runlog.regulation import (
     Commanded,
     CostsChanged,
     Disturbed,

@@ -36,7 +36,7 @@ def names_of(blueprint: Blueprint) -> Mapping[str, Json]:
 
 
 @dataclass(frozen=True, slots=True)
-class Names:
+class HeaderNames:
     """The names that a header gives. A name stands beside what it names, never instead of it."""
 
     facts: Mapping[str, str] = field(default_factory=dict)
@@ -45,10 +45,10 @@ class Names:
     values: Mapping[str, str] = field(default_factory=dict)
 
     @staticmethod
-    def of_header(said: Json) -> Names:
+    def of_header(said: Json) -> HeaderNames:
         """What is no map of texts is left out: a log is a foreign file."""
         given = said if isinstance(said, dict) else {}
-        return Names(*(_texts(given.get(kind)) for kind in KINDS))
+        return HeaderNames(*(_texts(given.get(kind)) for kind in KINDS))
 
     def fact(self, branch: str, digit: int) -> str:
         """The name of a fact, ``Fact 1`` (counted from 1) where it has none."""
@@ -99,7 +99,7 @@ class Names:
         return f'{state} "{name}"' if name else state
 
 
-NAMELESS = Names()
+NAMELESS = HeaderNames()
 
 
 def _facts(blueprint: Blueprint) -> Iterator[tuple[str, str]]:

@@ -15,7 +15,7 @@ from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.smsl.inputs import NOTHING, Seen, read_ordinary
 from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.smsl.outputs import Inputs, refuse_inputs, replace_file
-from smsl_studio.smsl.pending import pending_at
+from smsl_studio.smsl.pending_saves import pending_at
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ def read_document(path: str | os.PathLike[str]) -> Document:
     """The document in a file; ReadError, with a place, where there is none.
 
     Where a save of several files has been left unfinished, all of them read as they were before
-    it, or all as they are after it (see ``pending``): ``stands_in`` tells of it.
+    it, or all as they are after it (see ``pending_saves``): ``stands_in`` tells of it.
     """
     return document_of(read_content(path), os.fspath(path))
 

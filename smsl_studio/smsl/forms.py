@@ -43,10 +43,10 @@ class Form(Protocol):
         """The comments of a document, by what they belong to."""
 
     def reconcile(self, document: Document, values: Mapping[str, Json]) -> Document:
-        """A document that reads to ``values``; see ``splicing``."""
+        """A document that reads to ``values``; see ``splice``."""
 
     def keep_winner(self, document: Document, path: Path) -> Document:
-        """The document with a doubled key written once; see ``splicing``."""
+        """The document with a doubled key written once; see ``splice``."""
 
     def tidy(self, document: Document) -> Document:
         """The document in the canonical layout: comments, ``_`` fields and order kept."""

@@ -5,7 +5,7 @@
 2. The draft becomes a journal in one step: from here on the new bytes count.
 3. The parts take their places. The journal becomes a draft again, and all that is left goes.
 
-A process that dies in 1 leaves old bytes that count, in 2 and 3 new ones (see ``pending``);
+A process that dies in 1 leaves old bytes that count, in 2 and 3 new ones (see ``pending_saves``);
 ``unfinished`` brings to its end what it left. The folders are held by who works in them.
 """
 
@@ -25,7 +25,7 @@ from smsl_studio.smsl.files import bytes_to_save, save_document
 from smsl_studio.smsl.inputs import NOTHING, Seen, seen_at
 from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.smsl.outputs import put
-from smsl_studio.smsl.pending import (
+from smsl_studio.smsl.pending_saves import (
     DRAFT,
     JOURNAL,
     PendingFile,
@@ -45,7 +45,7 @@ Pairs = Sequence[tuple[Document | str, str | os.PathLike[str]]]
 
 
 @dataclass(frozen=True)
-class _File:
+class _SavedFile:
     """One file of a save: its name as it was given, its real path, its new bytes, and what its
     writer has seen there (None: whatever it is).
     """
@@ -86,14 +86,14 @@ def save_together(pairs: Pairs, over: Mapping[str, Seen] | None = None) -> None:
             _save(files, folders)
 
 
-def _files(pairs: Pairs, over: Mapping[str, Seen]) -> list[_File]:
+def _files(pairs: Pairs, over: Mapping[str, Seen]) -> list[_SavedFile]:
     """The files to write, each once."""
-    files: dict[Path, _File] = {}
+    files: dict[Path, _SavedFile] = {}
     for document, path in pairs:
         shown = os.fspath(path)
         with _telling(shown):
             raw = bytes_to_save(document)
-            file = _File(shown, Path(os.path.realpath(path)), raw, over.get(shown))
+            file = _SavedFile(shown, Path(os.path.realpath(path)), raw, over.get(shown))
             if not file.target.parent.is_dir():
                 raise FileNotFoundError(2, "there is no such folder")
             if len(raw) > LARGEST_FILE:
@@ -103,7 +103,7 @@ def _files(pairs: Pairs, over: Mapping[str, Seen]) -> list[_File]:
     return list(files.values())
 
 
-def _earlier(files: list[_File]) -> Iterator[PendingSave]:
+def _earlier(files: list[_SavedFile]) -> Iterator[PendingSave]:
     """The saves of one of these files that have not come to their end."""
     targets = {file.target for file in files}
     for save in pending_saves():
@@ -111,7 +111,7 @@ def _earlier(files: list[_File]) -> Iterator[PendingSave]:
             yield save
 
 
-def _save(files: list[_File], folders: list[Path]) -> None:
+def _save(files: list[_SavedFile], folders: list[Path]) -> None:
     token = os.urandom(6).hex()
     seen = []
     pending = []
@@ -144,7 +144,7 @@ def _save(files: list[_File], folders: list[Path]) -> None:
     end(journal)
 
 
-def _standing(file: _File) -> Seen:
+def _standing(file: _SavedFile) -> Seen:
     """What stands where a file is to go; FileChanged where its writer has seen something else."""
     traits_of(file.target)
     stood = seen_at(file.target, LARGEST_FILE)
@@ -186,7 +186,7 @@ def _write_record(draft: PendingSave) -> None:
     settle([draft.record.parent])
 
 
-def _prepare(file: _File, pending: PendingFile) -> None:
+def _prepare(file: _SavedFile, pending: PendingFile) -> None:
     """Write what the save needs beside one file."""
     traits = traits_of(file.target)
     if traits is not None:
@@ -194,7 +194,7 @@ def _prepare(file: _File, pending: PendingFile) -> None:
     write_new(pending.part, file.raw, traits)
 
 
-def _undo(journal: PendingSave, file: _File, error: OSError | FileChanged) -> NoReturn:
+def _undo(journal: PendingSave, file: _SavedFile, error: OSError | FileChanged) -> NoReturn:
     """One part could not take its place: what stood there before comes back everywhere."""
     try:
         bring_back(journal)

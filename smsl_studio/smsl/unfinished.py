@@ -12,7 +12,7 @@ from pathlib import Path
 
 from smsl_studio.home import is_own
 from smsl_studio.smsl.disk import held, settle, write_new
-from smsl_studio.smsl.pending import (
+from smsl_studio.smsl.pending_saves import (
     DRAFT,
     PendingFile,
     PendingSave,

@@ -16,10 +16,10 @@ from PySide6.QtWidgets import QApplication
 from smsl_studio.host.spare import Spare
 from smsl_studio.shipped import resources_dir
 from smsl_studio.studio import accessible_factory
+from smsl_studio.studio.journal.leftovers import Left, left_behind
 from smsl_studio.studio.journal.offer import RecoveryOffer, difference_dialog
 from smsl_studio.studio.journal.place import folder_of
-from smsl_studio.studio.journal.recovering import Left, left_behind
-from smsl_studio.studio.journal.restoring import is_saved
+from smsl_studio.studio.journal.restoration import is_saved
 from smsl_studio.studio.safety.crash import crash_hook
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.style import dress, tokens_of

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.revising import with_document
+from smsl_studio.blueprint.revision import with_document
 from smsl_studio.smsl.document import Document
 
 Aside = Mapping[str, Document]

@@ -27,7 +27,7 @@ class Beside(QObject):
         self._wanted = _Wanted()
         self._stopped = False
         # Without a parent: work that outlives this object still has somebody to tell.
-        self._told = _Told()
+        self._told = _Result()
         self._told.done.connect(self._hand_over)
         self._told.failed.connect(self._failed)
 
@@ -67,7 +67,7 @@ class Beside(QObject):
         raise error
 
 
-class _Told(QObject):
+class _Result(QObject):
     done = Signal(object, object)
     failed = Signal(object)
 
@@ -84,7 +84,7 @@ class _Wanted:
 
 
 def _do(
-    work: Callable[[], Came], then: Callable[[Came], object], told: _Told, wanted: _Wanted
+    work: Callable[[], Came], then: Callable[[Came], object], told: _Result, wanted: _Wanted
 ) -> None:
     try:
         with heeding(wanted.heed):

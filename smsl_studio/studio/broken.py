@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import PurePath
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.revising import with_document
+from smsl_studio.blueprint.revision import with_document
 from smsl_studio.errors import EditRefused, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.library.loading import Loaded
-from smsl_studio.studio.panels.library import Offer
+from smsl_studio.studio.panels.library import LibraryEntry
 
 
-def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[Offer, ...]:
+def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:
     """Every operation that plugins offer, with the names of the blueprint it would carry out."""
     names = sorted(
         {name for branch in blueprint for table in branch.table.values() for name in table}
@@ -17,7 +17,7 @@ def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[Offer, ...]:
         for entry in plugin.library.operations:
             pattern = entry.pattern
             fits = tuple(n for n in names if pattern and pattern.match(n) is not None)
-            found.append(Offer(pattern.text if pattern else entry.name, plugin.name, fits))
+            found.append(LibraryEntry(pattern.text if pattern else entry.name, plugin.name, fits))
     return tuple(found)
 
 

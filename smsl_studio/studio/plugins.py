@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.errors import HostError
-from smsl_studio.host.describing import describe
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.loading import Loaded, PluginFault
 from smsl_studio.library.survey import FoundPlugin, PluginState
 from smsl_studio.studio.beside import Beside

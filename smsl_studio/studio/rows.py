@@ -33,7 +33,7 @@ LINE = "row"
 
 
 @dataclass(frozen=True)
-class Row:
+class ListRow:
     """One row. ``kind`` is ``row`` or ``section``; ``payload`` is what a click is about."""
 
     text: str
@@ -55,9 +55,9 @@ class RowsModel(QAbstractListModel):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.rows: tuple[Row, ...] = ()
+        self.rows: tuple[ListRow, ...] = ()
 
-    def show(self, rows: Sequence[Row]) -> None:
+    def show(self, rows: Sequence[ListRow]) -> None:
         """Replace all rows; nothing happens where they are the same."""
         if tuple(rows) != self.rows:
             self.beginResetModel()
@@ -95,7 +95,7 @@ class RowsDelegate(QStyledItemDelegate):
         return QSize(10, ROW if row.kind == LINE else SECTION)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        row: Row = index.data(Qt.ItemDataRole.UserRole)
+        row: ListRow = index.data(Qt.ItemDataRole.UserRole)
         tokens, rect = self.tokens, QRectF(option.rect)
         state = option.state
         painter.save()
@@ -107,10 +107,10 @@ class RowsDelegate(QStyledItemDelegate):
         if row.kind == LINE:
             self._line(painter, inner, row)
         else:
-            paint_text(painter, inner, row.text, Ink(tokens.tx2, 12))
+            paint_text(painter, inner, row.text, TextInk(tokens.tx2, 12))
         painter.restore()
 
-    def _line(self, painter: QPainter, inner: QRectF, row: Row) -> None:
+    def _line(self, painter: QPainter, inner: QRectF, row: ListRow) -> None:
         tokens = self.tokens
         if row.icon:
             box = QRectF(inner.left(), inner.center().y() - 7.5, 15, 15)
@@ -121,7 +121,7 @@ class RowsDelegate(QStyledItemDelegate):
         right = inner.right()
         if row.right:
             wide = paint_text(
-                painter, inner, row.right, Ink(tokens.tx2, 12, mono=row.mono), right=True
+                painter, inner, row.right, TextInk(tokens.tx2, 12, mono=row.mono), right=True
             )
             right -= wide + 8
         if row.severity:
@@ -130,10 +130,10 @@ class RowsDelegate(QStyledItemDelegate):
             draw(painter, SEVERITY_ICON[row.severity], box, colour, tokens.surf)
             right -= 22
         left.setRight(right)
-        used = paint_text(painter, left, row.text, Ink(tokens.tx2 if row.pale else tokens.tx))
+        used = paint_text(painter, left, row.text, TextInk(tokens.tx2 if row.pale else tokens.tx))
         if row.beside and used + 16 < left.width():
             beside = left.adjusted(used + 8, 0, 0, 0)
-            paint_text(painter, beside, row.beside, Ink(tokens.tx2, 12))
+            paint_text(painter, beside, row.beside, TextInk(tokens.tx2, 12))
 
 
 class RowsView(QListView):
@@ -154,7 +154,7 @@ class RowsView(QListView):
         self._delegate.tokens = tokens
         self.viewport().update()
 
-    def show_rows(self, rows: Sequence[Row]) -> None:
+    def show_rows(self, rows: Sequence[ListRow]) -> None:
         """Show these rows; a selected row with the same text stays selected."""
         kept = self.currentIndex().data() if self.currentIndex().isValid() else None
         place = self.verticalScrollBar().value()
@@ -171,7 +171,7 @@ class RowsView(QListView):
 
 
 @dataclass(frozen=True)
-class Ink:
+class TextInk:
     """How a piece of text is written."""
 
     colour: QColor
@@ -184,7 +184,7 @@ def paint_text(
     painter: QPainter,
     rect: QRectF,
     text: str,
-    ink: Ink,
+    ink: TextInk,
     *,
     right: bool = False,
     elide: Qt.TextElideMode = Qt.TextElideMode.ElideMiddle,

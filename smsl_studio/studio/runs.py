@@ -15,13 +15,13 @@ from smsl_studio.studio.frame.modes import Page
 from smsl_studio.studio.panels.outline import Outline
 from smsl_studio.studio.people.people import People
 from smsl_studio.studio.people.persons import Persons
-from smsl_studio.studio.replay.replaying import Replaying
+from smsl_studio.studio.replay.playback import ReplayVerbs
 from smsl_studio.studio.run.pane import RunPane
 from smsl_studio.studio.run.phases import phase_words
-from smsl_studio.studio.run.warming import Wanted, Warming
+from smsl_studio.studio.run.spare_world import SpareWorld, Wanted
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.source.pane import SourcePane
 from smsl_studio.studio.supervise.pane import SupervisePane
 from smsl_studio.studio.theme import Tokens
 
@@ -49,8 +49,8 @@ class Runs:
         self.people = People(session, self.pane.run, self.pane.levels, persons, tokens, window)
         self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)
         self.people.hear(self.supervise)
-        self.replaying = Replaying(lambda: session.blueprint, settings.recordings, tokens, window)
-        self.warming = Warming(self._next, window)
+        self.replaying = ReplayVerbs(lambda: session.blueprint, settings.recordings, tokens, window)
+        self.warming = SpareWorld(self._next, window)
         for changed in (session.blueprint_changed, self.pane.run.exists_changed,
                         self.pane.transport.world.currentIndexChanged,
                         self.pane.transport.seed.textChanged):  # fmt: skip
@@ -109,7 +109,7 @@ class Runs:
         for part in (self.pane, self.supervise, self.people, self.replaying):
             part.set_tokens(tokens)
 
-    def light(self, outline: Outline, source: Source, bar: ModeBar) -> None:
+    def light(self, outline: Outline, source: SourcePane, bar: ModeBar) -> None:
         """Show in the outline, in the text and beside Stop where the run stands."""
 
         def lit(active: Mapping[str, str], _: str) -> None:

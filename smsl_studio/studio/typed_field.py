@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
 from shiboken6 import isValid
 
-from smsl_studio.studio.panels.lines.box import Box
+from smsl_studio.studio.panels.lines.box import TextBox
 
 
 def take_over(field: QWidget | None) -> None:
@@ -15,7 +15,7 @@ def take_over(field: QWidget | None) -> None:
     A name that is edited in place has no field once it is taken over. The keys then go to what the
     name stands in, because without a field or anything else that has them they would do nothing.
     """
-    if not isinstance(field, Box | QLineEdit):
+    if not isinstance(field, TextBox | QLineEdit):
         return
     behind = _what_it_stands_in(field)
     mark = _Mark(field) if isinstance(field, QLineEdit) else None

@@ -16,17 +16,19 @@ from smsl_studio.errors import StudioError
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.canvas import Canvas
 from smsl_studio.studio.canvas.editor import CanvasEditor
-from smsl_studio.studio.clipping import Clipping
+from smsl_studio.studio.clipboard import ClipboardVerbs
 from smsl_studio.studio.commands import all_actions
-from smsl_studio.studio.compare.comparing import Comparing
-from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.compare.comparison import Comparison
+from smsl_studio.studio.departure import Departure
+from smsl_studio.studio.destinations import Destinations
+from smsl_studio.studio.draw_verbs import DrawVerbs
 from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.fresh import empty_blueprint
 from smsl_studio.studio.find.finder import Finder
 from smsl_studio.studio.find.palette import Palette
 from smsl_studio.studio.fix_card import FixCard
-from smsl_studio.studio.frame.body import Body
+from smsl_studio.studio.frame.body import PageBody
 from smsl_studio.studio.frame.captions import Captions
 from smsl_studio.studio.frame.context_menu import context_menu
 from smsl_studio.studio.frame.docks import Docks
@@ -40,9 +42,7 @@ from smsl_studio.studio.frame.popups import fill_recent, fill_samples, fill_sub_
 from smsl_studio.studio.frame.screen_room import ScreenRoom
 from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.frame.toast import Toast
-from smsl_studio.studio.going import Going
 from smsl_studio.studio.inspector import Inspector
-from smsl_studio.studio.leaving import Leaving
 from smsl_studio.studio.notices import step_notice
 from smsl_studio.studio.offers import offers, operation_names
 from smsl_studio.studio.panels.findings import Findings
@@ -55,8 +55,8 @@ from smsl_studio.studio.replay.watched import Watched
 from smsl_studio.studio.runs import Runs
 from smsl_studio.studio.safety.safety import Safety
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.showing import Showing
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.shown_file import ShownFile
+from smsl_studio.studio.source.pane import SourcePane
 from smsl_studio.studio.stop_key import StopKey
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tidings import Tidings
@@ -92,23 +92,23 @@ class Window(QMainWindow):
         session, tokens, settings = self.session, self.tokens, self._settings
         self.canvas = Canvas(tokens)
         self.editor = CanvasEditor(session, self.canvas)
-        self.drawing = Drawing(session, self.editor)
-        self.clipping = Clipping(session, self.canvas, lambda words: self.toast.say(words))
+        self.drawing = DrawVerbs(session, self.editor)
+        self.clipping = ClipboardVerbs(session, self.canvas, lambda words: self.toast.say(words))
         self.runs = Runs(session, settings, self._windows.persons, tokens, self)
         self.runs.keep_warm(self._windows.spare)
         self.run_pane, self.supervise = self.runs.pane, self.runs.supervise
         self.people, self.replaying = self.runs.people, self.runs.replaying
-        self.leaving = Leaving(self.runs, self.files, Dialogs(self))
+        self.leaving = Departure(self.runs, self.files, Dialogs(self))
         self.outline, self.library = Outline(session, tokens), Library(session, tokens)
-        self.properties, self.source = Properties(session, tokens), Source(session, tokens)
+        self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
         self.findings = Findings(session, tokens, self.inspector.rules)
         self.history = History(session, tokens)
-        self.body = Body()
+        self.body = PageBody()
         self.setCentralWidget(self.body)
         self.toast = Toast(tokens, self.body)
         self.fix_card = FixCard(session, self.canvas, tokens)
         ask = Dialogs(self).file_to_open
-        self.comparing = Comparing(session, self.files, ask, tokens, self)
+        self.comparing = Comparison(session, self.files, ask, tokens, self)
         self.safety = Safety(
             session, self.files, self.source, self.toast, self._settings,
             self.comparing.with_version, tokens, self,
@@ -150,12 +150,12 @@ class Window(QMainWindow):
         self._modes.dress(self.mode_bar, self.status_line)
         KeysHome(self._modes, (self.mode_bar, self.menu_row), self)
         segments = self.mode_bar.segments
-        self._showing = Showing(self, self.files, self.replaying, self.safety, segments)
+        self._showing = ShownFile(self, self.files, self.replaying, self.safety, segments)
         self._captions = Captions(
             self.session, self.files, self.source, self.menu_row, self.status_line, self
         )
         self._captions.other = lambda: self.runs.other(self.mode)
-        self.going = Going(self.docks, self.properties, self.files)
+        self.going = Destinations(self.docks, self.properties, self.files)
         finder = Finder(self.session, actions, self.findings, self.going)
         self.command_palette = Palette(finder, tokens, self)
         marked = (self.outline, self.library, self.source, self.fix_card)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from smsl_studio.host.spare import Spare
 from smsl_studio.legible import one_line
-from smsl_studio.studio.leaving import Leaving
+from smsl_studio.studio.departure import Departure
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.plugins import Plugins
 from smsl_studio.studio.safety.safety import Safety
@@ -21,7 +21,7 @@ from smsl_studio.studio.style import dress, tokens_of
 from smsl_studio.studio.theme import Tokens
 
 
-class Shown(Protocol):
+class OpenWindow(Protocol):
     """What is asked of each window."""
 
     @property
@@ -29,7 +29,7 @@ class Shown(Protocol):
     @property
     def safety(self) -> Safety: ...
     @property
-    def leaving(self) -> Leaving: ...
+    def leaving(self) -> Departure: ...
     @property
     def name(self) -> str: ...
     def wear(self, tokens: Tokens) -> None: ...
@@ -56,18 +56,18 @@ class Windows(QObject):
         self.plugins = plugins or Plugins()
         self.spare = spare
         self.persons = Persons(settings)
-        self._open: list[Shown] = []
-        self._closed: list[Shown] = []
+        self._open: list[OpenWindow] = []
+        self._closed: list[OpenWindow] = []
         # A method, not a lambda: it is let go of with this object.
         application.styleHints().colorSchemeChanged.connect(self._desktop_changed)
 
-    def __iter__(self) -> Iterator[Shown]:
+    def __iter__(self) -> Iterator[OpenWindow]:
         return iter(tuple(self._open))
 
-    def add(self, window: Shown) -> None:
+    def add(self, window: OpenWindow) -> None:
         self._open.append(window)
 
-    def remove(self, window: Shown) -> None:
+    def remove(self, window: OpenWindow) -> None:
         """The window was closed; it is let go of with all that it held."""
         if window in self._open:
             self._open.remove(window)

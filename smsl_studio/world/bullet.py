@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from smsl_studio.errors import WorldError, did_you_mean
-from smsl_studio.world import drawing
+from smsl_studio.world import shapes as drawing
 from smsl_studio.world.bodies import UPRIGHT, Body, Box, Capsule, Floor, Robot
 from smsl_studio.world.kinematics import Arm
 from smsl_studio.world.manipulator import Manipulator, Pose

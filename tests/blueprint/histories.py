@@ -17,7 +17,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused
 from smsl_studio.smsl.document import Document, Member
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.splicing import reconcile
+from smsl_studio.smsl.splice import reconcile
 from tests.blueprint.test_any_edits import random_edit, some
 from tests.smsl.native_texts import native, plain
 from tests.smsl.texts import written

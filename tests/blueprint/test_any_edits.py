@@ -21,7 +21,7 @@ from smsl_studio.blueprint.writing import values_of
 from smsl_studio.errors import EditRefused
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.smsl.json_form import parse_json, write_json
-from smsl_studio.smsl.splicing import reconcile
+from smsl_studio.smsl.splice import reconcile
 from tests.smsl.texts import texts
 
 ODD_NAMES = ["State0", "a/b", "~", "é", "Op_1b", "x y", '"', "S\\", "State_ab", "HEADER ", "", "_n"]

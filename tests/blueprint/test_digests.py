@@ -13,7 +13,7 @@ import pytest
 from smsl_studio.blueprint.digests import Digests, digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.front.reading import read as read_file
+from smsl_studio.front.inputs import read as read_file
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
 

@@ -9,7 +9,7 @@ import pytest
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Reading, Scene, state_check
 from smsl_studio.blueprint.configuration import Hierarchy, disagreements, start_configuration
-from smsl_studio.blueprint.edges import Edges, Kind
+from smsl_studio.blueprint.edges import EdgeKind, Edges
 from smsl_studio.errors import RunRefused
 from tests.dispatch.runs import blueprint, branch, sample
 
@@ -36,16 +36,16 @@ def test_clause_1_which_value_is_on(note: Any, states: dict[str, str], on: str) 
 @pytest.mark.parametrize(
     ("source", "target", "kind", "function"),
     [
-        ("000", "100", Kind.PURE, True),
-        ("000", "000", Kind.PURE, True),
-        ("000", "010", Kind.RISE, False),
-        ("011", "001", Kind.FALL, False),
-        ("000", "110", Kind.MIXED, True),
-        ("010", "001", Kind.MIXED, True),
+        ("000", "100", EdgeKind.PURE, True),
+        ("000", "000", EdgeKind.PURE, True),
+        ("000", "010", EdgeKind.RISE, False),
+        ("011", "001", EdgeKind.FALL, False),
+        ("000", "110", EdgeKind.MIXED, True),
+        ("010", "001", EdgeKind.MIXED, True),
     ],
 )
 def test_clause_2_edges_are_classed_by_their_effect_on_sub_digits(
-    source: str, target: str, kind: Kind, function: bool
+    source: str, target: str, kind: EdgeKind, function: bool
 ) -> None:
     edges = dict.fromkeys(("000", "010", "011", "001", "100", "110"), "")
     made = based({**edges, source: f"go>{target}"})
@@ -64,7 +64,7 @@ def test_clause_2_several_sub_digits_alone_need_no_function_either() -> None:
     )
     edge = Edges(Hierarchy(made)).get(Address("BASE", "State00", "go"))
     assert edge is not None
-    assert (edge.kind, edge.function, edge.rises) == (Kind.MIXED, False, (0, 1))
+    assert (edge.kind, edge.function, edge.rises) == (EdgeKind.MIXED, False, (0, 1))
 
 
 def test_clause_3_bases_first_each_sub_where_its_digit_is() -> None:

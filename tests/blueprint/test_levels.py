@@ -9,7 +9,7 @@ import pytest
 
 from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing.compare import compare
+from smsl_studio.blueprint.comparison.compare import compare
 from smsl_studio.blueprint.levels import Levels, spectrum
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint

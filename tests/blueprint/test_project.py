@@ -11,14 +11,14 @@ from typing import Any
 
 import pytest
 
-from smsl_studio.blueprint import importing
+from smsl_studio.blueprint import imports as importing
 from smsl_studio.blueprint.digests import digests
-from smsl_studio.blueprint.importing import MOST
+from smsl_studio.blueprint.imports import MOST
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import project_of
 from smsl_studio.blueprint.reading import read_blueprint, read_gathered, salvage
-from smsl_studio.blueprint.relocating import relocated
-from smsl_studio.blueprint.revising import imported_anew, with_document
+from smsl_studio.blueprint.relocation import relocated
+from smsl_studio.blueprint.revision import imported_anew, with_document
 from smsl_studio.errors import ConvertError
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.files import content_of, parse_bytes, read_document

@@ -10,7 +10,7 @@ from zlib import crc32
 
 import pytest
 
-from smsl_studio.blueprint.comparing import compare
+from smsl_studio.blueprint.comparison import compare
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.edges import Edges
@@ -36,7 +36,7 @@ def _small_caps(monkeypatch: pytest.MonkeyPatch) -> None:
     """What is listed and compared up to a number is so from small sizes on."""
     monkeypatch.setattr("smsl_studio.inspection.selection.LISTED", 5)
     monkeypatch.setattr("smsl_studio.inspection.selection.LISTED_IN_ALL", 10)
-    monkeypatch.setattr("smsl_studio.inspection.rules.wording._MANY", 8)
+    monkeypatch.setattr("smsl_studio.inspection.rules.words._MANY", 8)
     monkeypatch.setattr("smsl_studio.graph.hierarchy.MOST_CYCLES", 3)
 
 

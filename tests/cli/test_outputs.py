@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from smsl_studio.smsl.pending import pending_saves
+from smsl_studio.smsl.pending_saves import pending_saves
 from smsl_studio.smsl.together import save_together
 from tests.cli.shell import Shell
 

@@ -15,10 +15,11 @@ import pytest
 
 from smsl_studio import stop
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.cli import main, running
+from smsl_studio.cli import main
+from smsl_studio.cli import run as running
 from smsl_studio.cli.signals import heard
-from smsl_studio.front import reading
-from smsl_studio.runlog.reading import verify
+from smsl_studio.front import inputs as reading
+from smsl_studio.runlog.log_reader import verify
 from tests.cli.shell import Answer, Shell, sample
 from tests.plugin_folder import blueprint_of, write_plugin
 
@@ -99,7 +100,7 @@ def test_a_command_that_is_stopped_says_so_and_its_status_names_the_signal(
             os.kill(os.getpid(), number)
         return look(blueprint, rules)
 
-    monkeypatch.setattr("smsl_studio.cli.checking.inspect", signalled)
+    monkeypatch.setattr("smsl_studio.cli.check.inspect", signalled)
     answer = shell("check", sample("hanoi"))
     assert answer == Answer(128 + number, "", "smsl-studio check: stopped\n")
 

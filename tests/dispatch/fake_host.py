@@ -10,7 +10,15 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import Hierarchy, standing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError
-from smsl_studio.host.protocol import Bound, Happened, Opened, Outcome, Priced, SensorInfo, Tick
+from smsl_studio.host.protocol import (
+    Bound,
+    Happened,
+    OpenedWorld,
+    Outcome,
+    Priced,
+    SensorInfo,
+    Tick,
+)
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.world.protocol import Shape
 
@@ -57,7 +65,7 @@ class FakeHost:
         self._left = 0
         self._hierarchy = Hierarchy(self.blueprint)
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         for name, state in start.items():
             self._write(name, state)
         edges = (edge.address for branch in self.blueprint for edge in branch.edges())
@@ -78,7 +86,7 @@ class FakeHost:
             for branch, digit in self.facts
             if (branch, digit) not in self.blind
         )
-        return Opened("fake", TICK, self.hardware, bound, sensors, (), self.settle)
+        return OpenedWorld("fake", TICK, self.hardware, bound, sensors, (), self.settle)
 
     def sense(self) -> tuple[Sample, ...]:
         self._alive()

@@ -12,13 +12,13 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.search import Search
+from smsl_studio.blueprint.search import PlanSearch
 from smsl_studio.blueprint.stepper import Stepper
 from smsl_studio.dispatch.planner import Planner
 from smsl_studio.errors import PlanningError
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.runlog.events import EdgeSwept
-from smsl_studio.stop import Looks, Stopped, heeding
+from smsl_studio.stop import StopListener, Stopped, heeding
 from tests.bombs.test_work import steps
 from tests.dispatch.runs import blueprint, goals
 
@@ -111,7 +111,7 @@ def test_it_is_refused_or_found_whatever_was_asked_and_called_off_before(
     planner, called_off, found = Planner(hierarchy), 0, None
     while True:
         try:
-            with heeding(Looks(3 + called_off // 4).heed):
+            with heeding(StopListener(3 + called_off // 4).heed):
                 for name in hierarchy.order:
                     for edge in planner.stepper.edges.out(name, start[name]):
                         planner.stepper.step(start, edge)
@@ -162,13 +162,13 @@ def test_all_starts_that_are_tried_have_one_allowance(monkeypatch: pytest.Monkey
     monkeypatch.setattr(allowance, "MOST_WORK", 0)
     monkeypatch.setattr(allowance, "PER_EDGE", 1)
     searches: list[object] = []
-    found = Search.found
+    found = PlanSearch.found
 
-    def noted(search: Search[Any]) -> object:
+    def noted(search: PlanSearch[Any]) -> object:
         searches.append(search)
         return found(search)
 
-    monkeypatch.setattr(Search, "found", noted)
+    monkeypatch.setattr(PlanSearch, "found", noted)
     hierarchy = Hierarchy(blueprint(nested(4)))
     start = start_for_edge(hierarchy, Address("L0", "State_00", "a"))
     assert start is not None

@@ -6,12 +6,12 @@ import pytest
 
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.search import Move, Search
+from smsl_studio.blueprint.search import Move, PlanSearch
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.planner import Planner
 from smsl_studio.host.protocol import Tick
 from smsl_studio.runlog.events import Event
-from smsl_studio.stop import Looks, Stopped, heed, heeding, starving
+from smsl_studio.stop import StopListener, Stopped, heed, heeding, starving
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.runs import blueprint, goals
 from tests.dispatch.test_bounds import wide
@@ -36,11 +36,11 @@ def test_a_search_that_is_called_off_at_every_node_finds_the_same() -> None:
         looked_at.append(node)
         return [Move(node + step, 1.0, 1, lambda: (), (str(step),), step) for step in (1, 2)]
 
-    search = Search(0, lambda node: node == 20, moves)
+    search = PlanSearch(0, lambda node: node == 20, moves)
     found = None
     while found is None:
         try:
-            with heeding(Looks(2).heed):
+            with heeding(StopListener(2).heed):
                 found = search.found()
         except Stopped:
             continue
@@ -56,7 +56,7 @@ def test_a_plan_is_the_same_however_often_it_was_called_off(patience: int) -> No
     planner, called_off = Planner(hierarchy), 0
     while True:
         try:
-            with heeding(Looks(patience * (1 + called_off // 10)).heed):
+            with heeding(StopListener(patience * (1 + called_off // 10)).heed):
                 legs = planner.legs(start, wanted)
             break
         except Stopped:
@@ -91,7 +91,7 @@ def test_a_look_shows_what_is_known_and_the_next_one_more() -> None:
     dispatcher = _opened(blueprint(wide(3)))
     dispatcher.pause()
     dispatcher.tick()
-    with heeding(Looks(1).heed):
+    with heeding(StopListener(1).heed):
         hurried = dispatcher.status
     assert hurried.planning
     assert hurried.route == ()
@@ -148,7 +148,7 @@ def _story(made: Blueprint, patience: int) -> list[Event]:
     while not dispatcher.finished:
         ticks += 1
         if patience:
-            with heeding(Looks(patience + ticks // 20).heed):
+            with heeding(StopListener(patience + ticks // 20).heed):
                 events += dispatcher.tick()
         else:
             events += dispatcher.tick()
@@ -159,7 +159,7 @@ def _story(made: Blueprint, patience: int) -> list[Event]:
 def test_who_is_given_no_time_by_the_machine_is_waited_for_longer_and_not_for_ever(
     starves: bool, looks: int
 ) -> None:
-    with heeding(Looks(2, most=3).heed), starving(starves):
+    with heeding(StopListener(2, most=3).heed), starving(starves):
         for _ in range(looks):
             heed()
         with pytest.raises(Stopped):

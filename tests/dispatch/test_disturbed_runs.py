@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Host

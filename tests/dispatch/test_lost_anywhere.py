@@ -12,7 +12,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.reading import refusals
+from smsl_studio.front.inputs import refusals
 from smsl_studio.runlog.events import Event
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.generated import blueprint_values

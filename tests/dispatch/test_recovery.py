@@ -13,7 +13,7 @@ from smsl_studio.blueprint.check import state_check
 from smsl_studio.blueprint.configuration import Hierarchy, disagreements, start_configuration
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.recovery import MOST, candidates, located, stands
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.errors import RunRefused
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.generated import blueprint_values
@@ -34,7 +34,7 @@ def twins(seed: int, dice: random.Random) -> dict[str, Any]:
     }
 
 
-def opened(made: Blueprint, dice: random.Random) -> Run | None:
+def opened(made: Blueprint, dice: random.Random) -> LiveRun | None:
     """A run somewhere, whose scene is that of a random configuration, or of none."""
     known = Hierarchy(made)
     try:
@@ -47,7 +47,7 @@ def opened(made: Blueprint, dice: random.Random) -> Run | None:
     host = FakeHost(made)
     blind = {key for key in host.facts if dice.random() < 0.15}
     host = FakeHost(made, blind=blind)
-    run = Run(known, host, host.open(here), here)
+    run = LiveRun(known, host, host.open(here), here)
     for name, state in there.items():
         if not known.bases[name] or dice.random() < 0.7:
             for digit, value in enumerate(made[name].facts(state)):
@@ -60,7 +60,7 @@ def opened(made: Blueprint, dice: random.Random) -> Run | None:
     return run
 
 
-def every(run: Run, keeps: bool) -> list[Mapping[str, str]]:
+def every(run: LiveRun, keeps: bool) -> list[Mapping[str, str]]:
     """All that agrees with itself and with the scene; ``keeps``: an SB whose committed state checks
     true stays there. What nobody senses is believed to be as it was committed."""
     made, here, scene = run.blueprint, run.configuration, run.senses.scene
@@ -82,7 +82,7 @@ def every(run: Run, keeps: bool) -> list[Mapping[str, str]]:
     return found
 
 
-def _unsensed(run: Run, name: str, state: str) -> list[str]:
+def _unsensed(run: LiveRun, name: str, state: str) -> list[str]:
     own = run.blueprint[name]
     values = enumerate(own.facts(state))
     scene = run.senses.scene

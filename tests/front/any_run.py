@@ -10,7 +10,7 @@ from typing import Any
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.front.script.reading import script_of
+from smsl_studio.front.script.lines import script_of
 from smsl_studio.front.script.script import Script
 from smsl_studio.smsl.forms import form_named
 

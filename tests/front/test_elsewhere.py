@@ -14,15 +14,15 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli import main
 from smsl_studio.errors import HostError, PluginError, UsageError
 from smsl_studio.front.elsewhere import with_remote
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.front.run_header import log_header
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import Opened
+from smsl_studio.host.protocol import OpenedWorld
 from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.monitor.topics import FactTopic
 from smsl_studio.runlog.events import Event, OperationStarted
-from smsl_studio.runlog.reading import read_log
+from smsl_studio.runlog.log_reader import read_log
 from smsl_studio.shipped import samples_dir
 from tests.monitor.broker import MAX_AGE, Broker, Node, Speaker, until, with_ages
 
@@ -129,7 +129,9 @@ class _Line:
         """Nothing to leave."""
 
 
-def _opened(declare: Declare, facts: str, sensors: str) -> tuple[WithRemote, Reception, Opened]:
+def _opened(
+    declare: Declare, facts: str, sensors: str
+) -> tuple[WithRemote, Reception, OpenedWorld]:
     blueprint = declare(f"{MQTT}[mqtt.facts]\n{facts}\n")
     declared = _host(blueprint)
     assert isinstance(declared, WithRemote)

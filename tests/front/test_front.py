@@ -11,8 +11,9 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import AddressError, RunRefused, SaveError, UsageError, WorldError
-from smsl_studio.front import headless, running
-from smsl_studio.front.running import Run
+from smsl_studio.front import headless
+from smsl_studio.front import runs as running
+from smsl_studio.front.runs import Run
 from smsl_studio.runlog.events import EdgeSwept, Event, OperationStarted, RunFinished
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.shipped import samples_dir

@@ -10,8 +10,8 @@ import smsl_studio as smsl
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.agents import RiskLimit
-from smsl_studio.front.running import Run, open_run
-from smsl_studio.front.script.reading import script_of
+from smsl_studio.front.runs import Run, open_run
+from smsl_studio.front.script.lines import script_of
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 

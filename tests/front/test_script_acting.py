@@ -11,8 +11,8 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
-from smsl_studio.front.running import Run
-from smsl_studio.front.script.reading import script_of
+from smsl_studio.front.runs import Run
+from smsl_studio.front.script.lines import script_of
 from smsl_studio.runlog.events import Commanded, Committed, Event, OperationStarted
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
@@ -275,7 +275,7 @@ def test_who_is_asked_and_not_answered_by_the_script_holds_the_run() -> None:
 
 
 def test_a_script_is_named_in_the_header_of_the_log(tmp_path: Any) -> None:
-    from smsl_studio.runlog.reading import read_log
+    from smsl_studio.runlog.log_reader import read_log
 
     _sample("hanoi-chosen", log=tmp_path / "log")
     header = read_log(tmp_path / "log").header

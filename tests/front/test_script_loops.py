@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 import smsl_studio as smsl
-from smsl_studio.front.script.reading import script_of
+from smsl_studio.front.script.lines import script_of
 from smsl_studio.runlog.events import Commanded, Committed, OperationRefused
 from tests.plugin_folder import blueprint_of
 

@@ -11,7 +11,7 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.errors import ReadError
-from smsl_studio.front.script.reading import FAULTS, MOST, read_script, script_of
+from smsl_studio.front.script.lines import FAULTS, MOST, read_script, script_of
 from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Script, Trigger
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import samples_dir

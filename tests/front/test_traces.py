@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication
 import smsl_studio as smsl
 from smsl_studio import front
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.script.acting import Acting
+from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, RunFinished
-from smsl_studio.runlog.reading import read_log
+from smsl_studio.runlog.log_reader import read_log
 from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.run.runner import FASTEST, Runner
 from tests.front.any_run import AnyRun, any_run
@@ -41,7 +41,7 @@ def in_child_and_log(run: AnyRun, log: Path) -> tuple[list[str], list[str]]:
 
 def in_window(run: AnyRun, wait: Callable[[Callable[[], bool]], None]) -> list[str]:
     """What the window's loop hears."""
-    acting = Acting(run.script)
+    acting = ScriptPlayer(run.script)
 
     def make() -> Dispatcher:
         return front.open_run(run.blueprint, host="process", attended=True, **run.asked)
@@ -95,7 +95,7 @@ def test_any_run_can_be_retold_from_its_events(number: int) -> None:
     """After every tick the events alone say how the run stands."""
     run = any_run(number)
     dispatcher = front.open_run(run.blueprint, host="local", attended=True, **run.asked)
-    acting, told = Acting(run.script), Retold()
+    acting, told = ScriptPlayer(run.script), Retold()
     happened = dispatcher.open()
     while True:
         acting.hear(happened)

@@ -37,7 +37,7 @@ from smsl_studio.host.codec import (
 from smsl_studio.host.compound import mapping, optional, record, repeated, row, several
 from smsl_studio.host.description import DESCRIPTION
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import Opened, Outcome, Tick
+from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
 from smsl_studio.host.vocabulary import name
 from smsl_studio.monitor.sample import Sample
 from tests.plugin_folder import LAMP, blueprint_of
@@ -226,7 +226,7 @@ def test_an_error_arrives_as_what_it_was(error: StudioError) -> None:
     assert (told.place is None) == (error.place is None)
 
 
-def _opened() -> tuple[RunAnswers, Opened]:
+def _opened() -> tuple[RunAnswers, OpenedWorld]:
     blueprint = blueprint_of(LAMP)
     opened = LocalHost(blueprint, "table").open({"LAMP": "State_0"})
     answers = RunAnswers(blueprint)

@@ -13,7 +13,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import HostError, StudioError
-from smsl_studio.front.running import run
+from smsl_studio.front.runs import run
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Host, Outcome, Tick

@@ -11,8 +11,8 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
-from smsl_studio.front.running import run
-from smsl_studio.host.describing import describe
+from smsl_studio.front.runs import run
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Outcome
 from smsl_studio.library.loading import Loaded

@@ -10,7 +10,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import HostError, UsageError
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Host, Outcome, Tick

@@ -22,11 +22,11 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import add_operation
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, WorldError
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import Host, Outcome
-from smsl_studio.stop import Looks, Stopped, heeding
+from smsl_studio.stop import StopListener, Stopped, heeding
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 from tests.processes import child_processes
 
@@ -176,7 +176,7 @@ def test_a_stop_ends_a_child_that_does_not_answer(lamp: Callable[..., ProcessHos
     host.open({"LAMP": "State_0"})
     host.begin(Address("LAMP", "State_0", "Op_spin"))
     host.tick()
-    with heeding(Looks(1).heed), pytest.raises(Stopped):
+    with heeding(StopListener(1).heed), pytest.raises(Stopped):
         host.tick()
     with pytest.raises(HostError, match="was ended in the middle of LAMP/State_0/Op_spin"):
         host.cancel("hold")
@@ -210,7 +210,7 @@ def test_a_stop_ends_the_building_of_a_world(tmp_path: Path) -> None:
     assert "FOREVER" in code
     folder = write_plugin(tmp_path, "lamp", code.replace("FOREVER", "while True: pass"))
     host = ProcessHost(blueprint_of(LAMP), "lamp", plugin_paths=[folder])
-    with heeding(Looks(3).heed), pytest.raises(Stopped):
+    with heeding(StopListener(3).heed), pytest.raises(Stopped):
         host.open({"LAMP": "State_0"})
     assert child_processes() == []
 
@@ -313,7 +313,7 @@ PARENT = """
 import sys
 from pathlib import Path
 from smsl_studio.blueprint.address import Address
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.host.process import ProcessHost
 
 if __name__ == "__main__":

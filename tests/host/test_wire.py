@@ -14,7 +14,7 @@ import pytest
 
 import smsl_studio
 from smsl_studio.host.bounds import Outlet
-from smsl_studio.host.wire import ChildWire, Frame, NoAnswer, Wire
+from smsl_studio.host.wire import ChildWire, NoAnswer, Wire, WireFrame
 
 Ends = tuple[Wire, socket.socket]
 
@@ -39,8 +39,8 @@ def test_a_command_is_answered(ends: Ends) -> None:
     assert child.receive() == ("begin", ("here", 1))
     child.send("loads", b"one")
     child.send("ok", b"two")
-    assert wire.read() == Frame("loads", b"one")
-    assert wire.come() == Frame("ok", b"two")
+    assert wire.read() == WireFrame("loads", b"one")
+    assert wire.come() == WireFrame("ok", b"two")
     assert wire.come() is None
     assert wire.read() is None
 
@@ -52,7 +52,7 @@ def test_an_answer_that_trickles_is_whole_in_the_end(ends: Ends) -> None:
     for byte in _frame(1, 0, b"all of it"):
         theirs.send(bytes([byte]))
         told.append(wire.read())
-    assert told[-1] == Frame("ok", b"all of it")
+    assert told[-1] == WireFrame("ok", b"all of it")
     assert not any(told[:-1])
 
 
@@ -78,7 +78,7 @@ def test_what_is_no_answer_is_said_to_be_none(ends: Ends, data: bytes, words: st
         _all(wire)
 
 
-def _all(wire: Wire) -> list[Frame]:
+def _all(wire: Wire) -> list[WireFrame]:
     found = [wire.read()]
     while found[-1] is not None:
         found.append(wire.come())
@@ -96,7 +96,7 @@ def test_a_second_answer_is_none_to_the_next_command(ends: Ends) -> None:
     wire, theirs = ends
     wire.send("tick")
     theirs.send(_frame(1, 0, b""))
-    assert wire.read() == Frame("ok", b"")
+    assert wire.read() == WireFrame("ok", b"")
     theirs.send(_frame(1, 0, b""))
     wire.send("tick")
     with pytest.raises(NoAnswer, match="nothing was asked"):

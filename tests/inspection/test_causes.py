@@ -11,7 +11,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.inspection.finding import LISTED, LISTED_IN_ALL, Finding, Severity
 from smsl_studio.inspection.inspect import inspect
-from smsl_studio.inspection.rules.wording import Names
+from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.json_form import parse_json
 
 
@@ -137,11 +137,11 @@ def test_notes_never_hide_an_error() -> None:
 def test_remedies_are_sought_for_what_is_listed_alone(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[str] = []
 
-    def near(_: Names, name: str, without: object) -> str:
+    def near(_: NearNames, name: str, without: object) -> str:
         asked.append(name)
         return ""
 
-    monkeypatch.setattr(Names, "near", near)
+    monkeypatch.setattr(NearNames, "near", near)
     subs = {f"Gone{n}": n for n in range(300)}
     states: dict[str, Any] = {"State" + "0" * 300: {}, "State" + "1" * 300: {}}
     assert len(found("R07", {"SB": {"HEADER": {"SUB_SBS": subs}, **states}})) == LISTED

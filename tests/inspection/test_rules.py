@@ -17,7 +17,7 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, UsageError, nearest
 from smsl_studio.inspection.finding import LISTED, Finding, Fix, Severity
 from smsl_studio.inspection.inspect import ALL, RULES, inspect
-from smsl_studio.inspection.rules.wording import Names
+from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json
 
@@ -365,11 +365,11 @@ def test_near_names_are_sought_for_what_is_listed_and_for_names_that_somebody_ty
 ) -> None:
     asked: list[str] = []
 
-    def near(_: Names, name: str) -> str:
+    def near(_: NearNames, name: str) -> str:
         asked.append(name)
         return ""
 
-    monkeypatch.setattr(Names, "near", near)
+    monkeypatch.setattr(NearNames, "near", near)
     table = {"State_000": {f"go{i:03}": f"State_{i:03}" for i in range(1, 251)}}
     assert len(inspect(read(json.dumps({"SB": table})), ["R02"])) == LISTED
     assert len(asked) == LISTED

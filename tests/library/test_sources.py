@@ -13,10 +13,10 @@ import pytest
 
 from smsl_studio.errors import PluginError
 from smsl_studio.library import sources
-from smsl_studio.library.importing import import_plugin
 from smsl_studio.library.loading import discover
 from smsl_studio.library.ownership import exposure_on_the_way
 from smsl_studio.library.permission import allow
+from smsl_studio.library.plugin_package import import_plugin
 from smsl_studio.library.sources import check_sources, read_sources
 from tests.plugin_folder import found_plugin, write_allowed, write_plugin
 

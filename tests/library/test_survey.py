@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from smsl_studio.errors import PluginError, SaveError
-from smsl_studio.library.decisions import Decision, decide, read_decisions
+from smsl_studio.library.decisions import PluginDecision, decide, read_decisions
 from smsl_studio.library.loading import discover
 from smsl_studio.library.ownership import exposure_of
 from smsl_studio.library.permission import allow, forbid
@@ -190,14 +190,14 @@ def test_decisions_that_others_could_have_written_are_not_believed(lamp: Path, h
 def test_a_decision_that_cannot_be_written_is_an_error_and_leaves_nothing_behind(
     home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    decide(Decision(location="/a", name="a", decision="forbidden"))
+    decide(PluginDecision(location="/a", name="a", decision="forbidden"))
 
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr("os.replace", full)
     with pytest.raises(SaveError, match="No space left"):
-        decide(Decision(location="/b", name="b", decision="forbidden"))
+        decide(PluginDecision(location="/b", name="b", decision="forbidden"))
     assert list(read_decisions()) == ["/a"]
     assert [path.name for path in home.iterdir()] == ["plugin-decisions.json"]
 

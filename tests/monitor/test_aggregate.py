@@ -10,15 +10,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from smsl_studio.monitor.aggregate import NOBODY, FactRule, Said, aggregate
+from smsl_studio.monitor.aggregate import NOBODY, FactRule, SourceValue, aggregate
 
 SENSED = ("single", "any", "all", "k_of_n", "priority")
 
 
-def _said(text: str) -> list[Said]:
+def _said(text: str) -> list[SourceValue]:
     """``01-``: three sensors, of which the first reads 0, the second 1, the third nothing."""
     return [
-        Said(name, None if value == "-" else value, "dark" if value == "-" else "", float(index))
+        SourceValue(
+            name, None if value == "-" else value, "dark" if value == "-" else "", float(index)
+        )
         for index, (name, value) in enumerate(zip("ABC", text, strict=False))
     ]
 
@@ -94,7 +96,7 @@ def test_a_value_is_as_old_as_what_it_rests_on(rule: FactRule, text: str, age: f
 def test_only_a_person_answers_what_is_asked_of_one() -> None:
     rule = FactRule("human")
     assert aggregate(rule, _said("11")).reason == NOBODY
-    person = Said("Ada", "0", human=True)
+    person = SourceValue("Ada", "0", human=True)
     assert aggregate(rule, [*_said("11"), person]).value == "0"
     for other in SENSED:
         assert aggregate(FactRule(other), [person]).value is None
@@ -115,8 +117,11 @@ rules = st.builds(
 )
 
 
-def _sources(read: list[str | None]) -> list[Said]:
-    return [Said(f"s{i}", value, "" if value else "dark", 0.1 * i) for i, value in enumerate(read)]
+def _sources(read: list[str | None]) -> list[SourceValue]:
+    return [
+        SourceValue(f"s{i}", value, "" if value else "dark", 0.1 * i)
+        for i, value in enumerate(read)
+    ]
 
 
 @given(rules, st.lists(values, max_size=5))

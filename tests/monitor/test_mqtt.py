@@ -12,9 +12,9 @@ from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused, UsageError
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.monitor.facts import SourceState
-from smsl_studio.monitor.mqtt import Link, host_and_port
+from smsl_studio.monitor.mqtt import BrokerLink, host_and_port
 from smsl_studio.monitor.nodes import NodeState
 from smsl_studio.monitor.reception import Reception, RemoteView
 from smsl_studio.monitor.topics import FactTopic, StatusTopic
@@ -288,7 +288,7 @@ def test_without_a_broker_a_run_is_refused(tmp_path: Path, broker: Broker, start
 
 def test_a_broker_that_says_nothing_is_none(broker: Broker) -> None:
     broker.freeze()
-    link = Link(broker.address, Reception("lab", "main", ()))
+    link = BrokerLink(broker.address, Reception("lab", "main", ()))
     with pytest.raises(RunRefused, match="it accepts the connection and says nothing"):
         link.open()
     link.close()
@@ -296,7 +296,7 @@ def test_a_broker_that_says_nothing_is_none(broker: Broker) -> None:
 
 def test_no_broker_is_waited_for_once_a_run_is_closed(broker: Broker) -> None:
     """Whenever in between it is closed."""
-    link = Link(broker.address, Reception("lab", "main", ()))
+    link = BrokerLink(broker.address, Reception("lab", "main", ()))
     broker.freeze()
     refused: list[RunRefused] = []
 

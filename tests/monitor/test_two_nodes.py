@@ -10,7 +10,7 @@ import pytest
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.runlog.events import (
     Committed,

@@ -17,21 +17,21 @@ from smsl_studio.blueprint.along import Along
 from smsl_studio.blueprint.check import CheckResult, Term
 from smsl_studio.blueprint.configuration import start_configuration
 from smsl_studio.blueprint.edges import Edges
-from smsl_studio.blueprint.joint import Script
+from smsl_studio.blueprint.joint import StepDraft
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.dispatch import arrival, carrier, goals, guards, safeguards, start, trouble
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.people import admitting
+from smsl_studio.dispatch.people import admission as admitting
 from smsl_studio.dispatch.planner import Planner
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.safeguards import Safeguards
 from smsl_studio.dispatch.senses import Senses
-from smsl_studio.dispatch.supervision.reviewing import Reviewer
+from smsl_studio.dispatch.supervision.review import Reviewer
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.library import table
 from smsl_studio.monitor import facts as monitor_facts
-from smsl_studio.monitor.aggregate import Verdict
+from smsl_studio.monitor.aggregate import Aggregate
 from smsl_studio.monitor.ledger import Ledger
 from smsl_studio.runlog.events import OperationStarted
 
@@ -80,12 +80,12 @@ def _start_is_not_checked(patch: Patch) -> None:
     patch.setattr(start, "check_words", lambda *_: "")
     whole = start.start_events
 
-    def unchecked(run: Run, *rest: Any) -> Any:
+    def unchecked(run: LiveRun, *rest: Any) -> Any:
         with pytest.MonkeyPatch.context() as inner:
             inner.setattr(run, "checks", lambda configuration: ())
             return whole(run, *rest)
 
-    patch.setattr("smsl_studio.dispatch.people.starting.start_events", unchecked)
+    patch.setattr("smsl_studio.dispatch.people.start.start_events", unchecked)
 
 
 # 4, 5, 6: guards, carrying out, commits ---------------------------------------------------------
@@ -173,9 +173,9 @@ def _the_base_waits_for_the_whole_fall(patch: Patch) -> None:
 
 
 def _unknown_is_good_enough(patch: Patch) -> None:
-    whole = Run.check
+    whole = LiveRun.check
 
-    def lenient(self: Run, *rest: Any) -> CheckResult:
+    def lenient(self: LiveRun, *rest: Any) -> CheckResult:
         found = whole(self, *rest)
         terms = tuple(replace(t, truth=True) if t.truth is None else t for t in found.terms)
         return CheckResult(found.branch, found.state, terms)
@@ -184,9 +184,9 @@ def _unknown_is_good_enough(patch: Patch) -> None:
 
 
 def _the_check_does_not_decide(patch: Patch) -> None:
-    whole = Run.check
+    whole = LiveRun.check
 
-    def blind(self: Run, *rest: Any) -> CheckResult:
+    def blind(self: LiveRun, *rest: Any) -> CheckResult:
         found = whole(self, *rest)
         return CheckResult(found.branch, found.state, tuple(_true(term) for term in found.terms))
 
@@ -202,7 +202,7 @@ def _only_in_deciding(patch: Patch, check: Callable[..., CheckResult]) -> None:
 
     def deciding(self: Carrier) -> None:
         with pytest.MonkeyPatch.context() as inner:
-            inner.setattr(Run, "check", check)
+            inner.setattr(LiveRun, "check", check)
             whole(self)
 
     patch.setattr(Carrier, "_decide", deciding)
@@ -242,7 +242,7 @@ def _it_goes_on_from_anywhere(patch: Patch) -> None:
 
 
 def _integrity_is_not_watched(patch: Patch) -> None:
-    patch.setattr(Run, "broken", lambda self: ())
+    patch.setattr(LiveRun, "broken", lambda self: ())
 
 
 def _required_may_be_lost(patch: Patch) -> None:
@@ -260,14 +260,14 @@ def _critical_is_not_asked_before(patch: Patch) -> None:
 
 
 def _people_are_asked_first(patch: Patch) -> None:
-    patch.setattr("smsl_studio.dispatch.supervision.rechecking.all_theirs", lambda *_: True)
+    patch.setattr("smsl_studio.dispatch.supervision.recheck.all_theirs", lambda *_: True)
 
 
 def _goals_are_believed(patch: Patch) -> None:
     patch.setattr(arrival, "_doubtful", lambda run, here: False)
     patch.setattr(Senses, "late", lambda self, since, facts: ())
     patch.setattr(arrival, "lost", lambda driver: False)
-    patch.setattr(Run, "broken", lambda self: ())
+    patch.setattr(LiveRun, "broken", lambda self: ())
 
 
 def _goals_are_told_at_once(patch: Patch) -> None:
@@ -334,13 +334,13 @@ def _every_edge_costs_the_same(patch: Patch) -> None:
 
 
 def _subs_cost_nothing(patch: Patch) -> None:
-    whole = Script.begin
+    whole = StepDraft.begin
 
-    def begin(self: Script, edge: Any, *rest: Any) -> Any:
+    def begin(self: StepDraft, edge: Any, *rest: Any) -> Any:
         crossing = bool(self.carried) and edge.crossing
         return whole(self, replace(edge, cost=0.0) if crossing else edge, *rest)
 
-    patch.setattr(Script, "begin", begin)
+    patch.setattr(StepDraft, "begin", begin)
 
 
 # 13, 14, 15: unknown, table, time ---------------------------------------------------------------
@@ -352,9 +352,9 @@ def _nothing_is_stale(patch: Patch) -> None:
 
 
 def _the_first_sensor_wins(patch: Patch) -> None:
-    def first(rule: Any, said: Any) -> Verdict:
+    def first(rule: Any, said: Any) -> Aggregate:
         known = [one for one in said if one.value is not None]
-        return Verdict(known[0].value if known else None, "")
+        return Aggregate(known[0].value if known else None, "")
 
     patch.setattr(monitor_facts, "aggregate", first)
 

@@ -15,7 +15,15 @@ from typing import Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import Bound, Happened, Opened, Outcome, Priced, SensorInfo, Tick
+from smsl_studio.host.protocol import (
+    Bound,
+    Happened,
+    OpenedWorld,
+    Outcome,
+    Priced,
+    SensorInfo,
+    Tick,
+)
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.sample import GOOD, Sample
 from smsl_studio.world.protocol import Shape
@@ -45,7 +53,7 @@ class RecordedHost:
         self._eyes = {_key(fact): acts for fact, acts in world.get("eyes", {}).items()}
         self._tables: list[tuple[str, int]] = []
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         """Open the table world, with the sensors and functions that the case wants."""
         opened = self._inner.open(start)
         sensors = [one for one in opened.sensors if (one.branch, one.digit) not in self._blind]

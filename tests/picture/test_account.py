@@ -34,7 +34,7 @@ from smsl_studio.runlog.events import (
     TaskClosed,
     TaskOpened,
 )
-from smsl_studio.runlog.reading import Head, LoggedRun, Record, read_records
+from smsl_studio.runlog.log_reader import LoggedRun, LogHead, Record, read_records
 from tests.runlog.any_event import events
 from tests.runlog.logs import EVENTS, write_log
 
@@ -85,7 +85,7 @@ class Page(HTMLParser):
 
 def logged(*given: Event, header: Mapping[str, Any] | None = None) -> LoggedRun:
     records = tuple(Record(n, one.line(), one) for n, one in enumerate(given, 2))
-    return LoggedRun(header or {}, records, Head(len(records), "0" * 64), None)
+    return LoggedRun(header or {}, records, LogHead(len(records), "0" * 64), None)
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import smsl_studio as smsl
 from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing import compare
+from smsl_studio.blueprint.comparison import compare
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.generate.rules import hanoi

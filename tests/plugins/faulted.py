@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.front.reading import read
-from smsl_studio.front.running import open_run
+from smsl_studio.front.inputs import read
+from smsl_studio.front.runs import open_run
 from smsl_studio.runlog.events import (
     Committed,
     Event,

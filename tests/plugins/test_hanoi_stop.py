@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from smsl_studio.front.reading import read
-from smsl_studio.front.running import open_run
+from smsl_studio.front.inputs import read
+from smsl_studio.front.runs import open_run
 from tests.plugins.hanoi_game import SAMPLES, Game
 
 STILL = 0.005

@@ -8,7 +8,7 @@ from typing import Any, get_type_hints
 
 from hypothesis import strategies as st
 
-from smsl_studio.runlog.decoding import EVENTS
+from smsl_studio.runlog.decoder import EVENTS
 from smsl_studio.runlog.events import Event
 
 SECONDS = st.floats(0, 1e9).map(lambda t: round(t, 6))

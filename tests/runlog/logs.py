@@ -27,7 +27,7 @@ from smsl_studio.runlog.events import (
     StateChecked,
 )
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.runlog.reading import verify
+from smsl_studio.runlog.log_reader import verify
 from smsl_studio.seal.chain import Chain, unlinked
 
 SB, FIRST, SECOND = "SB/é", "SB~1é/State_0/Op", "SB~1é/State_1/Op"

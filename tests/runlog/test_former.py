@@ -11,8 +11,8 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.picture.account import account
 from smsl_studio.runlog.events import RunFinished
-from smsl_studio.runlog.reading import read_log
-from smsl_studio.runlog.retelling import Retelling
+from smsl_studio.runlog.log_reader import read_log
+from smsl_studio.runlog.playback import Playback
 from tests.cli.shell import Shell, make_shell
 
 FORMER = Path(__file__).parent / "former"
@@ -42,7 +42,7 @@ def test_a_former_log_is_read_verified_and_told_again(name: str) -> None:
     assert hashlib.sha256(text.encode()).hexdigest() == TOLD[name]["replay"]
     last = run.events[-1]
     assert isinstance(last, RunFinished)
-    told = Retelling(run.events, run.header["by_hand"]).at(len(run.events))
+    told = Playback(run.events, run.header["by_hand"]).at(len(run.events))
     assert told.phase == last.reason == name.rpartition("-")[0]
     assert told.operations == last.operations
     assert "Verified" in account(run)

@@ -16,8 +16,8 @@ import smsl_studio as smsl
 from smsl_studio.dispatch import planner
 from smsl_studio.dispatch.supervision.table import DO, OPEN, REFUSED
 from smsl_studio.errors import ReadError
-from smsl_studio.front.script.reading import script_of
-from smsl_studio.runlog.decoding import EVENTS as KNOWN
+from smsl_studio.front.script.lines import script_of
+from smsl_studio.runlog.decoder import EVENTS as KNOWN
 from smsl_studio.runlog.events import (
     EdgeSwept,
     Event,
@@ -32,7 +32,7 @@ from smsl_studio.runlog.grammar.automaton import TABLE, Grammar
 from smsl_studio.runlog.grammar.memory import Begun
 from smsl_studio.runlog.grammar.operations import WITHOUT_FAILURE
 from smsl_studio.runlog.grammar.regulation import NEVER_IN, OWES
-from smsl_studio.runlog.reading import Verdict, read_log, verify
+from smsl_studio.runlog.log_reader import LogVerdict, read_log, verify
 from tests.plugin_folder import blueprint_of
 from tests.runlog.impossible import OPERATORS, Operator, Story, impossible
 from tests.runlog.logs import EVENTS, OTHER, chained
@@ -50,7 +50,7 @@ def true_logs(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
     return [path.read_bytes() for path in (*paths, log_of_a_dying_world(folder))]
 
 
-def judged(raw: bytes) -> Verdict:
+def judged(raw: bytes) -> LogVerdict:
     return verify(io.BytesIO(raw), "log")
 
 

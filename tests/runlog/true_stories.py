@@ -15,9 +15,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.agents import RiskLimit
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused
-from smsl_studio.front.recording import Recording, start_log
+from smsl_studio.front.recorder import Recorder, start_log
 from smsl_studio.front.run_header import asked_for
-from smsl_studio.front.script.reading import script_of
+from smsl_studio.front.script.lines import script_of
 from smsl_studio.shipped import samples_dir
 from tests.front.any_run import any_run
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
@@ -147,7 +147,7 @@ def _commanded(number: int, path: Path) -> None:
     by_hand, levels = random.random() < 0.4, random.choice(LEVELS)
     asked = asked_for(seed=number, host="local", by_hand=by_hand, levels=levels)
     log = start_log(path, blueprint, "table", None, asked)
-    recording = Recording(lambda event: None, log)
+    recording = Recorder(lambda event: None, log)
     try:
         dispatcher = front.open_run(
             blueprint, seed=number, host="local", automatic=not by_hand, attended=True,
@@ -170,7 +170,7 @@ def _commanded(number: int, path: Path) -> None:
     dispatcher.close()
 
 
-def _end(dispatcher: Dispatcher, recording: Recording, random: Random) -> None:
+def _end(dispatcher: Dispatcher, recording: Recorder, random: Random) -> None:
     if random.random() < 0.2 and not dispatcher.finished:
         recording.end("stopped", "The window let go of the run while it went on.", dispatcher)
     elif random.random() < 0.5:

@@ -9,10 +9,10 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.layout import place_states
 from smsl_studio.studio.canvas.canvas import Canvas
-from smsl_studio.studio.panels.outline_nodes import Nodes
+from smsl_studio.studio.panels.outline_nodes import OutlineNodes
 from smsl_studio.studio.panels.outline_tree import line_of
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.sheet import TextSheet
 from smsl_studio.studio.window import Window
 from tests.blueprint.histories import as_read, stand
 from tests.stories.at_outline import everything
@@ -153,7 +153,7 @@ def _title(window: Window, path: Path) -> Iterator[str]:
 def _panels(window: Window) -> Iterator[str]:
     session, blueprint = window.session, window.session.blueprint
     tree = window.outline.tree
-    if everything(tree.lines.nodes) != everything(Nodes(blueprint)):
+    if everything(tree.lines.nodes) != everything(OutlineNodes(blueprint)):
         yield "the outline lists other lines"
     chosen = [line_of(one) for one in tree.selectedIndexes()]
     marked = [(one.branch, one.digit) for one in chosen]
@@ -167,7 +167,7 @@ def _panels(window: Window) -> Iterator[str]:
     source = window.source
     if source.isVisible():
         text = session.texts.get(source.file, "")
-        if source.editor.sheet.text != text or source.editor.toPlainText() != Sheet(text).shown:
+        if source.editor.sheet.text != text or source.editor.toPlainText() != TextSheet(text).shown:
             yield "the source shows another text"
     history, row = session.history, window.history.currentIndex().row()
     if row != history.index() or window.history.model().rowCount() != history.count() + 1:

@@ -20,11 +20,11 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint, salvage
 from smsl_studio.errors import ReadError
 from smsl_studio.shipped import samples_dir
-from smsl_studio.smsl.converting import convert
+from smsl_studio.smsl.conversion import convert
 from smsl_studio.smsl.document import Document, decode
 from smsl_studio.smsl.files import parse_bytes, read_document
 from smsl_studio.smsl.forms import form_named, form_of
-from smsl_studio.smsl.splicing import reconcile
+from smsl_studio.smsl.splice import reconcile
 
 TOKENS = [
     *"{}[]():,#\"/\\'|>&*!%@`?-~=",

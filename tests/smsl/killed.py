@@ -21,7 +21,7 @@ from pathlib import Path
 
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json, write_json
-from smsl_studio.smsl.pending import saving_folder
+from smsl_studio.smsl.pending_saves import saving_folder
 from smsl_studio.smsl.together import save_together
 from smsl_studio.smsl.unfinished import FRESH, finish_saves
 

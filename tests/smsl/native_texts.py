@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from smsl_studio.smsl.native_form.spelling import header_key, header_value
+from smsl_studio.smsl.native_form.spellings import header_key, header_value
 from smsl_studio.smsl.native_form.tokens import spelled
 
 Json = Any

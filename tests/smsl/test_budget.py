@@ -51,7 +51,7 @@ def test_a_small_text_may_be_as_dense_as_it_likes(form: str) -> None:
 @pytest.mark.parametrize("form", FORMS)
 def test_a_blueprint_has_so_many_branches_and_no_more(form: str) -> None:
     def written(count: int) -> str:
-        values = {f"Branch_{number}": {"A": {}} for number in range(count)}
+        values: dict[str, object] = {f"Branch_{number}": {"A": {}} for number in range(count)}
         if form == "json":
             return json.dumps(values)
         return form_named(form).write(values)

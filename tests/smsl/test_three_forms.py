@@ -15,12 +15,12 @@ from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import ConvertError, EditRefused
 from smsl_studio.shipped import samples_dir
-from smsl_studio.smsl.converting import convert
+from smsl_studio.smsl.conversion import convert
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.json_form import parse_json, write_json
-from smsl_studio.smsl.splicing import reconcile
+from smsl_studio.smsl.splice import reconcile
 from tests.blueprint.test_any_edits import random_edit
 from tests.smsl.texts import NOTES
 

@@ -160,7 +160,7 @@ def test_a_file_may_not_ask_for_too_much(monkeypatch: pytest.MonkeyPatch) -> Non
     error = refusal("SB: {S: {a: S}}\n_x: [" + "a," * 50 + "]\nSC: {}\n")
     assert "names and values stand in one file" in error.sentence
     assert recover("SB: {}\n_x: [" + "a," * 50 + "]", "f.yaml").values["SB"] == {}
-    monkeypatch.setattr("smsl_studio.smsl.yaml_form.reading.MAX_CHARACTERS", 50)
+    monkeypatch.setattr("smsl_studio.smsl.yaml_form.reader.MAX_CHARACTERS", 50)
     text = "SB: {}\n" * 10
     assert "larger than" in refusal(text).sentence
     empty = recover(text, "f.yaml")

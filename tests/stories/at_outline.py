@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QModelIndex
 from PySide6.QtTest import QTest
 
-from smsl_studio.studio.panels.outline_lines import Line
-from smsl_studio.studio.panels.outline_nodes import Nodes
+from smsl_studio.studio.panels.outline_lines import OutlineLine
+from smsl_studio.studio.panels.outline_nodes import OutlineNodes
 from smsl_studio.studio.panels.outline_tree import OutlineTree, line_of
 from tests.stories.person import LEFT
 
@@ -21,7 +21,7 @@ def shown(tree: OutlineTree) -> list[QModelIndex]:
     return found
 
 
-def lines(tree: OutlineTree) -> list[Line]:
+def lines(tree: OutlineTree) -> list[OutlineLine]:
     """What these lines are."""
     return [line_of(index) for index in shown(tree)]
 
@@ -31,7 +31,7 @@ def texts(tree: OutlineTree) -> list[str]:
     return [line.text for line in lines(tree)]
 
 
-def everything(nodes: Nodes) -> list[tuple[int, Line]]:
+def everything(nodes: OutlineNodes) -> list[tuple[int, OutlineLine]]:
     """Every line of a small blueprint, open or closed, with how many stand above it."""
     stack = [(0, node) for node in reversed(nodes.top)]
     found = []

@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from smsl_studio.host.describing import describe
+from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.app import make_window
 from smsl_studio.studio.plugins import Plugins

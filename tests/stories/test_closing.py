@@ -100,7 +100,7 @@ def begin_look(window: Window) -> None:
 def test_a_window_is_closed_while_something_goes_on(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, begin: Callable[[Window], None]
 ) -> None:
-    monkeypatch.setattr("smsl_studio.studio.source.typing.LARGE", 1)
+    monkeypatch.setattr("smsl_studio.studio.source.typed_text.LARGE", 1)
     before = set(threading.enumerate())
     person = sit(copy_of("hfsm.json", tmp_path))
     told: list[object] = []

@@ -10,7 +10,7 @@ from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
-from smsl_studio.studio.panels.kept import Kept
+from smsl_studio.studio.panels.kept import KeptValues
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
 from tests.stories.at_outline import click_line
 from tests.stories.conftest import Sit
@@ -21,7 +21,7 @@ HANOI, HFSM = SAMPLES / "hanoi.json", SAMPLES / "hfsm.json"
 REGISTRATION = SAMPLES / "registration.json"
 
 
-def lines_of(kept: Kept) -> list[str]:
+def lines_of(kept: KeptValues) -> list[str]:
     """What a person reads there; where a line may break nothing is seen."""
     shown = QTextDocumentFragment.fromHtml(kept.words.text()).toPlainText()
     return shown.replace("\u200b", "").splitlines()

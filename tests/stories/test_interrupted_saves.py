@@ -12,7 +12,7 @@ import pytest
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl import outputs, together
-from smsl_studio.smsl.pending import pending_saves
+from smsl_studio.smsl.pending_saves import pending_saves
 from smsl_studio.smsl.together import save_together
 from smsl_studio.studio.app import offer_recovery
 from tests.stories.conftest import Sit

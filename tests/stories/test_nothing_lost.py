@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QAbstractButton, QApplication
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.app import offer_recovery
 from smsl_studio.studio.files.dialogs import Dialogs
-from smsl_studio.studio.journal.place import Place
-from smsl_studio.studio.journal.recovering import left_behind
+from smsl_studio.studio.journal.leftovers import left_behind
+from smsl_studio.studio.journal.place import JournalFile
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 from tests.stories.test_outside import bar, replaced
@@ -243,7 +243,7 @@ def test_work_is_offered_again_where_the_journal_cannot_be_written(
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(Place, "write", full)
+    monkeypatch.setattr(JournalFile, "write", full)
     person.click(row.recover)
     assert "State_9" in person.blueprint["SB1"].table
     (left,) = left_behind(person.windows.settings.folder / "journal")
@@ -261,7 +261,7 @@ def test_the_last_journal_stays_where_a_newer_one_finds_no_room(
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr(Place, "write", full)
+        patch.setattr(JournalFile, "write", full)
         add(first, "SB1", "State_10")
         die(first)
     assert "1 state added" in words_of(offer_to(sit()))

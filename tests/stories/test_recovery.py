@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QLabel
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.app import offer_recovery
-from smsl_studio.studio.journal.entry import Entry, Kept, encode
+from smsl_studio.studio.journal.entry import JournalEntry, KeptText, encode
+from smsl_studio.studio.journal.leftovers import left_behind
 from smsl_studio.studio.journal.offer import RecoveryOffer
-from smsl_studio.studio.journal.place import Place, folder_of
-from smsl_studio.studio.journal.recovering import left_behind
+from smsl_studio.studio.journal.place import JournalFile, folder_of
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -162,9 +162,15 @@ def test_a_file_that_has_gone_comes_back_from_what_was_kept(sit: Sit, tmp_path: 
 def test_a_journal_from_anybody_does_no_harm(sit: Sit, tmp_path: Path) -> None:
     person = sit()
     folder = folder_of(person.windows.settings.folder)
-    for kept in (Kept("/nowhere/\ud800.json", "{"), Kept("x" * 3000, "\ud800"), Kept("", "")):
-        place = Place.take(folder)
-        place.write(encode(Entry("a", "/nowhere/" + "y" * 3000, kept.file, "now", 1, (kept,))))
+    for kept in (
+        KeptText("/nowhere/\ud800.json", "{"),
+        KeptText("x" * 3000, "\ud800"),
+        KeptText("", ""),
+    ):
+        place = JournalFile.take(folder)
+        place.write(
+            encode(JournalEntry("a", "/nowhere/" + "y" * 3000, kept.file, "now", 1, (kept,)))
+        )
         place.let_go()
     offer = offer_to(person)
     for row in list(offer.rows.values()):
@@ -178,9 +184,9 @@ def test_a_text_of_a_file_that_is_imported_no_longer_is_put_aside(sit: Sit, tmp_
     path, other = copy_of("hfsm.json", tmp_path), tmp_path / "other.json"
     person = sit()
     folder = folder_of(person.windows.settings.folder)
-    place = Place.take(folder)
-    texts = (Kept(str(other), '{"SB9": {"State_0": {}}}'),)
-    place.write(encode(Entry("hfsm.json", str(path), str(path), "", 1, texts)))
+    place = JournalFile.take(folder)
+    texts = (KeptText(str(other), '{"SB9": {"State_0": {}}}'),)
+    place.write(encode(JournalEntry("hfsm.json", str(path), str(path), "", 1, texts)))
     place.let_go()
     (row,) = offer_to(person).rows.values()
     person.click(row.recover)

@@ -18,7 +18,7 @@ from smsl_studio.smsl.files import read_document
 from smsl_studio.studio import rows
 from smsl_studio.studio.files.dialogs import Dialogs
 from smsl_studio.studio.panels import outline_tree
-from smsl_studio.studio.rows import Ink
+from smsl_studio.studio.rows import TextInk
 from smsl_studio.studio.theme import text_font
 from tests.stories.at_outline import lines
 from tests.stories.conftest import Sit
@@ -222,7 +222,7 @@ def test_why_an_import_failed_is_not_cut(
     rooms: dict[str, float] = {}
     paint = rows.paint_text
 
-    def seen(painter: QPainter, rect: QRectF, text: str, ink: Ink, **more: Any) -> float:
+    def seen(painter: QPainter, rect: QRectF, text: str, ink: TextInk, **more: Any) -> float:
         rooms[text] = rect.width()
         return paint(painter, rect, text, ink, **more)
 

@@ -13,8 +13,8 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio import app
+from smsl_studio.studio.journal.leftovers import left_behind
 from smsl_studio.studio.journal.place import folder_of
-from smsl_studio.studio.journal.recovering import left_behind
 from smsl_studio.studio.settings import Settings
 from smsl_studio.studio.windows import Windows
 

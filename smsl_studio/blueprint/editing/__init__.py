@@ -9,14 +9,15 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from smsl_studio.blueprint.editing.adding import add_branch, add_operation, add_state
+from smsl_studio.blueprint.editing.additions import add_branch, add_operation, add_state
+from smsl_studio.blueprint.editing.deletion import delete
 from smsl_studio.blueprint.editing.headers import (
     attach_sub,
     detach_sub,
     keep_activating,
     set_header,
 )
-from smsl_studio.blueprint.editing.moving import reorder, retarget
+from smsl_studio.blueprint.editing.moves import reorder, retarget
 from smsl_studio.blueprint.editing.notes import (
     change_notes,
     keep_last,
@@ -24,14 +25,13 @@ from smsl_studio.blueprint.editing.notes import (
     set_layout,
     set_note,
 )
-from smsl_studio.blueprint.editing.removing import delete
-from smsl_studio.blueprint.editing.renaming import rename
+from smsl_studio.blueprint.editing.renames import rename
 
 if TYPE_CHECKING:
-    from smsl_studio.blueprint.editing.copying import cut, excerpt
+    from smsl_studio.blueprint.editing.excerpts import cut, excerpt
     from smsl_studio.blueprint.editing.imports import set_imports
     from smsl_studio.blueprint.editing.levels import set_levels
-    from smsl_studio.blueprint.editing.pasting import duplicate, paste
+    from smsl_studio.blueprint.editing.pasted_text import duplicate, paste
 
 __all__ = [
     "add_branch",
@@ -60,10 +60,10 @@ __all__ = [
 
 # No rule offers these as a fix: they are loaded when somebody asks, so that `check` starts quickly.
 _ASKED_FOR = {
-    "cut": "copying",
-    "duplicate": "pasting",
-    "excerpt": "copying",
-    "paste": "pasting",
+    "cut": "excerpts",
+    "duplicate": "pasted_text",
+    "excerpt": "excerpts",
+    "paste": "pasted_text",
     "set_imports": "imports",
     "set_levels": "levels",
 }

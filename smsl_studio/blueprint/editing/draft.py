@@ -8,10 +8,10 @@ from typing import Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER
-from smsl_studio.blueprint.revising import revised
+from smsl_studio.blueprint.revision import revised
 from smsl_studio.errors import AddressError, EditRefused, did_you_mean
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.splicing import reconcile
+from smsl_studio.smsl.splice import reconcile
 
 Json = Any
 

@@ -14,7 +14,7 @@ from smsl_studio.dispatch.people.board import (
     TaskBoard,
 )
 from smsl_studio.dispatch.people.task import Task
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed
 
 NOBODY = "nobody is there to answer"
@@ -30,7 +30,7 @@ class Desk:
     withdrawn, because their answers could change nothing.
     """
 
-    def __init__(self, run: Run, someone: Callable[[], bool]) -> None:
+    def __init__(self, run: LiveRun, someone: Callable[[], bool]) -> None:
         self._run = run
         self._someone = someone
         self._board = TaskBoard()

@@ -10,10 +10,10 @@ from smsl_studio.blueprint.levels import AUTOMATIC, sensed_facts
 from smsl_studio.dispatch.guards import needs
 from smsl_studio.dispatch.people.board import Question
 from smsl_studio.dispatch.people.questions import fact_task
-from smsl_studio.dispatch.run import Run
+from smsl_studio.dispatch.run import LiveRun
 
 
-def in_checks(run: Run, checks: Iterable[CheckResult]) -> tuple[Question, ...]:
+def in_checks(run: LiveRun, checks: Iterable[CheckResult]) -> tuple[Question, ...]:
     """The facts that keep state checks from being known. A check that is false already stays so,
     whatever people say, so nobody is asked for its sake."""
     if not run.people_say:
@@ -22,7 +22,7 @@ def in_checks(run: Run, checks: Iterable[CheckResult]) -> tuple[Question, ...]:
     return _questions(run, terms)
 
 
-def of_step(run: Run, step: JointStep) -> tuple[Question, ...]:
+def of_step(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
     """The facts that a step's guards need: sources' state checks, and what its edges require."""
     if not run.people_say:
         return ()
@@ -39,7 +39,7 @@ def of_step(run: Run, step: JointStep) -> tuple[Question, ...]:
     return _questions(run, (term for term in terms if term.truth is None))
 
 
-def everywhere(run: Run) -> tuple[Question, ...]:
+def everywhere(run: LiveRun) -> tuple[Question, ...]:
     """Every fact that is unknown and people's to say, wherever the run may stand."""
     if not run.people_say:
         return ()
@@ -55,14 +55,14 @@ def everywhere(run: Run) -> tuple[Question, ...]:
     return tuple(found)
 
 
-def all_theirs(run: Run, terms: Iterable[Term]) -> bool:
+def all_theirs(run: LiveRun, terms: Iterable[Term]) -> bool:
     """Whether every one of these terms is unknown, and behind it are facts that people may say."""
     return run.people_say and all(
         term.truth is None and bool(_questions(run, [term])) for term in terms
     )
 
 
-def _questions(run: Run, terms: Iterable[Term]) -> tuple[Question, ...]:
+def _questions(run: LiveRun, terms: Iterable[Term]) -> tuple[Question, ...]:
     found: dict[FactKey, str] = {}
     met: set[FactKey] = set()
     for term in terms:
@@ -70,7 +70,7 @@ def _questions(run: Run, terms: Iterable[Term]) -> tuple[Question, ...]:
     return tuple(fact_task(run.blueprint, key, reason) for key, reason in found.items())
 
 
-def _theirs(run: Run, term: Term, met: set[FactKey]) -> Iterator[tuple[FactKey, str]]:
+def _theirs(run: LiveRun, term: Term, met: set[FactKey]) -> Iterator[tuple[FactKey, str]]:
     """The unknown facts behind a term that people may say, each with why it is unknown. ``met``
     are those that were looked behind: several bases may share one sub-SB."""
     name, digit = term.fact

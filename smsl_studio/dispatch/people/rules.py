@@ -8,7 +8,7 @@ from dataclasses import replace
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, SHARED, Levels, sensed_facts
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.host.protocol import Opened
+from smsl_studio.host.protocol import OpenedWorld
 from smsl_studio.monitor.aggregate import FactRule
 
 PEOPLE = "human"
@@ -16,7 +16,7 @@ ALONE = "single"
 
 
 def leveled_rules(
-    blueprint: Blueprint, opened: Opened, levels: Levels
+    blueprint: Blueprint, opened: OpenedWorld, levels: Levels
 ) -> Mapping[FactKey, FactRule]:
     """The rules of a world's facts, as their levels have them.
 

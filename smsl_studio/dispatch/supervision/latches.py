@@ -9,12 +9,12 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.people.needed import everywhere
 from smsl_studio.dispatch.recovery import located, stands
-from smsl_studio.dispatch.stage import Stage
+from smsl_studio.dispatch.stage import ActionStage
 from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.words import all_words
 from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
-from smsl_studio.stop import LONGEST, BrokenOff, Looks, Stopped, heeding
+from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heeding
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
@@ -29,7 +29,7 @@ def stop(driver: Driver, command: Command) -> str:
     run, state = driver.run, driver.state
     gone = ""
     try:
-        with heeding(Looks(PATIENCE, LONGEST).heed):
+        with heeding(StopListener(PATIENCE, LONGEST).heed):
             touched = _cut(driver, f"stopped by {command.by}")
     except BrokenOff:
         raise
@@ -159,7 +159,7 @@ def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
     """Brake, and end what is carried out; the facts it may have touched."""
     run, carrier = driver.run, driver.carrier
     touched: tuple[FactKey, ...] = ()
-    if carrier is None or carrier.stage is not Stage.RUNNING:
+    if carrier is None or carrier.stage is not ActionStage.RUNNING:
         run.host.cancel("hold")
     if carrier is not None:
         touched = carrier.cut(reason)

@@ -10,7 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from smsl_studio.dispatch.supervision import latches, moving, terms, trials
+from smsl_studio.dispatch.supervision import latches, terms, trials
+from smsl_studio.dispatch.supervision import pace as moving
 from smsl_studio.dispatch.supervision.command import (
     HOLDS_BACK,
     RANKS,

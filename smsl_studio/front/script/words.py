@@ -22,7 +22,7 @@ LARGEST = 1e9
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class ScriptWord:
     """A command: the keys that must and that may stand with it; ``free``: and any other scalar."""
 
     needs: Mapping[str, Check] = field(default_factory=dict)
@@ -118,30 +118,32 @@ def _shown(value: Json) -> str:
     return words if len(words) <= 60 else f"{words[:57]}..."
 
 
-COMMANDS: Mapping[str, Word] = MappingProxyType(
+COMMANDS: Mapping[str, ScriptWord] = MappingProxyType(
     {
-        "ask": Word({"address": operation}),
-        "pause": Word(),
-        "resume": Word(),
-        "step": Word(),
-        "by_hand": Word(),
-        "automatic": Word(),
-        "veto": Word(may={"address": operation}),
-        "prune": Word({"address": operation, "reason": text}),
-        "restore": Word({"address": operation}),
-        "set_cost": Word({"address": operation, "cost": seconds}),
-        "take_over": Word(),
-        "give_back": Word(),
-        "accept": Word(),
-        "adopt": Word(),
-        "stop": Word(),
-        "reset": Word(),
-        "end": Word(),
-        "answer": Word({"option": text}, {"kind": one_of(TASKS), "address": text, "role": text}),
-        "full_map": Word({"on": yes_or_no}),
-        "disturb": Word({"target": sensed, "kind": one_of(DISTURBANCES)}, free=True),
-        "inject": Word({"fault": text}, free=True),
-        "level": Word({"of": text, "level": text}),
+        "ask": ScriptWord({"address": operation}),
+        "pause": ScriptWord(),
+        "resume": ScriptWord(),
+        "step": ScriptWord(),
+        "by_hand": ScriptWord(),
+        "automatic": ScriptWord(),
+        "veto": ScriptWord(may={"address": operation}),
+        "prune": ScriptWord({"address": operation, "reason": text}),
+        "restore": ScriptWord({"address": operation}),
+        "set_cost": ScriptWord({"address": operation, "cost": seconds}),
+        "take_over": ScriptWord(),
+        "give_back": ScriptWord(),
+        "accept": ScriptWord(),
+        "adopt": ScriptWord(),
+        "stop": ScriptWord(),
+        "reset": ScriptWord(),
+        "end": ScriptWord(),
+        "answer": ScriptWord(
+            {"option": text}, {"kind": one_of(TASKS), "address": text, "role": text}
+        ),
+        "full_map": ScriptWord({"on": yes_or_no}),
+        "disturb": ScriptWord({"target": sensed, "kind": one_of(DISTURBANCES)}, free=True),
+        "inject": ScriptWord({"fault": text}, free=True),
+        "level": ScriptWord({"of": text, "level": text}),
     }
 )
 """Every word of ``do``. ``level`` is set before the start; all others come during the run."""

@@ -13,7 +13,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, KNOWN
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.inspection.finding import Fix, Remark, Severity
-from smsl_studio.inspection.rules.wording import Names, counted, listed, some
+from smsl_studio.inspection.rules.words import NearNames, counted, listed, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
@@ -66,7 +66,7 @@ def _odd(branch: StateBranch, key: str, rule: str) -> Iterator[Remark]:
 
 
 def _unknown_state(branch: StateBranch, key: str, state: str) -> Remark:
-    like = Names(branch.table).near(state)
+    like = NearNames(branch.table).near(state)
     fix = None
     if like:
         fix = _set(branch, key, like, f"Set {key} to {like}")
@@ -103,7 +103,7 @@ def r04_left_to_default(blueprint: Blueprint) -> Iterator[Remark]:
             )
 
 
-_KEYS = Names(KNOWN)
+_KEYS = NearNames(KNOWN)
 
 
 def _near_key(key: str) -> tuple[str, None]:

@@ -15,7 +15,7 @@ from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
 from smsl_studio.inspection.finding import Fix, Remark, Severity
-from smsl_studio.inspection.rules.wording import Names, fact_words, some
+from smsl_studio.inspection.rules.words import NearNames, fact_words, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
@@ -24,7 +24,7 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Remark]:
     """SUB_SBS: unknown SB, digit out of range or of three values, two subs on one digit, one sub
     twice in a list, one sub in two bases (a note)."""
     owner: dict[str, str] = {}
-    names = Names(blueprint.branches)
+    names = NearNames(blueprint.branches)
     for branch in blueprint:
         if not branch.header.subs_as_written:
             continue
@@ -81,7 +81,7 @@ def _no_digits(branch: StateBranch) -> Iterator[Remark]:
         yield Remark("R07", ERROR, branch.address, words, advice, fix, below=where)
 
 
-def _instead(names: Names, branch: StateBranch, sub: str, digit: int) -> tuple[str, Fix | None]:
+def _instead(names: NearNames, branch: StateBranch, sub: str, digit: int) -> tuple[str, Fix | None]:
     """What to do about a sub-SB that does not exist."""
     like = names.near(sub, {branch.name, *(one for one, _ in branch.header.sub_sbs)})
     if not like:

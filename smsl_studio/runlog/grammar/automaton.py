@@ -23,7 +23,7 @@ Json = Any
 NO_END = "the log ends, and the run that it tells of does not"
 
 
-class Row(NamedTuple):
+class EventRow(NamedTuple):
     """Where an event may stand, and what is wrong with one that may not stand there.
 
     ``before``: also before ``run_started``, while people are asked about the start. ``starting``:
@@ -35,39 +35,39 @@ class Row(NamedTuple):
     starting: bool = False
 
 
-TABLE: Mapping[type[Event], Row] = MappingProxyType(
+TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
     {
-        run.RunStarted: Row(bounds.run_started),
-        run.FactChanged: Row(scene.fact_changed, starting=True),
-        run.StateChecked: Row(operations.state_checked, before=False, starting=True),
-        run.RoutePlanned: Row(operations.route_planned, before=False),
-        run.SubsBypassed: Row(operations.subs_bypassed, before=False),
-        run.OperationStarted: Row(operations.operation_started, before=False),
-        run.OperationEnded: Row(operations.operation_ended, before=False),
-        run.Committed: Row(operations.committed, before=False),
-        run.OperationRefused: Row(operations.operation_refused),
-        run.OperationRisky: Row(operations.operation_risky, before=False),
-        run.OperationPruned: Row(operations.operation_shut_out),
-        run.OperationRestored: Row(operations.operation_restored),
-        run.CostsChanged: Row(operations.costs_changed),
-        run.Mismatch: Row(scene.mismatch),
-        run.Relocalised: Row(scene.relocalised),
-        run.GoalReached: Row(scene.goal_reached, before=False),
-        run.Held: Row(scene.held),
-        run.Commanded: Row(regulation.commanded),
-        run.Paused: Row(regulation.paused),
-        run.Resumed: Row(regulation.resumed),
-        run.RunStopped: Row(regulation.stopped),
-        run.RunReset: Row(regulation.reset),
-        run.TakenOver: Row(regulation.taken_over),
-        run.GivenBack: Row(regulation.given_back),
-        run.Disturbed: Row(regulation.disturbed),
-        run.FaultInjected: Row(regulation.fault_injected),
-        run.TaskOpened: Row(regulation.task_opened),
-        run.TaskEscalated: Row(regulation.task_escalated),
-        run.TaskAnswered: Row(regulation.task_answered),
-        run.TaskClosed: Row(regulation.task_closed),
-        run.RunFinished: Row(bounds.run_finished),
+        run.RunStarted: EventRow(bounds.run_started),
+        run.FactChanged: EventRow(scene.fact_changed, starting=True),
+        run.StateChecked: EventRow(operations.state_checked, before=False, starting=True),
+        run.RoutePlanned: EventRow(operations.route_planned, before=False),
+        run.SubsBypassed: EventRow(operations.subs_bypassed, before=False),
+        run.OperationStarted: EventRow(operations.operation_started, before=False),
+        run.OperationEnded: EventRow(operations.operation_ended, before=False),
+        run.Committed: EventRow(operations.committed, before=False),
+        run.OperationRefused: EventRow(operations.operation_refused),
+        run.OperationRisky: EventRow(operations.operation_risky, before=False),
+        run.OperationPruned: EventRow(operations.operation_shut_out),
+        run.OperationRestored: EventRow(operations.operation_restored),
+        run.CostsChanged: EventRow(operations.costs_changed),
+        run.Mismatch: EventRow(scene.mismatch),
+        run.Relocalised: EventRow(scene.relocalised),
+        run.GoalReached: EventRow(scene.goal_reached, before=False),
+        run.Held: EventRow(scene.held),
+        run.Commanded: EventRow(regulation.commanded),
+        run.Paused: EventRow(regulation.paused),
+        run.Resumed: EventRow(regulation.resumed),
+        run.RunStopped: EventRow(regulation.stopped),
+        run.RunReset: EventRow(regulation.reset),
+        run.TakenOver: EventRow(regulation.taken_over),
+        run.GivenBack: EventRow(regulation.given_back),
+        run.Disturbed: EventRow(regulation.disturbed),
+        run.FaultInjected: EventRow(regulation.fault_injected),
+        run.TaskOpened: EventRow(regulation.task_opened),
+        run.TaskEscalated: EventRow(regulation.task_escalated),
+        run.TaskAnswered: EventRow(regulation.task_answered),
+        run.TaskClosed: EventRow(regulation.task_closed),
+        run.RunFinished: EventRow(bounds.run_finished),
     }
 )
 """Every event of a run. What is not here (the events of a sweep) is none."""
@@ -114,7 +114,7 @@ def _wrong(said: Memory, event: Event) -> Iterator[str]:
     yield from row.wrong(said, event)
 
 
-def _always(said: Memory, event: Event, row: Row) -> Iterator[str]:
+def _always(said: Memory, event: Event, row: EventRow) -> Iterator[str]:
     """What holds for every event."""
     fold, last, word = said.fold, said.last, event.event.replace("_", " ")
     if last is None:

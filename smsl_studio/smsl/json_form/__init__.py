@@ -8,11 +8,11 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from smsl_studio.smsl.json_form.reading import comments_in, parse, recover, write
+from smsl_studio.smsl.json_form.reader import comments_in, parse, recover, write
 
 if TYPE_CHECKING:
-    from smsl_studio.smsl.json_form.splicing import keep_winner, reconcile
-    from smsl_studio.smsl.json_form.tidying import tidy
+    from smsl_studio.smsl.json_form.canonical import tidy
+    from smsl_studio.smsl.json_form.splice import keep_winner, reconcile
 
 parse_json, write_json = parse, write
 """The names under which those call them who want this form and no other."""
@@ -30,7 +30,7 @@ __all__ = [
 ]
 
 # What only edits need is loaded with the first one, so that `check` starts quickly.
-_OF_EDITS = {"keep_winner": "splicing", "reconcile": "splicing", "tidy": "tidying"}
+_OF_EDITS = {"keep_winner": "splice", "reconcile": "splice", "tidy": "canonical"}
 
 
 def __getattr__(name: str) -> Any:

@@ -12,7 +12,15 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.json_form.strides import BALANCE, balance_of, flat_object
-from smsl_studio.smsl.json_form.tokens import END, TEXT, WORD, Fault, Token, Tokens, short
+from smsl_studio.smsl.json_form.tokens import (
+    END,
+    TEXT,
+    WORD,
+    JsonFault,
+    JsonToken,
+    JsonTokens,
+    short,
+)
 from smsl_studio.smsl.limits import MAX_DEPTH, MAX_FAULTS, TOO_DEEP
 
 Json = Any
@@ -28,20 +36,20 @@ _FEW = 8
 _CLOSER = {"{": "}", "[": "]"}
 
 
-class Enough(Exception):  # noqa: N818
+class JsonFaultLimit(Exception):  # noqa: N818
     """So many faults, or one after which nothing makes sense, that reading ends here."""
 
 
 @dataclass(slots=True)
-class Frame:
+class OpenBracket:
     """An object or list that is open: where it began, what it holds, and what comes next."""
 
-    token: Token
+    token: JsonToken
     holds: dict[str, Json] | list[Json]
     indent: int
     expects: str = "first"
-    key: Token | None = None
-    comma: Token | None = None
+    key: JsonToken | None = None
+    comma: JsonToken | None = None
     last_end: int = 0
     name: str = ""
 
@@ -55,45 +63,45 @@ class Brackets:
 
     def __init__(self, text: str) -> None:
         self._text = text
-        self.faults: list[Fault] = []
+        self.faults: list[JsonFault] = []
         self.values: Json = NOTHING
         self._balance = balance_of(text)
-        self._tokens = Tokens(text, self._hear)
+        self._tokens = JsonTokens(text, self._hear)
         self._heard: set[int] = set()
-        self._ahead: deque[Token] = deque()
-        self._frames: list[Frame] = []
+        self._ahead: deque[JsonToken] = deque()
+        self._frames: list[OpenBracket] = []
         self._taken_to = 0
         self._removed = 0
 
-    def _hear(self, fault: Fault) -> None:
+    def _hear(self, fault: JsonFault) -> None:
         """A fault within a token; one that was looked at ahead may be looked at again."""
         if fault.at not in self._heard:
             self._heard.add(fault.at)
             self._say(fault)
 
-    def _say(self, fault: Fault) -> None:
+    def _say(self, fault: JsonFault) -> None:
         self.faults.append(fault)
         if len(self.faults) >= MAX_FAULTS:
-            raise Enough
+            raise JsonFaultLimit
 
     def _fault(
         self,
-        token: Token,
+        token: JsonToken,
         sentence: str,
         advice: str,
         fix: tuple[str, int, int, str] | None = None,
     ) -> None:
         length = max(1, token.end - token.start)
-        self._say(Fault(token.start, length, sentence, advice, TextFix(*fix) if fix else None))
+        self._say(JsonFault(token.start, length, sentence, advice, TextFix(*fix) if fix else None))
 
-    def _peek(self, index: int = 0) -> Token:
+    def _peek(self, index: int = 0) -> JsonToken:
         while len(self._ahead) <= index:
             if self._ahead and self._ahead[-1].kind == END:
                 return self._ahead[-1]
             self._ahead.append(self._tokens.take())
         return self._ahead[index]
 
-    def _take(self) -> Token:
+    def _take(self) -> JsonToken:
         token = self._peek()
         self._ahead.popleft()
         self._taken_to = token.end
@@ -107,14 +115,14 @@ class Brackets:
 
     # --- opening, filling, closing -----------------------------------------------------------
 
-    def _push(self, token: Token, key: str = "") -> None:
+    def _push(self, token: JsonToken, key: str = "") -> None:
         if len(self._frames) >= MAX_DEPTH:
             self._fault(token, *TOO_DEEP)
-            raise Enough
+            raise JsonFaultLimit
         holds: Json = {} if token.kind == "{" else []
-        self._frames.append(Frame(token, holds, token.indent, last_end=token.end, name=key))
+        self._frames.append(OpenBracket(token, holds, token.indent, last_end=token.end, name=key))
 
-    def _took_whole(self, frame: Frame, token: Token) -> bool:
+    def _took_whole(self, frame: OpenBracket, token: JsonToken) -> bool:
         """Read an object that holds nothing but names in one stride, where its end is beyond
         doubt: under its beginning, or anywhere where no bracket of the file is amiss.
         """
@@ -137,7 +145,7 @@ class Brackets:
         else:
             self.values = frame.holds
 
-    def _put(self, frame: Frame, value: Json, end: int) -> None:
+    def _put(self, frame: OpenBracket, value: Json, end: int) -> None:
         """A value of the frame is complete; without a key it is left out."""
         if isinstance(frame.holds, list):
             if value is not NOTHING:
@@ -153,11 +161,11 @@ class Brackets:
         if not isinstance(self.values, dict):
             self.values = {}
 
-    def _remove(self, token: Token) -> None:
+    def _remove(self, token: JsonToken) -> None:
         """Say that a token does not belong where it stands; neighbours are one fault."""
         self._removed += 1
         if self._removed > _MOST_REMOVED:
-            raise Enough
+            raise JsonFaultLimit
         found = short(self._text[token.start : min(token.end, token.start + 50)])
         start, end, last = token.start, token.end, self.faults[-1] if self.faults else None
         if (
@@ -172,7 +180,7 @@ class Brackets:
         fix = (f"Remove {found}", start, end, "")
         self._fault(token._replace(start=start), f"{found} does not belong here", "Remove it.", fix)
 
-    def _close(self, frame: Frame, token: Token) -> None:
+    def _close(self, frame: OpenBracket, token: JsonToken) -> None:
         """A closing bracket: the right one, one too many, or one that comes too early."""
         if token.kind == frame.closer:
             if self._is_extra(frame, token):
@@ -193,13 +201,13 @@ class Brackets:
             self._fault(token, words, f"Write {frame.closer}.", fix)
             self._pop(self._take().end)
 
-    def _is_extra(self, frame: Frame, token: Token) -> bool:
+    def _is_extra(self, frame: OpenBracket, token: JsonToken) -> bool:
         """Whether this closing bracket is one too many."""
         if self._excess <= 0:
             return False
         return token.kind != frame.closer or self._is_stray(frame, token)
 
-    def _is_stray(self, frame: Frame, token: Token) -> bool:
+    def _is_stray(self, frame: OpenBracket, token: JsonToken) -> bool:
         if token.first:
             return token.indent != frame.indent
         if frame.token.line != token.line:
@@ -219,12 +227,12 @@ class Brackets:
         deeper = self._peek(4).kind == "{" and self._begins_member(5)
         return len(self._frames) == 2 and deeper and self._peek(7).kind == TEXT
 
-    def _drop_closer(self, token: Token) -> None:
+    def _drop_closer(self, token: JsonToken) -> None:
         fix = (f"Remove {token.kind}", token.start, token.end, "")
         self._fault(token, f"this {token.kind} closes nothing", "Remove it.", fix)
         self._take()
 
-    def _missing_closer(self, frame: Frame, token: Token, behind: str = "") -> None:
+    def _missing_closer(self, frame: OpenBracket, token: JsonToken, behind: str = "") -> None:
         """The frame should have ended before this token."""
         at, closers, opener = frame.last_end, "", frame.token
         while True:
@@ -240,13 +248,13 @@ class Brackets:
         fix = (f"Insert {marks}", at, at, closers + behind)
         self._fault(token, words, f"Write {marks} before it.", fix)
 
-    def _closes_further_out(self, frame: Frame, token: Token) -> bool:
+    def _closes_further_out(self, frame: OpenBracket, token: JsonToken) -> bool:
         """Whether a bracket stands so far left that it closes something around the frame."""
         if self._excess >= 0 or len(self._frames) < 2:
             return False
         return token.first and token.indent < frame.indent
 
-    def _ends_before(self, frame: Frame, token: Token) -> bool:
+    def _ends_before(self, frame: OpenBracket, token: JsonToken) -> bool:
         """Whether a key stands so far left, or has such a value, that its object has ended."""
         if self._excess >= 0 or len(self._frames) < 2:
             return False
@@ -267,7 +275,7 @@ class Brackets:
         """Whether a name and a colon stand there."""
         return self._peek(index).kind in (TEXT, WORD) and self._peek(index + 1).kind == ":"
 
-    def _unfinished(self, frame: Frame, token: Token) -> None:
+    def _unfinished(self, frame: OpenBracket, token: JsonToken) -> None:
         """The text ends while brackets are open."""
         closers = "".join(one.closer for one in reversed(self._frames))
         what = f"{len(closers)} brackets are" if len(closers) > 1 else "a bracket is"
@@ -285,7 +293,7 @@ class Brackets:
             advice = f"Write {closers} at the end."
         self._fault(token._replace(start=max(0, end - 1), end=end), sentence, advice, fix)
 
-    def _on_its_line(self, frame: Frame, end: int) -> str:
+    def _on_its_line(self, frame: OpenBracket, end: int) -> str:
         """The closing bracket of a frame, under the line that opens it where that is another."""
         if self._text.find("\n", frame.token.start, end) < 0:
             return frame.closer

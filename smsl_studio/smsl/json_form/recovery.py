@@ -10,10 +10,10 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
-from smsl_studio.smsl.json_form.brackets import NOTHING, Enough, Frame
+from smsl_studio.smsl.json_form.brackets import NOTHING, JsonFaultLimit, OpenBracket
 from smsl_studio.smsl.json_form.commas import Commas
-from smsl_studio.smsl.json_form.merging import merged
-from smsl_studio.smsl.json_form.tokens import END, NUMBER, ODD, TEXT, WORD, Token, quoted, short
+from smsl_studio.smsl.json_form.fault_pairs import merged
+from smsl_studio.smsl.json_form.tokens import END, NUMBER, ODD, TEXT, WORD, JsonToken, quoted, short
 
 Json = Any
 _COLONS = ("=", "->", "=>", ";")
@@ -27,7 +27,7 @@ class Recovery(Commas):
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
-        with suppress(Enough):
+        with suppress(JsonFaultLimit):
             self._read()
         self._fold()
         self.faults = merged(self.faults, text)
@@ -58,7 +58,7 @@ class Recovery(Commas):
                 self.faults.clear()
                 words = "An SMSL file is one JSON object whose members are State Branches."
                 self._fault(begin, "the file holds no State Branches", words)
-                raise Enough
+                raise JsonFaultLimit
             self._remove(self._take())
         self._push(self._take())
 
@@ -82,7 +82,7 @@ class Recovery(Commas):
 
     # --- in an object ------------------------------------------------------------------------
 
-    def _key(self, frame: Frame, token: Token) -> None:
+    def _key(self, frame: OpenBracket, token: JsonToken) -> None:
         kind = token.kind
         if kind in (TEXT, WORD, NUMBER):
             if self._is_glued(token) or (kind != TEXT and self._begins_member(1)):
@@ -116,7 +116,7 @@ class Recovery(Commas):
         frame = self._frames[-1]
         frame.expects = "key" if frame.token.kind == "{" else "item"
 
-    def _begin_member(self, frame: Frame, token: Token) -> None:
+    def _begin_member(self, frame: OpenBracket, token: JsonToken) -> None:
         if token.kind != TEXT:
             name = token.value
             fix = ("Write it in quotes", token.start, token.end, quoted(name))
@@ -124,7 +124,7 @@ class Recovery(Commas):
             self._fault(token, words, f"Write {quoted(short(name))}.", fix)
         frame.key, frame.comma, frame.expects = token, None, "colon"
 
-    def _unnamed(self, frame: Frame, token: Token) -> None:
+    def _unnamed(self, frame: OpenBracket, token: JsonToken) -> None:
         """A bracket opens where a name should stand."""
         if self._excess < 0:
             self._remove(self._take())
@@ -132,7 +132,7 @@ class Recovery(Commas):
         self._fault(token, f"a name is missing before {token.kind}", 'Write "Name": before it.')
         self._push(self._take(), "_")
 
-    def _colon(self, frame: Frame, token: Token) -> None:
+    def _colon(self, frame: OpenBracket, token: JsonToken) -> None:
         kind = token.kind
         assert frame.key is not None, "a colon is expected behind a name"
         if kind == ":":
@@ -154,7 +154,7 @@ class Recovery(Commas):
         else:
             self._no_value(frame, token)
 
-    def _colon_instead(self, frame: Frame, token: Token) -> None:
+    def _colon_instead(self, frame: OpenBracket, token: JsonToken) -> None:
         fix = ("Write a colon", token.start, token.end, ":")
         found = token.value or token.kind
         words = f"a colon stands between name and value, not {found}"
@@ -162,7 +162,7 @@ class Recovery(Commas):
         self._take()
         frame.expects = "value"
 
-    def _is_stray_behind(self, key: Token, token: Token) -> bool:
+    def _is_stray_behind(self, key: JsonToken, token: JsonToken) -> bool:
         """Whether a token stands between a name and its colon, and belongs to neither."""
         if token.kind == WORD and token.start == key.end:
             return True
@@ -172,13 +172,13 @@ class Recovery(Commas):
             return self._excess < 0
         return token.kind in (WORD, NUMBER, ",") or self._excess > 0
 
-    def _is_bracket_for_colon(self, token: Token) -> bool:
+    def _is_bracket_for_colon(self, token: JsonToken) -> bool:
         """Whether a bracket stands where the colon was, told by how many there are."""
         value_follows = self._peek(1).kind in _VALUES and not self._begins_member(1)
         wrong = self._excess < 0 if token.kind in ("{", "[") else self._excess > 0
         return token.kind in ("{", "[", "}", "]") and wrong and value_follows
 
-    def _no_value(self, frame: Frame, token: Token) -> None:
+    def _no_value(self, frame: OpenBracket, token: JsonToken) -> None:
         """A name whose value is missing: it is left out."""
         advice = 'Write "Name": value, or remove it.'
         key = frame.key
@@ -187,7 +187,7 @@ class Recovery(Commas):
         frame.expects = "next"
         self._put(frame, NOTHING, key.end if key else token.start)
 
-    def _value(self, frame: Frame, token: Token) -> None:
+    def _value(self, frame: OpenBracket, token: JsonToken) -> None:
         kind, after = token.kind, self._peek(1)
         value_follows = after.kind in _VALUES and not self._begins_member(1)
         if kind in (TEXT, WORD) and after.kind == ":" and self._excess > 0:
@@ -211,7 +211,7 @@ class Recovery(Commas):
         else:
             self._no_value(frame, token)
 
-    def _bracket_for_value(self, frame: Frame, token: Token) -> None:
+    def _bracket_for_value(self, frame: OpenBracket, token: JsonToken) -> None:
         """A mark stands where an object should open, and there are too many closing brackets."""
         value_follows = self._peek(1).kind in _VALUES and not self._begins_member(1)
         if value_follows:
@@ -224,7 +224,7 @@ class Recovery(Commas):
         else:
             self._no_value(frame, token)
 
-    def _unopened(self, frame: Frame, start: int, end: int) -> None:
+    def _unopened(self, frame: OpenBracket, start: int, end: int) -> None:
         """The object of this member lacks its opening brace."""
         key = frame.key
         token = self._peek()
@@ -235,7 +235,7 @@ class Recovery(Commas):
         opener = key or token
         self._push(opener._replace(kind="{", end=end), key.value if key else "_")
 
-    def _next(self, frame: Frame, token: Token) -> None:
+    def _next(self, frame: OpenBracket, token: JsonToken) -> None:
         kind = token.kind
         if kind == "," and not self._stands_for_closer(frame, token):
             frame.comma, frame.expects = self._take(), "key"
@@ -265,7 +265,7 @@ class Recovery(Commas):
         else:
             self._remove(self._take())
 
-    def _stands_for_closer(self, frame: Frame, token: Token) -> bool:
+    def _stands_for_closer(self, frame: OpenBracket, token: JsonToken) -> bool:
         """Whether something odd stands on a line of its own, where the closing bracket was."""
         if self._excess >= 0 or len(self._frames) < 2 or self._begins_member(0):
             return False
@@ -273,7 +273,7 @@ class Recovery(Commas):
             return False
         return token.first and token.indent == frame.indent
 
-    def _closer_instead(self, frame: Frame, token: Token) -> None:
+    def _closer_instead(self, frame: OpenBracket, token: JsonToken) -> None:
         found, closer = token.value or token.kind, frame.closer
         fix = (f"Write {closer}", token.start, token.end, closer)
         words = f"{closer} should stand here, not {short(found)}"
@@ -282,7 +282,7 @@ class Recovery(Commas):
 
     # --- in a list ---------------------------------------------------------------------------
 
-    def _item(self, frame: Frame, token: Token) -> None:
+    def _item(self, frame: OpenBracket, token: JsonToken) -> None:
         kind = token.kind
         if kind in ("{", "["):
             self._push(self._take(), "_")
@@ -297,7 +297,7 @@ class Recovery(Commas):
         else:
             self._remove(self._take())
 
-    def _next_item(self, frame: Frame, token: Token) -> None:
+    def _next_item(self, frame: OpenBracket, token: JsonToken) -> None:
         kind = token.kind
         if kind == ",":
             frame.comma, frame.expects = self._take(), "item"
@@ -313,7 +313,7 @@ class Recovery(Commas):
             self._remove(self._take())
 
 
-_STEPS: dict[tuple[str, str], Callable[[Recovery, Frame, Token], None]] = {
+_STEPS: dict[tuple[str, str], Callable[[Recovery, OpenBracket, JsonToken], None]] = {
     ("{", "first"): Recovery._key,
     ("{", "key"): Recovery._key,
     ("{", "colon"): Recovery._colon,

@@ -6,7 +6,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.json_form.brackets import NOTHING
-from smsl_studio.smsl.json_form.tokens import NUMBER, TEXT, Fault, Token, quoted, short
+from smsl_studio.smsl.json_form.tokens import NUMBER, TEXT, JsonFault, JsonToken, quoted, short
 from smsl_studio.smsl.limits import too_large
 
 Json = Any
@@ -15,7 +15,7 @@ _OTHERS = {"True": "true", "False": "false", "None": "null", "TRUE": "true", "FA
 _NO_VALUES = ("NaN", "Infinity", "-Infinity", "nan", "inf", "-inf", "undefined")
 
 
-def scalar_of(token: Token) -> tuple[Json, Fault | None]:
+def scalar_of(token: JsonToken) -> tuple[Json, JsonFault | None]:
     """The value of a text, number or word, and what is wrong with it."""
     found, length = token.value, token.end - token.start
     if token.kind == TEXT:
@@ -23,15 +23,15 @@ def scalar_of(token: Token) -> tuple[Json, Fault | None]:
     if token.kind == NUMBER:
         if too_large(found):
             advice = "Write a shorter number."
-            return NOTHING, Fault(token.start, length, "the number is too large", advice)
+            return NOTHING, JsonFault(token.start, length, "the number is too large", advice)
         return int(found) if found.lstrip("-").isdecimal() else float(found), None
     if found in _LITERALS:
         return _LITERALS[found], None
     if found in _NO_VALUES:
         words = f"{found} is no number in JSON"
-        return NOTHING, Fault(token.start, length, words, "Write a plain number.")
+        return NOTHING, JsonFault(token.start, length, words, "Write a plain number.")
     instead = _OTHERS.get(found, quoted(found))
     write = f"Write {short(instead)}"
     fix = TextFix(write, token.start, token.end, instead)
     words = f"{short(found)} is no value in JSON"
-    return _LITERALS.get(instead, found), Fault(token.start, length, words, f"{write}.", fix)
+    return _LITERALS.get(instead, found), JsonFault(token.start, length, words, f"{write}.", fix)

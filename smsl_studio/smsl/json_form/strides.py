@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 
-from smsl_studio.smsl.json_form.tokens import Tokens
+from smsl_studio.smsl.json_form.tokens import JsonTokens
 
 BALANCE = {"{": -1, "[": -1, "}": 1, "]": 1}
 
@@ -35,7 +35,7 @@ def _line_balance(line: str) -> int:
         return 0
     if _TO_A_LOST_QUOTE.match(line) is None:
         return _balance(_PIECES.sub("", line))
-    tokens, total = Tokens(line, lambda _: None), 0
+    tokens, total = JsonTokens(line, lambda _: None), 0
     while (token := tokens.take()).kind != "end":
         total += BALANCE.get(token.kind, 0)
     return total

@@ -14,7 +14,7 @@ _SAMPLED = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Style:
+class JsonStyle:
     """The layout of a text: line end, one step of indentation, separators.
 
     Objects at depth ``inline_from`` and below stand on one line (the file is depth 0, an SB 1, a
@@ -28,10 +28,10 @@ class Style:
     inline_from: int = 99
 
 
-CANONICAL = Style()
+CANONICAL = JsonStyle()
 
 
-def render(value: Json, style: Style, indent: str, depth: int) -> str:
+def render(value: Json, style: JsonStyle, indent: str, depth: int) -> str:
     """A value as text; ``indent`` is that of the line its key stands on."""
     if isinstance(value, dict) and value:
         items = [
@@ -51,7 +51,7 @@ def scalar(value: Json) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-def _wrapped(marks: str, items: list[str], style: Style, indent: str, broken: bool) -> str:
+def _wrapped(marks: str, items: list[str], style: JsonStyle, indent: str, broken: bool) -> str:
     left, right = marks[0], marks[1]
     if not broken:
         return left + style.comma.join(items) + right
@@ -59,12 +59,12 @@ def _wrapped(marks: str, items: list[str], style: Style, indent: str, broken: bo
     return left + start + ("," + start).join(items) + style.newline + indent + right
 
 
-def style_of(document: Document) -> Style:
+def style_of(document: Document) -> JsonStyle:
     """The style a text is written in, learnt from its first objects."""
     spans = JsonSpans(document.text)
     members = spans.members(())
     if not members:
-        return Style(newline=document.newline)
+        return JsonStyle(newline=document.newline)
     text, first = document.text, members[0]
     lead = text[spans.root + 1 : first.key_start]
     colon = text[first.key_end : first.value_start]
@@ -72,9 +72,9 @@ def style_of(document: Document) -> Style:
         colon = ": "
     comma = ", " if colon.endswith(" ") else ","
     if document.newline not in lead:
-        return Style(document.newline, "", colon, comma, 0)
+        return JsonStyle(document.newline, "", colon, comma, 0)
     unit = lead.rpartition(document.newline)[2]
-    return Style(document.newline, unit, colon, comma, _inline_from(document, spans))
+    return JsonStyle(document.newline, unit, colon, comma, _inline_from(document, spans))
 
 
 def _inline_from(document: Document, spans: JsonSpans) -> int:

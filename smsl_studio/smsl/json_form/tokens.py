@@ -15,7 +15,7 @@ from smsl_studio.errors import TextFix
 from smsl_studio.smsl.json_form.characters import HALF, HALF_PAIR, half_pair
 
 
-class Fault(NamedTuple):
+class JsonFault(NamedTuple):
     """One thing that is wrong, at an offset of the text."""
 
     at: int
@@ -25,7 +25,7 @@ class Fault(NamedTuple):
     fix: TextFix | None = None
 
 
-class Token(NamedTuple):
+class JsonToken(NamedTuple):
     """A piece of the text; ``kind`` is a mark of JSON itself, or one of the words below.
 
     ``line`` is the offset at which its line begins, ``indent`` how many blanks that line begins
@@ -66,17 +66,17 @@ _BAD_ESCAPE = re.compile(r'\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})|(\\)')
 _MARKS = " \t\r,:{}[]"
 
 
-class Tokens:
+class JsonTokens:
     """The tokens of one text, in order; faults within them go to ``complain``."""
 
-    def __init__(self, text: str, complain: Callable[[Fault], None]) -> None:
+    def __init__(self, text: str, complain: Callable[[JsonFault], None]) -> None:
         self._text = text
         self._complain = complain
         self._at = 1 if text.startswith("\ufeff") else 0
         self._line, self._indent, self._first = self._at, 0, True
         self._counted, self._odd = 0, False
 
-    def take(self) -> Token:
+    def take(self) -> JsonToken:
         """The next token; ``END`` at the end, again and again."""
         while True:
             self._skip()
@@ -95,9 +95,9 @@ class Tokens:
             self._indent = _BLANKS.match(self._text, line).end() - line  # type: ignore[union-attr]
         self._at, self._first = end, False
 
-    def _made(self, kind: str, start: int, end: int, value: str = "") -> Token:
+    def _made(self, kind: str, start: int, end: int, value: str = "") -> JsonToken:
         self._at = end
-        return Token(kind, start, end, value, self._line, self._indent, self._first)
+        return JsonToken(kind, start, end, value, self._line, self._indent, self._first)
 
     def _skip(self) -> None:
         """Pass over white space and comments."""
@@ -124,7 +124,7 @@ class Tokens:
         while before > self._line and self._text[before - 1] in " \t":
             before -= 1
         self._complain(
-            Fault(
+            JsonFault(
                 start,
                 end - start,
                 COMMENT,
@@ -135,7 +135,7 @@ class Tokens:
         )
         self._at = end
 
-    def _token(self, at: int) -> Token | None:
+    def _token(self, at: int) -> JsonToken | None:
         char = self._text[at]
         if char in "{}[],:":
             return self._made(char, at, at + 1)
@@ -150,7 +150,7 @@ class Tokens:
         end = _ARROW.match(self._text, at).end()  # type: ignore[union-attr]
         return self._made(ODD, at, end, self._text[at:end])
 
-    def _word(self, at: int, end: int) -> Token:
+    def _word(self, at: int, end: int) -> JsonToken:
         """A bare run: a number, a name without quotes, or one that lacks its opening quote."""
         closing = _AFTER_QUOTE.match(self._text, end)
         if closing and self._is_odd(at):
@@ -164,7 +164,7 @@ class Tokens:
             return self._made(NUMBER, at, end, self._text[at:end])
         return self._made(WORD, at, end, HALF.sub("\ufffd", self._text[at:end]))
 
-    def _string(self, at: int) -> Token | None:
+    def _string(self, at: int) -> JsonToken | None:
         closed = _LINE_STRING.match(self._text, at)
         end = closed.end() if closed else 0
         if closed is None or self._is_odd(at):
@@ -187,7 +187,7 @@ class Tokens:
         if tail is None or self._text[end : end + 1] in " \t":
             return end
         self._complain(
-            Fault(
+            JsonFault(
                 end - 1,
                 1,
                 "a quote stands inside a text",
@@ -197,7 +197,7 @@ class Tokens:
         )
         return tail.end()
 
-    def _unclosed(self, at: int, content: str) -> Token | None:
+    def _unclosed(self, at: int, content: str) -> JsonToken | None:
         """A string whose closing quote is missing: it ends before the marks behind its name."""
         inside = _VALUE_INSIDE.search(content)
         name = content[: inside.start()] if inside else content.rstrip(_MARKS)
@@ -207,14 +207,14 @@ class Tokens:
             return None
         words = "the closing quote is missing"
         fix = TextFix("Insert the closing quote", end, end, '"')
-        self._complain(Fault(at, end - at, words, f'Write "{short(name)}".', fix))
+        self._complain(JsonFault(at, end - at, words, f'Write "{short(name)}".', fix))
         return self._made(TEXT, at, end, self._read(at, end, closed=False))
 
     def _lone_quote(self, at: int) -> None:
         """A quote that belongs to no text: it is told and passed over."""
         fix = TextFix("Remove the quote", at, at + 1, "")
         advice = "Remove it, or write the text it should open."
-        self._complain(Fault(at, 1, "this quote opens no text", advice, fix))
+        self._complain(JsonFault(at, 1, "this quote opens no text", advice, fix))
         self._at = at + 1
 
     def _read(self, at: int, end: int, *, closed: bool = True) -> str:
@@ -246,12 +246,12 @@ class Tokens:
             words, advice = HALF_PAIR
             if length == 6:
                 words = f"{content[at : at + 6]} is half a surrogate pair, which is no character"
-            self._complain(Fault(start + at, length, words, advice))
+            self._complain(JsonFault(start + at, length, words, advice))
 
     def _say(self, start: int, end: int, sentence: str, instead: str) -> None:
         fix = TextFix(f"Write {instead.strip() or 'a blank'}", start, end, instead)
         self._complain(
-            Fault(start, end - start, sentence, f"Write {instead.strip() or 'a blank'}.", fix)
+            JsonFault(start, end - start, sentence, f"Write {instead.strip() or 'a blank'}.", fix)
         )
 
     def _line_end(self, at: int) -> int:
@@ -266,8 +266,8 @@ class Tokens:
         return self._odd
 
 
-def _inserted(at: int, sentence: str, advice: str, text: str, what: str) -> Fault:
-    return Fault(at, 1, sentence, advice, TextFix(f"Insert the {what}", at, at, text))
+def _inserted(at: int, sentence: str, advice: str, text: str, what: str) -> JsonFault:
+    return JsonFault(at, 1, sentence, advice, TextFix(f"Insert the {what}", at, at, text))
 
 
 def quoted(content: str) -> str:

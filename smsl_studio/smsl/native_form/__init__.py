@@ -3,12 +3,12 @@
 The functions here are the doors of a form; see ``forms.Form``.
 """
 
+from smsl_studio.smsl.native_form.canonical import tidy
 from smsl_studio.smsl.native_form.comments import comments_in
-from smsl_studio.smsl.native_form.parsing import parse
+from smsl_studio.smsl.native_form.parser import parse
 from smsl_studio.smsl.native_form.recovery import recover
-from smsl_studio.smsl.native_form.splicing import reconcile
-from smsl_studio.smsl.native_form.tidying import tidy
-from smsl_studio.smsl.native_form.winning import keep_winner
-from smsl_studio.smsl.native_form.writing import write
+from smsl_studio.smsl.native_form.splice import reconcile
+from smsl_studio.smsl.native_form.winner import keep_winner
+from smsl_studio.smsl.native_form.writer import write
 
 __all__ = ["comments_in", "keep_winner", "parse", "reconcile", "recover", "tidy", "write"]

@@ -8,7 +8,7 @@ from smsl_studio.errors import Place, ReadError, TextFix
 from smsl_studio.smsl.limits import MAX_FAULTS
 
 
-class Enough(Exception):  # noqa: N818
+class NativeFaultLimit(Exception):  # noqa: N818
     """There are so many faults that the rest of the text says nothing more."""
 
 
@@ -32,7 +32,7 @@ class Faults:
         error = ReadError(sentence, self._place_at(at), advice, length=length, fix=fix)
         self._found.append((at, error))
         if len(self._found) >= MAX_FAULTS:
-            raise Enough
+            raise NativeFaultLimit
 
     def error(self) -> ReadError | None:
         """All of them as one error, in the order of the text; None where there are none."""

@@ -44,7 +44,7 @@ _BEFORE_BRACKET = re.compile(r"\s*+[{}\[\]#]")
 _COMMENT = re.compile(r"(?:^|(?<=\s))//")
 
 
-class Line(NamedTuple):
+class HashLine(NamedTuple):
     """A ``#`` line, as offsets into the text; ``end`` is that of the line."""
 
     level: Level
@@ -86,7 +86,7 @@ class BadValue(Exception):  # noqa: N818
         self.fix, self.guess, self.resume = fix, guess, resume
 
 
-def line_at(text: str, at: int) -> Line | None:
+def line_at(text: str, at: int) -> HashLine | None:
     """The line whose ``#`` stands at ``at``; None where it is no such line."""
     match = _LINE.match(text, at)
     if match is None:
@@ -100,10 +100,10 @@ def line_at(text: str, at: int) -> Line | None:
     level: Level = "header" if inside or not key.startswith("_") else "field"
     if key == "NAME" and not inside:
         level = "name"
-    return Line(level, key, at, match.start(1), match.end(1), match.start(2), match.end())
+    return HashLine(level, key, at, match.start(1), match.end(1), match.start(2), match.end())
 
 
-def read_value(text: str, line: Line, depth: int) -> Value:
+def read_value(text: str, line: HashLine, depth: int) -> Value:
     """The value of a line that stands ``depth`` levels deep; BadValue where it has none."""
     raw = text[line.value_start : line.end]
     if line.key.startswith("_") and line.level != "name":
@@ -134,7 +134,7 @@ def entries(text: str, start: int) -> Iterator[Member]:
         yield Member(decoded(entry[1]), key_start, key_end, value_start, value_end)
 
 
-def _field(text: str, raw: str, line: Line, depth: int) -> Value:
+def _field(text: str, raw: str, line: HashLine, depth: int) -> Value:
     """A value in JSON; one that goes over several lines is told with its repair."""
     try:
         return _json(raw, line, depth)
@@ -152,7 +152,7 @@ def _field(text: str, raw: str, line: Line, depth: int) -> Value:
         raise BadValue(line.value_start, end, sentence, advice, fix, value, end) from None
 
 
-def _json(raw: str, line: Line, depth: int) -> Value:
+def _json(raw: str, line: HashLine, depth: int) -> Value:
     start = line.value_start
     try:
         value, end, doubled = read_json(raw, depth)
@@ -163,7 +163,7 @@ def _json(raw: str, line: Line, depth: int) -> Value:
     return Value(value, start + end, doubled)
 
 
-def _name(raw: str, line: Line) -> Value:
+def _name(raw: str, line: HashLine) -> Value:
     if raw.startswith('"'):
         return _quoted(raw, line)
     match = bare.match(raw)
@@ -191,7 +191,7 @@ def _name(raw: str, line: Line) -> Value:
     raise BadValue(at, end, sentence, NEEDS_QUOTES, fix, words)
 
 
-def _quoted(raw: str, line: Line) -> Value:
+def _quoted(raw: str, line: HashLine) -> Value:
     match = quoted.match(raw)
     start = line.value_start
     if match is None:
@@ -207,7 +207,7 @@ def _quoted(raw: str, line: Line) -> Value:
     return Value(value, start + match.end())
 
 
-def _map(raw: str, line: Line) -> Value | None:
+def _map(raw: str, line: HashLine) -> Value | None:
     match = _MAP.match(raw)
     if match is None or not _TRAIL.fullmatch(raw, match.end()):
         if line.key != "SUB_SBS":
@@ -233,7 +233,7 @@ def _map(raw: str, line: Line) -> Value | None:
     return Value(found, line.value_start + match.end(), len(found) != count)
 
 
-def _scalar(raw: str, line: Line) -> Value | None:
+def _scalar(raw: str, line: HashLine) -> Value | None:
     match = _SCALAR.match(raw)
     if match is None or not _TRAIL.fullmatch(raw, match.end()):
         return None
@@ -244,7 +244,7 @@ def _scalar(raw: str, line: Line) -> Value | None:
     return Value(value, line.value_start + match.end())
 
 
-def _text(raw: str, line: Line) -> Value:
+def _text(raw: str, line: HashLine) -> Value:
     words = _without_comment(raw)
     return Value(words, line.value_start + len(words))
 
@@ -255,7 +255,7 @@ def _without_comment(raw: str) -> str:
     return (raw[: comment.start()] if comment else raw).rstrip()
 
 
-def _check_trail(raw: str, at: int, line: Line) -> None:
+def _check_trail(raw: str, at: int, line: HashLine) -> None:
     if _TRAIL.fullmatch(raw, at):
         return
     behind = raw[at:].lstrip()

@@ -5,9 +5,9 @@ from __future__ import annotations
 from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.native_form.parsing import Parser, parse
-from smsl_studio.smsl.native_form.refusing import form_within
-from smsl_studio.smsl.native_form.writing import write
+from smsl_studio.smsl.native_form.parser import NativeParser, parse
+from smsl_studio.smsl.native_form.refusals import form_within
+from smsl_studio.smsl.native_form.writer import write
 
 
 def recover(text: str, file: str) -> Document:
@@ -15,7 +15,7 @@ def recover(text: str, file: str) -> Document:
 
     Of a text that is in another form, what can be read there.
     """
-    parser = Parser(text, file)
+    parser = NativeParser(text, file)
     form = form_within(text) if len(parser.faults) else ""
     if form:
         try:

@@ -40,7 +40,7 @@ class Slot:
         self.line, self.comment, self.wins = other.line, other.comment, other.wins
 
 
-class Row:
+class ElementRow:
     """The elements between two brackets (or of the file), free to be changed."""
 
     def __init__(

@@ -12,7 +12,7 @@ from typing import Literal, NamedTuple
 from smsl_studio.smsl.document import Member, Path
 from smsl_studio.smsl.json_form.spans import scan_container
 from smsl_studio.smsl.native_form import tokens
-from smsl_studio.smsl.native_form.lines import Line, entries, line_at, read_value
+from smsl_studio.smsl.native_form.lines import HashLine, entries, line_at, read_value
 from smsl_studio.smsl.native_form.tokens import content_start, decoded, skip_separator
 
 Kind = Literal["branch", "state", "edge", "field", "header", "name", "entry"]
@@ -264,7 +264,7 @@ def _line(text: str, at: int, depth: int) -> Element:
     return line_element(text, line, depth)
 
 
-def line_element(text: str, line: Line, depth: int) -> Element:
+def line_element(text: str, line: HashLine, depth: int) -> Element:
     """A ``#`` line as an element."""
     end = read_value(text, line, depth).end
     start = line.value_start

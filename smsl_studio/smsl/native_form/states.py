@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.native_form import names, strays, tokens
 from smsl_studio.smsl.native_form.faults import Faults
-from smsl_studio.smsl.native_form.keeping import Keeping
+from smsl_studio.smsl.native_form.fields import HashFields
 from smsl_studio.smsl.native_form.lines import line_at
 from smsl_studio.smsl.native_form.tokens import decoded, skip_gap, skip_separator
 
@@ -20,7 +20,7 @@ _ARROW = re.compile(rf"{tokens.GAP}->")
 _NOT_ARROW = re.compile(r"(?:[=~\u2013\u2014]++|-\s++)?>|[=→⇒⟶➔]++>?|:|--?(?=\s)")
 
 
-class Reading(NamedTuple):
+class ReadState(NamedTuple):
     """A state that was read (no key where nothing could be made of it), and the offset behind."""
 
     key: str | None
@@ -31,7 +31,7 @@ class Reading(NamedTuple):
 class StateReader:
     """Reads the states of one text."""
 
-    def __init__(self, text: str, faults: Faults, keeping: Keeping) -> None:
+    def __init__(self, text: str, faults: Faults, keeping: HashFields) -> None:
         self._text, self._faults, self._keeping = text, faults, keeping
         self._match = tokens.state.match
         self._same: dict[str, str] = {}
@@ -57,14 +57,14 @@ class StateReader:
             self._keeping.doubled = True
         return key, table, match.end()
 
-    def odd(self, at: int) -> Reading:
+    def odd(self, at: int) -> ReadState:
         """Whatever begins at ``at``, where a state should: read as far as sense can be made."""
         key, at, closer = self._head(at)
         if closer is None:
-            return Reading(key, {}, at)
+            return ReadState(key, {}, at)
         table: dict[str, Json] = {}
         at = self._edges(at, closer, key or "", table)
-        return Reading(key, table, at)
+        return ReadState(key, table, at)
 
     def _head(self, at: int) -> tuple[str | None, int, str | None]:
         """Name, colon and bracket: the name, the offset behind, and what closes the state.

@@ -8,7 +8,7 @@ from collections.abc import Container
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.native_form import tokens
 from smsl_studio.smsl.native_form.faults import Faults
-from smsl_studio.smsl.native_form.lines import Line
+from smsl_studio.smsl.native_form.lines import HashLine
 
 _STATE = re.compile(rf"{tokens.NAME}{tokens.GAP}:")
 _RUN = re.compile(r"[^\r\n{}\[\]#]*+")
@@ -86,7 +86,7 @@ def meant_name(text: str, at: int) -> str | None:
     return match[1].strip(' \t":=') or None if match else None
 
 
-def second_name(text: str, at: int, line: Line, faults: Faults) -> None:
+def second_name(text: str, at: int, line: HashLine, faults: Faults) -> None:
     """A second NAME in one State Branch: the next one begins here."""
     fix = TextFix("Begin a State Branch", at, at, "}\n{\n")
     sentence = "this State Branch has a NAME already"

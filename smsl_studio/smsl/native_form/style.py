@@ -11,7 +11,7 @@ from typing import Any
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.native_form.json_values import one_line
 from smsl_studio.smsl.native_form.spans import Element, NativeSpans
-from smsl_studio.smsl.native_form.spelling import (
+from smsl_studio.smsl.native_form.spellings import (
     edge_text,
     header_key,
     header_value,
@@ -27,7 +27,7 @@ _EMPTY = re.compile(r"\[ *\]")
 
 
 @dataclass(frozen=True, slots=True)
-class Style:
+class NativeStyle:
     """The layout of a text: line end, one step of indentation, signs with the space around them.
 
     ``single`` says whether the only edge of a state stands on a line of its own, ``several``
@@ -107,10 +107,10 @@ class Style:
         return self.newline.join([*lines, indent + "}"])
 
 
-CANONICAL = Style()
+CANONICAL = NativeStyle()
 
 
-def style_of(document: Document, spans: NativeSpans) -> Style:
+def style_of(document: Document, spans: NativeSpans) -> NativeStyle:
     """The style a text is written in, learnt from its first elements."""
     text = document.text
     learnt: dict[str, Any] = {"newline": document.newline}
@@ -122,7 +122,7 @@ def style_of(document: Document, spans: NativeSpans) -> Style:
         for state in states:
             _learn_state(text, state, spans.inside(state), learnt)
     _learn_commas(text, branches, "branch_commas", learnt)
-    return Style(**learnt)
+    return NativeStyle(**learnt)
 
 
 def _learn_lines(text: str, branch: Element, learnt: dict[str, Any]) -> None:
@@ -193,7 +193,7 @@ def indent_of(text: str, at: int) -> str:
     return line[: len(line) - len(line.lstrip())]
 
 
-def values_text(values: Mapping[str, Json], style: Style) -> str:
+def values_text(values: Mapping[str, Json], style: NativeStyle) -> str:
     """Values as a new text."""
     pieces: list[str] = []
     branches = [key for key in values if not key.startswith("_")]

@@ -3,8 +3,8 @@
 The functions here are the doors of a form; see ``forms.Form``.
 """
 
-from smsl_studio.smsl.yaml_form.reading import parse, recover
-from smsl_studio.smsl.yaml_form.rewriting import comments_in, keep_winner, reconcile, tidy
-from smsl_studio.smsl.yaml_form.writing import write
+from smsl_studio.smsl.yaml_form.reader import parse, recover
+from smsl_studio.smsl.yaml_form.rewrite import comments_in, keep_winner, reconcile, tidy
+from smsl_studio.smsl.yaml_form.writer import write
 
 __all__ = ["comments_in", "keep_winner", "parse", "reconcile", "recover", "tidy", "write"]

@@ -7,7 +7,7 @@ import re
 from smsl_studio.smsl.comments import NO_COMMENTS, Comments, Holder, Leaf, comments_between
 from smsl_studio.smsl.document import Path
 from smsl_studio.smsl.yaml_form.levels import FILE, below, is_map
-from smsl_studio.smsl.yaml_form.nodes import Node
+from smsl_studio.smsl.yaml_form.nodes import YamlNode
 from smsl_studio.smsl.yaml_form.spans import YamlSpans, entries
 
 _COMMENT = re.compile(r"(?:(?<=[\s\ufeff])|(?<![\s\S]))#([^\n\r]*)")
@@ -37,7 +37,7 @@ class _Walk:
         for root in spans.tree.roots:
             self._walk(root, (), FILE, ())
 
-    def _walk(self, node: Node, path: Path, level: int, head: Path) -> None:
+    def _walk(self, node: YamlNode, path: Path, level: int, head: Path) -> None:
         """Note what stands below a node; ``head`` is the element of a list that begins with it."""
         if node.kind not in ("map", "list"):
             self.leaves.append(Leaf(node.start, node.end, path, head or path))

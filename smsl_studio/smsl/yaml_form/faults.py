@@ -12,7 +12,7 @@ from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.limits import MAX_FAULTS
 
 
-class Fault(NamedTuple):
+class YamlFault(NamedTuple):
     """One thing that is wrong, as offsets into the text."""
 
     start: int
@@ -22,13 +22,13 @@ class Fault(NamedTuple):
     fix: TextFix | None = None
 
 
-def as_error(faults: Iterable[Fault], document: Document) -> ReadError:
+def as_error(faults: Iterable[YamlFault], document: Document) -> ReadError:
     """One error that carries all faults, in the order of the text; at least one must be given."""
     ordered = sorted(faults, key=lambda fault: fault.start)[:MAX_FAULTS]
     return ReadError.of([_error(fault, document) for fault in ordered])
 
 
-def _error(fault: Fault, document: Document) -> ReadError:
+def _error(fault: YamlFault, document: Document) -> ReadError:
     return ReadError(
         fault.sentence,
         document.place_at(min(fault.start, len(document.text))),
@@ -128,13 +128,13 @@ _WORDS = (
 )
 
 
-def syntax_fault(error: yaml.YAMLError, text: str, shift: int) -> Fault:
+def syntax_fault(error: yaml.YAMLError, text: str, shift: int) -> YamlFault:
     """The fault that stopped the library; ``shift`` is where the text it read begins in ours."""
     problem = str(getattr(error, "problem", None) or getattr(error, "reason", None) or error)
     mark = getattr(error, "problem_mark", None) or getattr(error, "context_mark", None)
     at = min(mark.index + shift, len(text)) if mark is not None else shift
     if text[at : at + 1] == "\t":
-        return Fault(
+        return YamlFault(
             at,
             1,
             "no valid YAML: a tab cannot indent",
@@ -143,5 +143,5 @@ def syntax_fault(error: yaml.YAMLError, text: str, shift: int) -> Fault:
         )
     for piece, sentence, advice in _WORDS:
         if piece in problem:
-            return Fault(at, 1, f"no valid YAML: {sentence}", advice)
-    return Fault(at, 1, f"no valid YAML: {problem}", "Check the indentation and brackets here.")
+            return YamlFault(at, 1, f"no valid YAML: {sentence}", advice)
+    return YamlFault(at, 1, f"no valid YAML: {problem}", "Check the indentation and brackets here.")

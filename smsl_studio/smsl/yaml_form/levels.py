@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from smsl_studio.smsl.yaml_form.nodes import Node
+from smsl_studio.smsl.yaml_form.nodes import YamlNode
 from smsl_studio.smsl.yaml_form.scalars import is_null
 
 FILE, BRANCH, STATE, HEADER, NAME, FREE = range(6)
@@ -26,7 +26,7 @@ def below(level: int, key: str) -> int:
     return NAME if level == STATE or key in _NAMED else FREE
 
 
-def is_map(node: Node, level: int) -> bool:
+def is_map(node: YamlNode, level: int) -> bool:
     """Whether a node is read as a map on its level: a map, a list of maps, or nothing."""
     real = node.real
     if real.kind == "map":
@@ -36,7 +36,7 @@ def is_map(node: Node, level: int) -> bool:
     return real.kind == "list" or (real.plain and is_null(real.value))
 
 
-def members(node: Node, level: int) -> Iterator[tuple[Node, Node]]:
+def members(node: YamlNode, level: int) -> Iterator[tuple[YamlNode, YamlNode]]:
     """The names and values of what is read as a map; see ``strangers`` for what is left out."""
     real = node.real
     if real.kind == "map":
@@ -47,7 +47,7 @@ def members(node: Node, level: int) -> Iterator[tuple[Node, Node]]:
                 yield from item.real.value
 
 
-def strangers(node: Node) -> list[Node]:
+def strangers(node: YamlNode) -> list[YamlNode]:
     """The elements of a list of maps that are no maps."""
     real = node.real
     return [one for one in real.value if one.real.kind != "map"] if real.kind == "list" else []

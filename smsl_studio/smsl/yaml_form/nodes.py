@@ -16,7 +16,7 @@ import yaml
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP, most_values, too_many_values
-from smsl_studio.smsl.yaml_form.faults import Fault, shown, syntax_fault
+from smsl_studio.smsl.yaml_form.faults import YamlFault, shown, syntax_fault
 
 MAX_REPEATED = 250_000
 """What all aliases together may stand for, in characters and nodes."""
@@ -35,7 +35,7 @@ _TAG = re.compile(r"(?:&\S+\s+)?(\S+)\s*")
 _PARSER: Any = yaml.CSafeLoader if yaml.__with_libyaml__ else yaml.SafeLoader
 
 
-class Node:
+class YamlNode:
     """One value as written: ``start`` to ``end`` is its text.
 
     ``kind`` is ``text`` (``value`` is it), ``list`` (its nodes), ``map`` (pairs of nodes) or
@@ -51,7 +51,7 @@ class Node:
         self.height, self.weight = 0, 1
 
     @property
-    def real(self) -> Node:
+    def real(self) -> YamlNode:
         """The node itself, or the one an alias stands for."""
         node = self
         while node.kind == "alias":
@@ -67,11 +67,11 @@ class Tree:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.faults: list[Fault] = []
-        self.roots: list[Node] = []
+        self.faults: list[YamlFault] = []
+        self.roots: list[YamlNode] = []
         self.count = 0
         self.most = most_values(text)
-        self._anchors: dict[str, Node] = {}
+        self._anchors: dict[str, YamlNode] = {}
         self._repeated = 0
         self._read()
 
@@ -107,7 +107,7 @@ class Tree:
             parser.dispose()
         return building.stopped
 
-    def target(self, anchor: str, start: int, end: int, depth: int) -> Node:
+    def target(self, anchor: str, start: int, end: int, depth: int) -> YamlNode:
         """The node an alias stands for; an empty one, and a fault, where it may not."""
         found = self._anchors.get(anchor)
         sentence = advice = ""
@@ -124,13 +124,13 @@ class Tree:
                 sentence = "the aliases of this file stand for too much"
                 advice = "Write the values out instead of repeating them."
             if told:
-                return Node("text", start, end, "", "null")
+                return YamlNode("text", start, end, "", "null")
         if found is None or sentence:
-            self.faults.append(Fault(start, end - start, sentence, advice))
-            return Node("text", start, end, "", "null")
+            self.faults.append(YamlFault(start, end - start, sentence, advice))
+            return YamlNode("text", start, end, "", "null")
         return found
 
-    def anchor(self, name: str, node: Node) -> None:
+    def anchor(self, name: str, node: YamlNode) -> None:
         """Remember a node under its anchor."""
         self._anchors[name] = node
 
@@ -140,8 +140,8 @@ class _Building:
 
     def __init__(self, tree: Tree, text: str, shift: int) -> None:
         self._tree, self._text, self._shift = tree, text, shift
-        self._open: list[Node] = []
-        self._names: list[Node | None] = []
+        self._open: list[YamlNode] = []
+        self._names: list[YamlNode | None] = []
         self._documents = 0
         self.done = False
         self.stopped: int | None = None
@@ -168,7 +168,7 @@ class _Building:
 
     def _stop(self, at: int, sentence: str, advice: str) -> None:
         """Read no further: what follows would cost too much."""
-        self._tree.faults.append(Fault(at, 1, sentence, advice))
+        self._tree.faults.append(YamlFault(at, 1, sentence, advice))
         self.close_all(at)
         self.done, self.stopped = True, at
 
@@ -180,7 +180,9 @@ class _Building:
         if self._documents > 1:
             start, end = self._span(event)
             self._tree.faults.append(
-                Fault(start, end - start, "a second document begins here", "Keep one in a file.")
+                YamlFault(
+                    start, end - start, "a second document begins here", "Keep one in a file."
+                )
             )
             self.done = True
 
@@ -190,7 +192,7 @@ class _Building:
     def _alias(self, event: Any) -> None:
         start, end = self._span(event)
         found = self._tree.target(event.anchor, start, end, len(self._open))
-        node = Node("alias", start, end, found)
+        node = YamlNode("alias", start, end, found)
         node.height, node.weight = found.height, found.weight
         self._put(node)
 
@@ -202,7 +204,9 @@ class _Building:
             begin, end = written.span(1) if written else (start, start + 1)
             words = f"the tag {shown(self._text[begin:end])} is not read"
             fix = TextFix("Remove the tag", begin, written.end() if written else end, "")
-            self._tree.faults.append(Fault(begin, end - begin, words, "Leave the tag out.", fix))
+            self._tree.faults.append(
+                YamlFault(begin, end - begin, words, "Leave the tag out.", fix)
+            )
         return tag or ""
 
     def _scalar(self, event: Any) -> None:
@@ -210,7 +214,7 @@ class _Building:
         if event.style in ("|", ">"):
             end = start + len(self._text[start:end].rstrip())
         text = event.value
-        node = Node("text", start, end, text)
+        node = YamlNode("text", start, end, text)
         if event.tag is not None:
             node.tag = self._tag(event.tag, start)
         node.plain = not node.tag and event.implicit[0]
@@ -230,7 +234,7 @@ class _Building:
         if len(self._open) >= MAX_DEPTH:
             self._stop(start, *TOO_DEEP)
             return
-        node = Node(kind, start, -1, [])
+        node = YamlNode(kind, start, -1, [])
         if event.tag is not None:
             node.tag = self._tag(event.tag, start)
         node.height = 1
@@ -247,14 +251,14 @@ class _Building:
     def _finish(self, end: int) -> None:
         node, name = self._open.pop(), self._names.pop()
         if name is not None:  # the text broke off between a name and its value
-            node.value.append((name, Node("text", name.end, name.end, "", "null")))
+            node.value.append((name, YamlNode("text", name.end, name.end, "", "null")))
         if not node.flow:
             last = node.value[-1] if node.value else None
             end = (last[1] if isinstance(last, tuple) else last).end if last else node.start
         node.end = end
         self._put(node)
 
-    def _put(self, node: Node) -> None:
+    def _put(self, node: YamlNode) -> None:
         if not self._open:
             if self._documents < 2:
                 self._tree.roots.append(node)
@@ -278,16 +282,16 @@ class _Building:
         self._names[-1] = None
         self._count(name)
 
-    def _count(self, node: Node) -> None:
+    def _count(self, node: YamlNode) -> None:
         """Count one more member or element; reading stops where there are too many."""
         self._tree.count += 1
         if self._tree.count == self._tree.most + 1:
             self._stop(node.start, *too_many_values(self._tree.text))
 
 
-def _odd_character(match: re.Match[str]) -> Fault:
+def _odd_character(match: re.Match[str]) -> YamlFault:
     at = match.start()
-    return Fault(
+    return YamlFault(
         at,
         1,
         f"the character U+{ord(match[0]):04X} cannot stand in YAML",

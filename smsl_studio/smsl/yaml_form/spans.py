@@ -7,7 +7,7 @@ from functools import cached_property
 
 from smsl_studio.smsl.document import Member, Path
 from smsl_studio.smsl.yaml_form.levels import FILE, below, is_map, members
-from smsl_studio.smsl.yaml_form.nodes import Node, Tree
+from smsl_studio.smsl.yaml_form.nodes import Tree, YamlNode
 
 
 class YamlSpans:
@@ -15,8 +15,8 @@ class YamlSpans:
 
     def __init__(self, tree: Tree) -> None:
         self.tree = tree
-        self._listed: dict[Path, tuple[tuple[Member, Node], ...]] = {}
-        self._last: dict[Path, dict[str, Node]] = {}
+        self._listed: dict[Path, tuple[tuple[Member, YamlNode], ...]] = {}
+        self._last: dict[Path, dict[str, YamlNode]] = {}
 
     @cached_property
     def root(self) -> int:
@@ -34,13 +34,13 @@ class YamlSpans:
         """See ``Spans``."""
         return self._doubles((), FILE, self.listed(()))
 
-    def listed(self, path: Path) -> tuple[tuple[Member, Node], ...]:
+    def listed(self, path: Path) -> tuple[tuple[Member, YamlNode], ...]:
         """The members of the map or list at ``path``, each with the node of its value."""
         if path not in self._listed:
             self._listed[path] = self._list(path)
         return self._listed[path]
 
-    def _list(self, path: Path) -> tuple[tuple[Member, Node], ...]:
+    def _list(self, path: Path) -> tuple[tuple[Member, YamlNode], ...]:
         if not path:
             return tuple(one for root in self.tree.roots for one in entries(root, FILE))
         above = path[:-1]
@@ -54,7 +54,7 @@ class YamlSpans:
         return tuple(entries(node, level))
 
     def _doubles(
-        self, path: Path, level: int, listed: tuple[tuple[Member, Node], ...]
+        self, path: Path, level: int, listed: tuple[tuple[Member, YamlNode], ...]
     ) -> Iterator[tuple[Path, tuple[int, ...]]]:
         places: dict[str, list[int]] = {}
         for member, _ in listed:
@@ -68,7 +68,7 @@ class YamlSpans:
                 yield from self._doubles((*path, member.key), under, tuple(entries(node, under)))
 
 
-def entries(node: Node, level: int) -> Iterator[tuple[Member, Node]]:
+def entries(node: YamlNode, level: int) -> Iterator[tuple[Member, YamlNode]]:
     """The members of a map, or the elements of a list, each with the node of its value."""
     if is_map(node, level):
         for key, value in members(node, level):
@@ -79,5 +79,5 @@ def entries(node: Node, level: int) -> Iterator[tuple[Member, Node]]:
             yield Member(str(index), item.start, item.start, item.start, item.end), item
 
 
-def _holds_members(node: Node, level: int) -> bool:
+def _holds_members(node: YamlNode, level: int) -> bool:
     return is_map(node, level) or node.real.kind == "list"

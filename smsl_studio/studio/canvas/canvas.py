@@ -29,8 +29,8 @@ from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.canvas.accessible import words_for
 from smsl_studio.studio.canvas.camera import STEP
-from smsl_studio.studio.canvas.framing import frame_of, opening_of
-from smsl_studio.studio.canvas.gesture_layer import Drawn
+from smsl_studio.studio.canvas.frames import frame_of, opening_of
+from smsl_studio.studio.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.canvas.handles import pending_ends
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays import Overlays
@@ -180,7 +180,7 @@ class Canvas(Stage):
         assert self.sheet is not None
         goal = self.rect_of(target) if target is not None else None
         start, end = pending_ends(self.sheet, self.sheet.picture.node(source), at, goal)
-        self.gestures.put("drawn", Drawn(start, end, ghost=target is None))
+        self.gestures.put("drawn", DrawnOperation(start, end, ghost=target is None))
 
     def say(self, text: str, at: QPointF | None = None) -> None:
         """Say a short sentence at the pointer, or at a scene point."""

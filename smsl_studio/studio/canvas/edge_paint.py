@@ -90,7 +90,7 @@ def paint_line(
     ink: Ink,
     unit: float,
     compact: bool = False,
-    drawn: Drawn | None = None,
+    drawn: EdgeShapes | None = None,
 ) -> None:
     """The line and its arrowhead; compact edges have a smaller one.
 
@@ -102,7 +102,7 @@ def paint_line(
         return
     colour, width, dashes = _stroke(look, ink, compact)
     head = HEAD + (1.0 if width > 1.6 else -1.0 if compact else 0.0)
-    body, tip = (drawn or Drawn()).of(shape, head * unit, (head - 2.0) * unit)
+    body, tip = (drawn or EdgeShapes()).of(shape, head * unit, (head - 2.0) * unit)
     painter.setBrush(NO_BRUSH)
     if look.trail:
         painter.setPen(pen(faded(tokens.acc, 0.16), 9.0 * unit))
@@ -114,7 +114,7 @@ def paint_line(
     painter.drawPolygon(tip)
 
 
-class Drawn:
+class EdgeShapes:
     """Polygons of lines and arrowheads by shape; a shape that is dropped takes them along."""
 
     def __init__(self) -> None:

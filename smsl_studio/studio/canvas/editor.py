@@ -13,9 +13,9 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_state_name
 from smsl_studio.errors import StudioError
 from smsl_studio.studio.canvas.canvas import Canvas
+from smsl_studio.studio.canvas.free_places import clear_place, free_place, on_grid, place_near
 from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
 from smsl_studio.studio.canvas.overlays.name_field import NameField
-from smsl_studio.studio.canvas.placing import clear_place, free_place, on_grid, place_near
 from smsl_studio.studio.canvas.suggest import Suggestions
 from smsl_studio.studio.session import Session
 

@@ -14,7 +14,7 @@ HANDLE_RADIUS = 8.0
 
 
 @dataclass
-class Drawn:
+class DrawnOperation:
     """An operation that is being drawn: from a point on the source's border to the pointer."""
 
     start: QPointF
@@ -33,7 +33,7 @@ class GestureLayer(QGraphicsItem):
         self._rect = QRectF()
         self.ink: Ink | None = None
         self.band: QRectF | None = None
-        self.drawn: Drawn | None = None
+        self.drawn: DrawnOperation | None = None
         self.handle: QPointF | None = None
         self.grip: QPointF | None = None
         self.setZValue(40.0)
@@ -95,7 +95,9 @@ class GestureLayer(QGraphicsItem):
             painter.setBrush(ink.tokens.surf)
             painter.drawEllipse(self.grip, 4.5 * pixel, 4.5 * pixel)
 
-    def _paint_drawn(self, painter: QPainter, drawn: Drawn, ink: Ink, pixel: float) -> None:
+    def _paint_drawn(
+        self, painter: QPainter, drawn: DrawnOperation, ink: Ink, pixel: float
+    ) -> None:
         colour = ink.tokens.bad if drawn.refused else ink.tokens.acc
         step = drawn.end - drawn.start
         size = (step.x() ** 2 + step.y() ** 2) ** 0.5 or 1.0

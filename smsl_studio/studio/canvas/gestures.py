@@ -9,7 +9,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.canvas.gesture_layer import Drawn
+from smsl_studio.studio.canvas.gesture_layer import DrawnOperation
 
 if TYPE_CHECKING:
     from smsl_studio.studio.canvas.canvas import Canvas
@@ -176,7 +176,7 @@ class Connect:
         self._pressed = event.position().toPoint() if event is not None else QPoint()
         self._begun = event is None
         canvas.gestures.put("handle", None)
-        canvas.gestures.put("drawn", Drawn(start, start))
+        canvas.gestures.put("drawn", DrawnOperation(start, start))
 
     def move(self, event: QMouseEvent) -> None:
         here = event.position().toPoint()
@@ -186,7 +186,7 @@ class Connect:
         reason = self._canvas.why_not(self._source, target) if target is not None else ""
         ghost = target is None and self._begun and not self._over_source(at)
         self._canvas.gestures.put(
-            "drawn", Drawn(self._start, at, refused=bool(reason), ghost=ghost)
+            "drawn", DrawnOperation(self._start, at, refused=bool(reason), ghost=ghost)
         )
         self._canvas.hand.hover_target(target)
         if reason:
@@ -236,7 +236,7 @@ class Retarget:
         at = self._canvas.mapToScene(here)
         target = _state_at(self._canvas, at)
         self._canvas.gestures.put("grip", None)
-        self._canvas.gestures.put("drawn", Drawn(self._start, at, refused=target is None))
+        self._canvas.gestures.put("drawn", DrawnOperation(self._start, at, refused=target is None))
         self._canvas.hand.hover_target(target)
         if target is None:
             self._canvas.say("An operation needs a target. Let go over a state.")

@@ -21,7 +21,7 @@ from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level
 from smsl_studio.picture.picture import Ints
 from smsl_studio.studio.canvas import batch
 from smsl_studio.studio.canvas.edge_paint import (
-    Drawn,
+    EdgeShapes,
     paint_label,
     paint_line,
     paint_pill,
@@ -82,7 +82,7 @@ class EdgeLayer(Layer):
 
     def __init__(self, z: float) -> None:
         super().__init__(z)
-        self._drawn = Drawn()
+        self._drawn = EdgeShapes()
         self.over: LitLayer | None = None
         """What is painted above this layer."""
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.levels import (
     BOX_SIZE,
@@ -26,7 +27,6 @@ from smsl_studio.picture.levels import (
     unit_at,
 )
 from smsl_studio.picture.picture import SMALL_STATES, Picture
-from smsl_studio.picture.routing import Style, meets
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.canvas import edge_paint, node_paint
 from smsl_studio.studio.canvas.edge_paint import EdgeText, boxed_width, label_size
@@ -185,7 +185,7 @@ class Sheet:
             found = self._geometry[key] = Geometry(
                 self.picture,
                 self._boxes(unit),
-                Style(unit, self.compact),
+                LineStyle(unit, self.compact),
                 lambda edge: self._label_size(edge, unit),
             )
         return found

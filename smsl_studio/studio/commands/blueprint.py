@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.commands.shell import Shell
-from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.draw_verbs import DrawVerbs
 from smsl_studio.studio.panels.findings import Findings
 
 
-def blueprint_actions(drawing: Drawing, findings: Findings, shell: Shell) -> tuple[Action, ...]:
+def blueprint_actions(drawing: DrawVerbs, findings: Findings, shell: Shell) -> tuple[Action, ...]:
     def drawn() -> bool:
         return shell.mode == "draw"
 

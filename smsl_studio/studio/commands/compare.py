@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
-from smsl_studio.studio.compare.comparing import Comparing
+from smsl_studio.studio.compare.comparison import Comparison
 from smsl_studio.studio.compare.dialog import NEXT_KEYS, PREVIOUS_KEYS
 
 
-def compare_actions(comparing: Comparing) -> tuple[Action, ...]:
+def compare_actions(comparing: Comparison) -> tuple[Action, ...]:
     def saved() -> bool:
         return comparing.can_use_saved
 

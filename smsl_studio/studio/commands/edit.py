@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from smsl_studio.errors import EditRefused
 from smsl_studio.studio.actions import Action
-from smsl_studio.studio.clipping import Clipping
+from smsl_studio.studio.clipboard import ClipboardVerbs
 from smsl_studio.studio.commands.shell import Shell
-from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.draw_verbs import DrawVerbs
 from smsl_studio.studio.session import Session
 
 NOT_SHOWN = EditRefused(
@@ -18,7 +18,7 @@ NOT_SHOWN = EditRefused(
 
 
 def edit_actions(
-    session: Session, drawing: Drawing, clipping: Clipping, shell: Shell
+    session: Session, drawing: DrawVerbs, clipping: ClipboardVerbs, shell: Shell
 ) -> tuple[Action, ...]:
     history = session.history
 

@@ -8,7 +8,7 @@ from typing import Protocol
 from smsl_studio.studio.actions import Action
 
 
-class Asking(Protocol):
+class PeopleActions(Protocol):
     """What actions ask of the people of a window."""
 
     def has_task(self) -> bool: ...
@@ -17,7 +17,7 @@ class Asking(Protocol):
     def edit_levels(self) -> None: ...
 
 
-def people_actions(people: Asking, open_task: Callable[[], object]) -> tuple[Action, ...]:
+def people_actions(people: PeopleActions, open_task: Callable[[], object]) -> tuple[Action, ...]:
     return (
         Action("open_task", "Show the open task", open_task, "Run", "hand", ("F4",),
                people.has_task, section=3, tip="Show in Supervise what people are asked"),

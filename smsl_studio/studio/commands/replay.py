@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.commands.shell import Shell
-from smsl_studio.studio.replay.replaying import Replaying
+from smsl_studio.studio.replay.playback import ReplayVerbs
 from smsl_studio.studio.windows import Windows
 
 
-def replay_actions(replaying: Replaying, windows: Windows, shell: Shell) -> tuple[Action, ...]:
+def replay_actions(replaying: ReplayVerbs, windows: Windows, shell: Shell) -> tuple[Action, ...]:
     replay, settings = replaying.replay, windows.settings
 
     def shown() -> bool:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
-from smsl_studio.studio.commands.shell import Shell, Transport
+from smsl_studio.studio.commands.shell import RunActions, Shell
 from smsl_studio.studio.windows import Windows
 
 
-def run_actions(run: Transport, windows: Windows, shell: Shell) -> tuple[Action, ...]:
+def run_actions(run: RunActions, windows: Windows, shell: Shell) -> tuple[Action, ...]:
     def play() -> None:
         watch()
         run.play()

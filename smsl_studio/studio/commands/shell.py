@@ -36,7 +36,7 @@ class Supervising(Protocol):
     def turn_map(self) -> None: ...
 
 
-class Transport(Protocol):
+class RunActions(Protocol):
     """What actions ask of the run, in every mode."""
 
     def play(self) -> None: ...

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from smsl_studio.studio.actions import Action
 from smsl_studio.studio.commands.shell import Shell
-from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.draw_verbs import DrawVerbs
 from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.windows import Windows
 
 
 def view_actions(
-    drawing: Drawing, docks: Docks, windows: Windows, shell: Shell
+    drawing: DrawVerbs, docks: Docks, windows: Windows, shell: Shell
 ) -> tuple[Action, ...]:
     canvas = drawing.canvas
 

@@ -5,35 +5,35 @@ from __future__ import annotations
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing import Change, Difference, Kind
+from smsl_studio.blueprint.comparison import Change, ChangeKind, Difference
 from smsl_studio.errors import Place
-from smsl_studio.studio.rows import Row
+from smsl_studio.studio.rows import ListRow
 
-ICONS = {Kind.ADDED: "plus", Kind.REMOVED: "minus"}
+ICONS = {ChangeKind.ADDED: "plus", ChangeKind.REMOVED: "minus"}
 MOST_MOVED = 500
 
 
-def rows_of(difference: Difference) -> list[Row]:
+def rows_of(difference: Difference) -> list[ListRow]:
     """A row for every change; then for what is none: other fields, states that were moved."""
     rows = [_row(difference, change) for change in difference.changes]
     if difference.fields:
-        rows.append(Row("Fields without meaning, which are no change", kind="section"))
+        rows.append(ListRow("Fields without meaning, which are no change", kind="section"))
     rows.extend(replace(_row(difference, one), pale=True) for one in difference.fields)
     if difference.moved:
-        rows.append(Row("Moved in the layout, which is no change of meaning", kind="section"))
+        rows.append(ListRow("Moved in the layout, which is no change of meaning", kind="section"))
     for address in difference.moved[:MOST_MOVED]:
         words = f"The state {address.state} of {address.branch} stands elsewhere."
-        rows.append(Row(words, _moved(difference, address), "fit", pale=True))
+        rows.append(ListRow(words, _moved(difference, address), "fit", pale=True))
     left = len(difference.moved) - MOST_MOVED
     if left > 0:
-        rows.append(Row(f"and {left} more", kind="section"))
+        rows.append(ListRow(f"and {left} more", kind="section"))
     return rows
 
 
-def _row(difference: Difference, change: Change) -> Row:
+def _row(difference: Difference, change: Change) -> ListRow:
     icon = ICONS.get(change.kind, "pencil")
     places = difference.place_before(change), difference.place_after(change)
-    return Row(
+    return ListRow(
         change.words,
         (change.before, change.after),
         icon,

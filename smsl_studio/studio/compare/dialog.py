@@ -16,14 +16,14 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparing import Difference
-from smsl_studio.blueprint.comparing.signs import signs_of
+from smsl_studio.blueprint.comparison import Difference
+from smsl_studio.blueprint.comparison.signs import signs_of
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.aligned import branch_pairs, changed_pairs, places_of
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.actions import key_words
 from smsl_studio.studio.compare.change_rows import rows_of
-from smsl_studio.studio.compare.linking import Link
+from smsl_studio.studio.compare.linked_views import LinkedViews
 from smsl_studio.studio.compare.side import Side
 from smsl_studio.studio.controls import Combo, Elided, row
 from smsl_studio.studio.icons import icon
@@ -65,7 +65,7 @@ class CompareDialog(QDialog):
         self._shown: Pair | None = None
         self._places: tuple[Mapping[str, Point], Mapping[str, Point]] = {}, {}
         self._build(tokens)
-        self._link = Link(self.before.canvas, self.after.canvas, self)
+        self._link = LinkedViews(self.before.canvas, self.after.canvas, self)
         self.set_tokens(tokens)
         open_at(self, *SIZE)
 

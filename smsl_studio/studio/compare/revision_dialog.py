@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QPushButton, QVBoxLayout, QWidget
 from smsl_studio.front.revisions import MOST, Revision
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Field, label, row
-from smsl_studio.studio.rows import Row, RowsView
+from smsl_studio.studio.rows import ListRow, RowsView
 from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
@@ -61,7 +61,9 @@ class RevisionDialog(QDialog):
     def _narrow(self, text: str) -> None:
         words = text.casefold().split()
         shown = [
-            Row(one.subject or one.short, one, "clock", one.author, f"{one.when[:10]}  {one.short}")
+            ListRow(
+                one.subject or one.short, one, "clock", one.author, f"{one.when[:10]}  {one.short}"
+            )
             for one in self._revisions
             if all(word in _all_of(one) for word in words)
         ]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError
-from smsl_studio.front.reading import read, read_bytes
+from smsl_studio.front.inputs import read, read_bytes
 from smsl_studio.front.revisions import Revision, bytes_at
 
 

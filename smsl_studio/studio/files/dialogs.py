@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.smsl.forms import SUFFIXES
-from smsl_studio.studio.files.asking import Answer, Interrupted
+from smsl_studio.studio.files.questions import Answer, Interrupted
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import as_it_is
 

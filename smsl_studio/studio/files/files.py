@@ -15,12 +15,12 @@ from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.traits import losses
 from smsl_studio.smsl.unfinished import clear_up
-from smsl_studio.studio.files.asking import Answer, Asker
-from smsl_studio.studio.files.converting import form_words, leaves_comments, moved
 from smsl_studio.studio.files.fresh import UNTITLED, empty_blueprint
 from smsl_studio.studio.files.interrupted import Settled, settle_interrupted
 from smsl_studio.studio.files.on_disk import OnDisk
-from smsl_studio.studio.files.opening import Opened, open_file, understood
+from smsl_studio.studio.files.opened_file import OpenedFile, open_file, understood
+from smsl_studio.studio.files.questions import Answer, Asker
+from smsl_studio.studio.files.save_as import form_words, leaves_comments, moved
 from smsl_studio.studio.files.store import Pairs, store
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
@@ -124,7 +124,7 @@ class Files(QObject):
         """Start an empty blueprint with one SB."""
         self.asking.emit()
         if self.may_leave():
-            self.show(Opened(empty_blueprint()), None, UNTITLED)
+            self.show(OpenedFile(empty_blueprint()), None, UNTITLED)
 
     def open(self, path: Path | None = None) -> bool:
         """Open a file (asking which); False where it cannot be read or was called off."""
@@ -155,7 +155,7 @@ class Files(QObject):
         self.show(opened, None, path.name)
         return True
 
-    def show(self, opened: Opened, path: Path | None, name: str) -> None:
+    def show(self, opened: OpenedFile, path: Path | None, name: str) -> None:
         """Show what was opened, as it stands at ``path`` (None for nowhere)."""
         self.path, self._name = path, name
         self.on_disk.forget()
@@ -217,7 +217,7 @@ class Files(QObject):
             return self.path.parent
         return self.recent[0].parent if self.recent else Path.home()
 
-    def _read(self, path: Path) -> Opened | None:
+    def _read(self, path: Path) -> OpenedFile | None:
         try:
             opened = open_file(path)
             settled = self.settle_interrupted(path, opened)
@@ -231,7 +231,7 @@ class Files(QObject):
             self.changed.emit()
             return None
 
-    def settle_interrupted(self, path: Path, opened: Opened) -> Settled:
+    def settle_interrupted(self, path: Path, opened: OpenedFile) -> Settled:
         """Ask about interrupted saves of a file that was read, and of what it imports."""
         imported = [document.file for document in opened.blueprint.documents[1:]]
         try:

@@ -9,9 +9,9 @@ from datetime import datetime
 from typing import Literal
 
 from smsl_studio.errors import SaveError
-from smsl_studio.smsl.pending import PendingSave
+from smsl_studio.smsl.pending_saves import PendingSave
 from smsl_studio.smsl.unfinished import finish, interrupted_saves, undo
-from smsl_studio.studio.files.asking import Asker
+from smsl_studio.studio.files.questions import Asker
 from smsl_studio.studio.words import counted
 
 MOST = 3

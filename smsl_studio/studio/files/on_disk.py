@@ -14,7 +14,7 @@ from smsl_studio.smsl.inputs import NOTHING, Seen
 
 
 @dataclass(frozen=True)
-class Look:
+class DiskLook:
     """A file as it is now, compared with what the window has seen of it.
 
     ``text`` is what stands there, None where nothing is there (``gone``) or it is no text.
@@ -83,7 +83,7 @@ class OnDisk:
         seen = self._seen.get(file)
         return text != (seen if seen is not None else self._last.get(file))
 
-    def look(self, file: str) -> Look:
+    def look(self, file: str) -> DiskLook:
         """Look at a file again."""
         now: str | None = None
         seen: Seen | None = None
@@ -94,4 +94,4 @@ class OnDisk:
         before = self._seen.get(file)
         gone = now is None and not Path(file).is_file()
         changed = now != before if now is not None or gone else True
-        return Look(file, now, changed, gone, NOTHING if gone else seen)
+        return DiskLook(file, now, changed, gone, NOTHING if gone else seen)

@@ -13,9 +13,9 @@ from smsl_studio.errors import StudioError
 from smsl_studio.inspection.finding import Finding
 from smsl_studio.studio.actions import Action, Actions, key_words
 from smsl_studio.studio.find.haystack import Haystack, Hit
-from smsl_studio.studio.find.places import Places, Target
+from smsl_studio.studio.find.places import PlaceIndex, Target
 from smsl_studio.studio.panels.findings import Findings
-from smsl_studio.studio.rows import Row
+from smsl_studio.studio.rows import ListRow
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.words import whole_sentence
 
@@ -25,7 +25,7 @@ ICONS = {"State Branch": "layers", "State": "dot", "Operation": "arrow", "Fact":
          "Hazard": "shield"}  # fmt: skip
 
 
-class Shown(Protocol):
+class FinderWindow(Protocol):
     """What finding asks of the window."""
 
     def show_fact(self, branch: str, digit: int) -> None: ...
@@ -46,12 +46,12 @@ class Finder:
     """Rows for what is typed; the best section stands first."""
 
     def __init__(
-        self, session: Session, actions: Actions, findings: Findings, shown: Shown
+        self, session: Session, actions: Actions, findings: Findings, shown: FinderWindow
     ) -> None:
         self._session, self._actions = session, actions
         self._findings, self._shown = findings, shown
-        self._places = Places()
-        self._recent: list[Row] = []
+        self._places = PlaceIndex()
+        self._recent: list[ListRow] = []
         self._told: tuple[Finding, ...] = ()
         self._told_stack = Haystack(())
 
@@ -60,14 +60,14 @@ class Finder:
         self._actions.refresh()
         self._places.show(self._session.blueprint)
 
-    def choose(self, row: Row) -> None:
+    def choose(self, row: ListRow) -> None:
         """Go there, and remember it."""
         choice: Choice = row.payload
         kept = [one for one in self._recent if one.payload.key != choice.key]
         self._recent = [row, *kept][:KEPT]
         choice.go()
 
-    def rows(self, typed: str) -> list[Row]:
+    def rows(self, typed: str) -> list[ListRow]:
         """What fits, in sections; what was chosen last and all commands where nothing is typed."""
         if not typed.strip():
             recent = [row for row in self._recent if self._still(row.payload)]
@@ -82,7 +82,7 @@ class Finder:
         alone = len(sections) == 1 and sections[0][2] == "Commands"
         return [row for _, _, title, rows in sections for row in _section(title, rows, not alone)]
 
-    def _sections(self, typed: str) -> Iterator[tuple[str, int, list[Row]]]:
+    def _sections(self, typed: str) -> Iterator[tuple[str, int, list[ListRow]]]:
         places = self._places.find(typed, MOST)
         yield (
             "In this blueprint",
@@ -99,7 +99,7 @@ class Finder:
         yield self._found_findings(typed)
         yield self._found_files(typed)
 
-    def _found_findings(self, typed: str) -> tuple[str, int, list[Row]]:
+    def _found_findings(self, typed: str) -> tuple[str, int, list[ListRow]]:
         findings = self._findings.findings
         if findings is not self._told:
             lines = [f"{one.rule}\t{one.address}\t{one.message}" for one in findings]
@@ -110,30 +110,31 @@ class Finder:
             one = findings[hit.line]
             choice = Choice(f"finding {one.rule} {one.address}",
                             partial(self._session.jump, one.address))  # fmt: skip
-            rows.append(Row(whole_sentence(one), choice, right=one.rule, tip=str(one),
+            rows.append(ListRow(whole_sentence(one), choice, right=one.rule, tip=str(one),
                             severity=one.severity.value, beside=str(one.address)))  # fmt: skip
         return "Findings", _tier(hits), rows
 
-    def _found_files(self, typed: str) -> tuple[str, int, list[Row]]:
+    def _found_files(self, typed: str) -> tuple[str, int, list[ListRow]]:
         """The files of this blueprint, which show their SBs, and those opened before."""
         session = self._session
         homes: dict[str, str] = {}
         for branch in session.blueprint.branches:
             homes.setdefault(session.blueprint.home(branch).file, branch)
         rows = [
-            Row(PurePath(file).name, Choice(f"file {file}", partial(session.show_branch, branch)),
+            ListRow(
+                PurePath(file).name, Choice(f"file {file}", partial(session.show_branch, branch)),
                 "file", right="of this blueprint", tip=file)
             for file, branch in homes.items() if len(homes) > 1
         ]  # fmt: skip
         rows += [
-            Row(path.name, Choice(f"file {path}", partial(self._shown.open_file, path)), "file",
+            ListRow(path.name, Choice(f"file {path}", partial(self._shown.open_file, path)), "file",
                 right=_near(path), tip=f"Open {path}")
             for path in self._shown.recent_files
         ]  # fmt: skip
         hits = Haystack([f"{row.text}\t{row.tip}" for row in rows]).find(typed, EACH)
         return "Files", _tier(hits), [rows[hit.line] for hit in hits]
 
-    def _place(self, target: Target) -> Row:
+    def _place(self, target: Target) -> ListRow:
         there = target.there
         go: Callable[[], object]
         if isinstance(there, Address):
@@ -142,7 +143,7 @@ class Finder:
             go, key = partial(self._shown.show_fact, *there), f"fact {there[0]}/{there[1]}"
         else:
             go, key = partial(self._shown.show_hazard, there), f"hazard {there}"
-        return Row(target.text, Choice(key, go), ICONS[target.kind], target.title, target.where,
+        return ListRow(target.text, Choice(key, go), ICONS[target.kind], target.title, target.where,
                    tip=f"{target.kind} {key.partition(' ')[2]}")  # fmt: skip
 
     def _in_menus(self) -> list[Action]:
@@ -181,18 +182,18 @@ def _resolved(blueprint: Blueprint, address: str) -> Address | None:
         return None
 
 
-def _section(title: str, rows: list[Row], titled: bool = True) -> list[Row]:
-    return [*([Row(title, kind="section")] if titled and rows else []), *rows]
+def _section(title: str, rows: list[ListRow], titled: bool = True) -> list[ListRow]:
+    return [*([ListRow(title, kind="section")] if titled and rows else []), *rows]
 
 
 def _tier(hits: list[Hit]) -> int:
     return min((hit.tier for hit in hits), default=99)
 
 
-def _command(action: Action, go: Callable[[], object]) -> Row:
+def _command(action: Action, go: Callable[[], object]) -> ListRow:
     keys = key_words(action.keys[0]) if action.keys else ""
     choice = Choice(f"action {action.id}", go)
-    return Row(action.words.rstrip("…"), choice, action.icon, right=keys, tip=action.hint)
+    return ListRow(action.words.rstrip("…"), choice, action.icon, right=keys, tip=action.hint)
 
 
 def _near(path: Path) -> str:

@@ -26,7 +26,7 @@ class Target:
 
 
 @dataclass(frozen=True)
-class _Part:
+class _BranchLines:
     """The lines of one SB, and what each is; made once for an SB that no edit touches."""
 
     branch: StateBranch
@@ -39,11 +39,11 @@ class _Part:
 
 
 @dataclass
-class Places:
+class PlaceIndex:
     """The index of one blueprint, kept until another one is shown."""
 
     _blueprint: Blueprint | None = None
-    _parts: dict[str, _Part] = field(default_factory=dict)
+    _parts: dict[str, _BranchLines] = field(default_factory=dict)
     _stacks: list[tuple[Haystack, Callable[[int], Target]]] = field(default_factory=list)
 
     def show(self, blueprint: Blueprint) -> None:
@@ -85,7 +85,7 @@ class Places:
         found += [(hit, target_of(hit.line)) for hit, _, target_of in ranked[:most]]
         return found
 
-    def _part(self, branch: StateBranch) -> _Part:
+    def _part(self, branch: StateBranch) -> _BranchLines:
         former = self._parts.get(branch.name)
         return former if former is not None and former.branch is branch else _part_of(branch)
 
@@ -106,7 +106,7 @@ class Places:
                     yield Target("Operation", name, f"{branch.name} / {below[0]}", there)
 
 
-def _part_of(branch: StateBranch) -> _Part:
+def _part_of(branch: StateBranch) -> _BranchLines:
     noted, shape = branch.notes.states, branch.shape
     given = shape.width == 0 and not shape.opaque
     lines = list(branch.table)
@@ -128,7 +128,7 @@ def _part_of(branch: StateBranch) -> _Part:
         note = titles.get(note_key(name))
         operation_lines.append(f"{name}\t{note.title}" if note and note.title else name)
     digits = range(branch.num_facts if branch.table else 0)
-    return _Part(
+    return _BranchLines(
         branch,
         tuple(branch.table),
         tuple(lines),
@@ -144,7 +144,7 @@ def _branch(blueprint: Blueprint, name: str) -> Target:
     return Target("State Branch", name, f"State Branch, {states}", Address(name))
 
 
-def _state(part: _Part, at: int) -> Target:
+def _state(part: _BranchLines, at: int) -> Target:
     name, branch = part.states[at], part.branch
     note = branch.state_note(name)
     return Target(
@@ -152,7 +152,7 @@ def _state(part: _Part, at: int) -> Target:
     )
 
 
-def _operation(part: _Part, at: int) -> Target:
+def _operation(part: _BranchLines, at: int) -> Target:
     name, state, count = part.operations[at]
     branch = part.branch
     where = f"{branch.name} / {state}" if count == 1 else f"{branch.name}, {count:,} states"
@@ -160,7 +160,7 @@ def _operation(part: _Part, at: int) -> Target:
     return Target("Operation", name, where, Address(branch.name, state, name), title)
 
 
-def _fact(part: _Part, digit: int) -> Target:
+def _fact(part: _BranchLines, digit: int) -> Target:
     branch = part.branch
     return Target("Fact", branch.fact_name(digit), f"fact {digit} of {branch.name}",
                   (branch.name, digit))  # fmt: skip

@@ -9,7 +9,7 @@ LEAST = QSize(120, 80)
 """What stays of a page in the smallest window."""
 
 
-class Body(QScrollArea):
+class PageBody(QScrollArea):
     """Shows one page. In a window that is too small for the page it is scrolled, never cut."""
 
     def __init__(self) -> None:

@@ -13,7 +13,7 @@ from smsl_studio.studio.files.files import Files, Title
 from smsl_studio.studio.frame.menu_row import MenuRow
 from smsl_studio.studio.frame.status_line import StatusLine
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.source.pane import SourcePane
 
 
 class Captions(QObject):
@@ -23,7 +23,7 @@ class Captions(QObject):
         self,
         session: Session,
         files: Files,
-        source: Source,
+        source: SourcePane,
         row: MenuRow,
         line: StatusLine,
         window: QMainWindow,

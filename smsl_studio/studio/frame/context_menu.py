@@ -11,7 +11,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.actions import Actions
 from smsl_studio.studio.canvas.editor import CanvasEditor
-from smsl_studio.studio.clipping import Clipping
+from smsl_studio.studio.clipboard import ClipboardVerbs
 from smsl_studio.studio.frame.popups import passing_menu
 from smsl_studio.studio.session import Session
 
@@ -24,7 +24,7 @@ def context_menu(
     session: Session,
     editor: CanvasEditor,
     actions: Actions,
-    clipping: Clipping,
+    clipping: ClipboardVerbs,
     address: Address | None,
 ) -> QMenu:
     """The menu for an element, which is selected with it, or for the empty canvas."""

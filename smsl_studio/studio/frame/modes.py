@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtWidgets import QWidget
 
-from smsl_studio.studio.frame.body import Body
+from smsl_studio.studio.frame.body import PageBody
 from smsl_studio.studio.frame.docks import Docks
 from smsl_studio.studio.frame.mode_bar import ModeBar
 from smsl_studio.studio.frame.status_line import StatusLine
@@ -29,7 +29,7 @@ class Modes:
     """Shows one mode at a time. The docks belong to Draw, whose panels are remembered."""
 
     def __init__(
-        self, pages: Mapping[str, Page], body: Body, docks: Docks, settings: Settings
+        self, pages: Mapping[str, Page], body: PageBody, docks: Docks, settings: Settings
     ) -> None:
         self._pages, self._body = pages, body
         self._docks, self._settings = docks, settings

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu, QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.drawing import Drawing
+from smsl_studio.studio.draw_verbs import DrawVerbs
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.fresh import samples
 from smsl_studio.studio.session import Session
@@ -51,7 +51,7 @@ def fill_samples(files: Files, menu: QMenu) -> None:
         menu.addAction(as_it_is(path.name), partial(files.open_copy, path))
 
 
-def fill_sub_sbs(session: Session, drawing: Drawing, menu: QMenu) -> None:
+def fill_sub_sbs(session: Session, drawing: DrawVerbs, menu: QMenu) -> None:
     """The facts of the SB that is shown, and the SBs that could expand each."""
     branch = session.blueprint[session.branch]
     for digit in range(min(branch.num_facts, MOST)):

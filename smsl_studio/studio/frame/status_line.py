@@ -35,14 +35,14 @@ class StatusLine(QStatusBar):
         self.setSizeGripEnabled(False)
         self.setAccessibleName("Status")
         self._running = False
-        self.counts = [_Part() for _ in range(4)]
-        self.run = [_Part() for _ in range(6)]
+        self.counts = [_Segment() for _ in range(4)]
+        self.run = [_Segment() for _ in range(6)]
         for part in self.counts:
             self.addWidget(part)
         for at, part in enumerate(self.run):
             self.addWidget(part, SENTENCES.get(at, 0))
-        self.form, self.place = _Part(), _Part()
-        self.run_right = [_Part() for _ in range(3)]
+        self.form, self.place = _Segment(), _Segment()
+        self.run_right = [_Segment() for _ in range(3)]
         self.ending = Label(ENDING)
         for part in (self.form, self.place, *self.run_right):
             self.addPermanentWidget(part)
@@ -110,7 +110,7 @@ class StatusLine(QStatusBar):
             part.setVisible(self._running and bool(part.text()))
 
 
-class _Part(QWidget):
+class _Segment(QWidget):
     """One saying, with a line after it."""
 
     def __init__(self) -> None:

@@ -2,5 +2,5 @@
 
 Each window keeps one file in the ``journal`` folder of the user's folder while it holds unsaved
 work. ``entry`` is what stands in it, ``place`` the file and the lock that says that its window
-lives, ``writing`` keeps it up to date, ``recovering`` reads what windows have left behind.
+lives, ``writer`` keeps it up to date, ``leftovers`` reads what windows have left behind.
 """

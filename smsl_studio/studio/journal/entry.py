@@ -20,7 +20,7 @@ HEAD, TEXTS, NAME = 4 << 20, 10_000, 4096
 
 
 @dataclass(frozen=True)
-class Kept:
+class KeptText:
     """One text that is not on the disk. ``saved`` is the digest of what was; empty for nothing."""
 
     file: str
@@ -29,7 +29,7 @@ class Kept:
 
 
 @dataclass(frozen=True)
-class Entry:
+class JournalEntry:
     """The unsaved work of one window.
 
     ``path`` is where its blueprint belongs, empty where it was never saved. ``file`` is the name
@@ -42,10 +42,10 @@ class Entry:
     file: str
     when: str
     changes: int
-    texts: tuple[Kept, ...]
+    texts: tuple[KeptText, ...]
 
 
-def encode(entry: Entry) -> bytes:
+def encode(entry: JournalEntry) -> bytes:
     """The bytes of a journal."""
     bodies = [kept.text.encode("utf-8", "surrogatepass") for kept in entry.texts]
     head = {
@@ -67,7 +67,7 @@ def encode(entry: Entry) -> bytes:
     return b"".join([MAGIC, json.dumps(head).encode("ascii"), b"\n", *bodies])
 
 
-def decode(raw: bytes) -> Entry:
+def decode(raw: bytes) -> JournalEntry:
     """What a journal says; ReadError where it is none, or not whole."""
     if not raw.startswith(MAGIC):
         raise _no("it does not begin as one")
@@ -90,7 +90,7 @@ def decode(raw: bytes) -> Entry:
     if len(rest):
         raise _no("it holds more than it says")
     words = {key: _word(head, key) for key in ("name", "path", "file", "when")}
-    return Entry(**words, changes=changes, texts=tuple(texts))
+    return JournalEntry(**words, changes=changes, texts=tuple(texts))
 
 
 def _head(line: bytes) -> dict[str, Any]:
@@ -103,7 +103,7 @@ def _head(line: bytes) -> dict[str, Any]:
     return head
 
 
-def _kept(item: dict[str, Any], rest: memoryview) -> tuple[Kept, memoryview]:
+def _kept(item: dict[str, Any], rest: memoryview) -> tuple[KeptText, memoryview]:
     length = item.get("bytes")
     if type(length) is not int or not 0 <= length <= len(rest):
         raise _no("one of its texts is cut off")
@@ -114,7 +114,7 @@ def _kept(item: dict[str, Any], rest: memoryview) -> tuple[Kept, memoryview]:
         text = body.decode("utf-8", "surrogatepass")
     except UnicodeDecodeError:
         raise _no("one of its texts is no text") from None
-    kept = Kept(_word(item, "file"), text, _word(item, "saved"))
+    kept = KeptText(_word(item, "file"), text, _word(item, "saved"))
     return kept, rest[length:]
 
 

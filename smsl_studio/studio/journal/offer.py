@@ -18,13 +18,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from smsl_studio.blueprint.comparing import compare as compared
+from smsl_studio.blueprint.comparison import compare as compared
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.compare.dialog import CompareDialog
 from smsl_studio.studio.controls import Elided, label, row, rule
-from smsl_studio.studio.journal.entry import Entry
-from smsl_studio.studio.journal.recovering import Left
-from smsl_studio.studio.journal.restoring import brings, sides
+from smsl_studio.studio.journal.entry import JournalEntry
+from smsl_studio.studio.journal.leftovers import Left
+from smsl_studio.studio.journal.restoration import brings, sides
 from smsl_studio.studio.screens import room
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
@@ -118,7 +118,7 @@ class RecoveryOffer(QDialog):
         self._waiting.clear()
 
 
-def difference_dialog(entry: Entry, tokens: Tokens, parent: QWidget) -> bool:
+def difference_dialog(entry: JournalEntry, tokens: Tokens, parent: QWidget) -> bool:
     """Show what was kept beside what stands on the disk; False where one of them is nothing."""
     both = sides(entry)
     if not both.comparable or both.before is None:

@@ -30,14 +30,14 @@ def folder_of(home: Path) -> Path:
     return home / "journal"
 
 
-class Place:
+class JournalFile:
     """A journal's file, held by this process from ``take`` or ``claim`` until ``let_go``."""
 
     def __init__(self, path: Path, lock: int) -> None:
         self.path, self._lock = path, lock
 
     @classmethod
-    def take(cls, folder: Path) -> Place:
+    def take(cls, folder: Path) -> JournalFile:
         """A new place; OSError where the folder cannot be written."""
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         while True:
@@ -47,7 +47,7 @@ class Place:
                 return place
 
     @classmethod
-    def claim(cls, path: Path) -> Place | None:
+    def claim(cls, path: Path) -> JournalFile | None:
         """The place of a journal whose window has gone; None where somebody holds it."""
         name = path.with_suffix(LOCK)
         handle = os.open(name, os.O_RDWR | os.O_CREAT | _NO_LINK, 0o600)

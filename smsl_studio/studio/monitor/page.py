@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidg
 
 from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.regulating import Commanded, Disturbed, FaultInjected
+from smsl_studio.runlog.regulation import Commanded, Disturbed, FaultInjected
 from smsl_studio.studio.controls import Elided, label, row, rule
 from smsl_studio.studio.frame.key_button import KeyButton
 from smsl_studio.studio.monitor.checks import Checks
@@ -22,7 +22,7 @@ from smsl_studio.studio.monitor.rows import MonitorRow, monitor_rows, of_lost, s
 from smsl_studio.studio.monitor.table import MonitorTable
 from smsl_studio.studio.phase_badge import PhaseBadge
 from smsl_studio.studio.rows import RowsView
-from smsl_studio.studio.run.framing import head, panel, split
+from smsl_studio.studio.run.frames import head, panel, split
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.screens import open_at

@@ -36,7 +36,7 @@ from smsl_studio.studio.monitor.rows import (
     UNKNOWN,
     MonitorRow,
 )
-from smsl_studio.studio.rows import Ink, paint_text
+from smsl_studio.studio.rows import TextInk, paint_text
 from smsl_studio.studio.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 from smsl_studio.studio.tips import tip_text
 
@@ -104,7 +104,7 @@ class MonitorModel(QAbstractTableModel):
         return row if role == Qt.ItemDataRole.UserRole else None
 
 
-class _Cells(QStyledItemDelegate):
+class _MonitorCells(QStyledItemDelegate):
     """Paints chips, words and figures."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
@@ -136,27 +136,27 @@ class _Cells(QStyledItemDelegate):
 
     def _group(self, painter: QPainter, room: QRectF, row: MonitorRow, column: int) -> None:
         if column == NAME:
-            paint_text(painter, room, row.cells[NAME], Ink(self.tokens.tx, 12, 600))
+            paint_text(painter, room, row.cells[NAME], TextInk(self.tokens.tx, 12, 600))
         elif column == FROM:
             believed = room.adjusted(0, 0, -room.width() / 2, 0)
-            wide = paint_text(painter, believed, row.cells[FROM], Ink(self.tokens.tx2, 12))
+            wide = paint_text(painter, believed, row.cells[FROM], TextInk(self.tokens.tx2, 12))
             known = row.standing == KNOWN
-            ink = Ink(self.tokens.tx2 if known else self._colour(row.standing), 12)
+            ink = TextInk(self.tokens.tx2 if known else self._colour(row.standing), 12)
             paint_text(painter, room.adjusted(wide + 16, 0, 0, 0), row.cells[QUALITY], ink)
 
     def _words(self, painter: QPainter, room: QRectF, row: MonitorRow, column: int) -> None:
         tokens = self.tokens
         if column in FIGURES:
-            paint_text(painter, room, row.cells[column], Ink(tokens.tx), right=True)
+            paint_text(painter, room, row.cells[column], TextInk(tokens.tx), right=True)
         elif column == FROM:
             inset = 12 if row.kind == SOURCE else 0
             mono = row.kind == SOURCE or "," not in row.cells[FROM]
-            ink = Ink(tokens.tx2 if row.kind == FACT else tokens.tx, 12, mono=mono)
+            ink = TextInk(tokens.tx2 if row.kind == FACT else tokens.tx, 12, mono=mono)
             paint_text(painter, room.adjusted(inset, 0, 0, 0), row.cells[FROM], ink)
         elif column == DISTURBED:
-            paint_text(painter, room, row.cells[column], Ink(tokens.risk, 12, 500))
+            paint_text(painter, room, row.cells[column], TextInk(tokens.risk, 12, 500))
         else:
-            paint_text(painter, room, row.cells[column], Ink(tokens.tx))
+            paint_text(painter, room, row.cells[column], TextInk(tokens.tx))
 
     def _colour(self, standing: str) -> QColor:
         t = self.tokens
@@ -184,7 +184,7 @@ class _Cells(QStyledItemDelegate):
         t = self.tokens
         ink = t.tx if row.standing == KNOWN else self._colour(row.standing)
         end = Qt.TextElideMode.ElideRight
-        paint_text(painter, room, row.cells[QUALITY], Ink(ink), elide=end)
+        paint_text(painter, room, row.cells[QUALITY], TextInk(ink), elide=end)
 
 
 class MonitorTable(QTableView):
@@ -199,7 +199,7 @@ class MonitorTable(QTableView):
         super().__init__(parent)
         self.model_of_rows = MonitorModel(self)
         self.setModel(self.model_of_rows)
-        self._cells = _Cells(tokens, self)
+        self._cells = _MonitorCells(tokens, self)
         self.setItemDelegate(self._cells)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from smsl_studio.studio.controls import label
-from smsl_studio.studio.panels.lines.line import Line
+from smsl_studio.studio.panels.lines.line import FormLine
 from smsl_studio.studio.panels.lines.roles import RolesLine
-from smsl_studio.studio.panels.lines.text import Bounds, NumberLine, TextLine
+from smsl_studio.studio.panels.lines.text import NumberBounds, NumberLine, TextLine
 from smsl_studio.studio.panels.note_form import NoteForm
 
 WITHIN = "120"
@@ -26,13 +26,13 @@ class AskingLines:
         )).field  # fmt: skip
         self.within = form.add("answer_within", NumberLine(
             "Answer in", "Seconds of simulated time; when they have passed it is no yes, and the "
-            "run holds", Bounds(0, open=True), "s", WITHIN
+            "run holds", NumberBounds(0, open=True), "s", WITHIN
         )).field  # fmt: skip
         self.escalation = form.add("escalates_to", TextLine(
             "Then also", "The role that may answer as well from half of the time on", "nobody else"
         )).field  # fmt: skip
         words = ("question", "roles", "answer_within", "escalates_to")
-        self._lines: dict[str, Line] = {word: form.line(word) for word in words}
+        self._lines: dict[str, FormLine] = {word: form.line(word) for word in words}
 
     def show(self, asked: bool, written: frozenset[str]) -> None:
         """What is written is shown also where nobody is asked, so that it can be taken away."""

@@ -15,9 +15,9 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.panels.asking_lines import AskingLines
 from smsl_studio.studio.panels.lines.choice import ChoiceLine, SwitchLine
-from smsl_studio.studio.panels.lines.line import Said
-from smsl_studio.studio.panels.lines.text import Bounds, ListLine, NumberLine, TextLine
-from smsl_studio.studio.panels.note_form import Entry, NoteForm, misfits_of, written_words
+from smsl_studio.studio.panels.lines.line import Sentence
+from smsl_studio.studio.panels.lines.text import ListLine, NumberBounds, NumberLine, TextLine
+from smsl_studio.studio.panels.note_form import NoteEntry, NoteForm, misfits_of, written_words
 from smsl_studio.studio.panels.small_button import SmallButton
 from smsl_studio.studio.panels.tag import Tag
 from smsl_studio.studio.panels.value_table import ValueTable
@@ -79,7 +79,7 @@ class FactForm(NoteForm):
     def _build(self) -> None:
         self.name = self.add("name", TextLine("Name", "A plain name of the fact, for people")).field
         self.column.addWidget(self._values)
-        self._said = Said("refusal")
+        self._said = Sentence("refusal")
         self.column.addWidget(self._said)
         self._values.meant.connect(self._mean)
         self._values.turned_on.connect(self._turn_on)
@@ -93,16 +93,17 @@ class FactForm(NoteForm):
         self.add("aggregation", ChoiceLine(
             "Together", "How sensors make one value, or whether a person says it", AGGREGATIONS
         ))  # fmt: skip
-        self.add("k", NumberLine("k", "How many sensors must agree", Bounds(1, whole=True),
+        self.add("k", NumberLine("k", "How many sensors must agree", NumberBounds(1, whole=True),
                                  "sensors"))  # fmt: skip
         self.add("predicate", TextLine("Predicate", "The threshold or condition that is read, "
                                        "such as distance < 2", "such as distance < 2"))  # fmt: skip
         self.add("unit", TextLine("Unit", "The unit of what the sensors read, such as mm"))
-        self.add("max_age", NumberLine("Max. age", "A reading older than this counts as unknown",
-                                       Bounds(0, open=True), "s", "sensor's own"))  # fmt: skip
+        self.add("max_age", NumberLine(
+            "Max. age", "A reading older than this counts as unknown",
+            NumberBounds(0, open=True), "s", "sensor's own"))  # fmt: skip
         self.add("conflict_after", NumberLine(
             "Conflict after", "How long its sensors may disagree before it is unknown",
-            Bounds(0, most=60), "s", "at once"))  # fmt: skip
+            NumberBounds(0, most=60), "s", "at once"))  # fmt: skip
         self.asking = AskingLines(self, "What the person who says it is asked", "What is it?")
         self.column.addWidget(self.odd)
 
@@ -119,7 +120,7 @@ class FactForm(NoteForm):
         written = written_words(branch, "_facts", key) - set(misfits)
         self.chip.show_tag(key, "value", self._sub is not None)
         self._place.setText(f"of {name}")
-        self.show_entries([Entry(name, key, note, PLAIN, written, misfits=misfits)])
+        self.show_entries([NoteEntry(name, key, note, PLAIN, written, misfits=misfits)])
         values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
         self._values.show_values(values, note, branch.on_value(digit))
         self._values.setVisible(bool(self._values.rows))

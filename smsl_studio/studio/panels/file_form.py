@@ -12,11 +12,11 @@ from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 from smsl_studio.blueprint.editing import set_imports
 from smsl_studio.smsl.document import Document
 from smsl_studio.studio.controls import Elided, label, row
+from smsl_studio.studio.panels.attempt import try_edit
 from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.kept import Kept, kept_fields
-from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.panels.kept import KeptValues, kept_fields
+from smsl_studio.studio.panels.lines.line import Sentence
 from smsl_studio.studio.panels.small_button import SmallButton
-from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
@@ -47,11 +47,11 @@ class FileForm(Panel):
         self._list = QVBoxLayout()
         self._list.setSpacing(2)
         self.column.addLayout(self._list)
-        self.refusal = Said("refusal")
+        self.refusal = Sentence("refusal")
         self.column.addWidget(self.refusal)
         self.column.addLayout(row(self.add, None))
         self.rows: list[tuple[QWidget, Elided, SmallButton]] = []
-        self.kept = Kept("Kept in this file")
+        self.kept = KeptValues("Kept in this file")
         self.column.addWidget(self.kept)
         session.blueprint_changed.connect(lambda *_: self.show_file())
         session.branch_changed.connect(lambda *_: self.show_file())

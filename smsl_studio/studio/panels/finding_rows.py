@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QListView, QStyle, QStyledItemDelegate, QStyleOpti
 
 from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
-from smsl_studio.studio.rows import Ink, paint_text
+from smsl_studio.studio.rows import TextInk, paint_text
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import capital, subject
@@ -151,7 +151,7 @@ class FindingDelegate(QStyledItemDelegate):
         mark = QRectF(rect.left() + MARK_X, rect.center().y() - 7.5, 15, 15)
         draw(painter, SEVERITY_ICON[letter], mark, severity_colour(letter, tokens), tokens.surf)
         rule = rect.adjusted(RULE_X, 0, 0, 0)
-        paint_text(painter, rule, finding.rule, Ink(tokens.tx2, 12, mono=True))
+        paint_text(painter, rule, finding.rule, TextInk(tokens.tx2, 12, mono=True))
         box = QRectF(self.button(rect, finding))
         right = (box.left() if finding.fix else rect.right()) - 12
         if finding.severity is Severity.ERROR:
@@ -168,28 +168,28 @@ class FindingDelegate(QStyledItemDelegate):
         used = 0.0
         about = subject(finding)
         if about:
-            used = paint_text(painter, upper, f"{about} ", Ink(tokens.tx, 13, 600))
+            used = paint_text(painter, upper, f"{about} ", TextInk(tokens.tx, 13, 600))
             text = sentence(finding)
             text = text[:1].lower() + text[1:]
         else:
             text = sentence(finding)
         room = upper.adjusted(used, 0, 0, 0)
-        paint_text(painter, room, text, Ink(tokens.tx), elide=RIGHT)
+        paint_text(painter, room, text, TextInk(tokens.tx), elide=RIGHT)
         where = "  ·  ".join((_path(finding, " / ", True), place_of(finding)))
-        paint_text(painter, upper.translated(0, 18), where, Ink(tokens.tx2, 12))
+        paint_text(painter, upper.translated(0, 18), where, TextInk(tokens.tx2, 12))
 
     def _low(self, painter: QPainter, rect: QRectF, finding: Finding, right: float) -> None:
         tokens = self.tokens
         wide = ADDRESS if rect.width() > 800 else ADDRESS * 0.7
         address = QRectF(rect.left() + TEXT_X, rect.top(), wide - 12, rect.height())
-        paint_text(painter, address, _path(finding, " / ", False), Ink(tokens.tx2))
+        paint_text(painter, address, _path(finding, " / ", False), TextInk(tokens.tx2))
         text = QRectF(
             rect.left() + TEXT_X + wide,
             rect.top(),
             right - rect.left() - TEXT_X - wide,
             rect.height(),
         )
-        paint_text(painter, text, capital(finding.message), Ink(tokens.tx), elide=RIGHT)
+        paint_text(painter, text, capital(finding.message), TextInk(tokens.tx), elide=RIGHT)
 
     def _button(self, painter: QPainter, box: QRectF, words: str, primary: bool) -> None:
         tokens = self.tokens
@@ -198,7 +198,7 @@ class FindingDelegate(QStyledItemDelegate):
         painter.setBrush(tokens.acc if primary else tokens.accs)
         painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
         ink = tokens.onacc if primary else tokens.acc
-        paint_text(painter, box.adjusted(11, 0, -6, 0), words, Ink(ink, 12, 500))
+        paint_text(painter, box.adjusted(11, 0, -6, 0), words, TextInk(ink, 12, 500))
 
 
 def sentence(finding: Finding) -> str:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog, QPushButton, QVBoxLayout, QWidget
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.repair import Repair, mend_errors
 from smsl_studio.studio.controls import label, row
-from smsl_studio.studio.rows import Row, RowsView
+from smsl_studio.studio.rows import ListRow, RowsView
 from smsl_studio.studio.screens import open_at
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
@@ -33,7 +33,9 @@ class FixList(QDialog):
         self.rows.setAccessibleName("Fixes")
         self.rows.show_rows(
             [
-                Row(finding.fix.words, finding, "check", str(finding.address), tip=finding.message)
+                ListRow(
+                    finding.fix.words, finding, "check", str(finding.address), tip=finding.message
+                )
                 for finding in repair.mended
                 if finding.fix is not None
             ]

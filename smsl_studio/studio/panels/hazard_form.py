@@ -10,11 +10,11 @@ from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.controls import Field, label, row
+from smsl_studio.studio.panels.attempt import try_edit
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
-from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.panels.lines.line import Sentence
 from smsl_studio.studio.panels.small_button import SmallButton
-from smsl_studio.studio.panels.trying import try_edit
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 
@@ -23,7 +23,7 @@ NONE = "None. A hazard names facts that must never hold together, in any configu
 
 
 @dataclass
-class Card:
+class HazardCard:
     """The widgets of one hazard; ``at`` is its place in the list, -1 while it is not written."""
 
     at: int
@@ -39,7 +39,7 @@ class HazardForm(Panel):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Hazards", parent)
         self._session, self._tokens = session, tokens
-        self.cards: list[Card] = []
+        self.cards: list[HazardCard] = []
         self.column.setContentsMargins(12, 8, 12, 12)
         self.column.setSpacing(6)
         self._count = label("", "count")
@@ -51,7 +51,7 @@ class HazardForm(Panel):
         self.column.addLayout(row(label("Hazards", "heading"), self._count, None, self.add))
         self._none = label(NONE, "hint")
         self.column.addWidget(self._none)
-        self._odd, self.refusal = Said("refusal"), Said("refusal")
+        self._odd, self.refusal = Sentence("refusal"), Sentence("refusal")
         self._list = QVBoxLayout()
         self._list.setSpacing(10)
         self.column.addLayout(self._list)
@@ -106,13 +106,13 @@ class HazardForm(Panel):
             self._none.hide()
         self.cards[-1].name.setFocus()
 
-    def _card(self) -> Card:
+    def _card(self) -> HazardCard:
         frame = QWidget()
         column = QVBoxLayout(frame)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
         gone = SmallButton("Remove this hazard", "trash", self._tokens, 14)
-        card = Card(-1, frame, Field(), FactRows(self._tokens, "Add a fact"), gone)
+        card = HazardCard(-1, frame, Field(), FactRows(self._tokens, "Add a fact"), gone)
         card.name.setPlaceholderText("Name of the hazard")
         card.name.setAccessibleName("Name of the hazard")
         card.name.setToolTip("What must not happen, in plain words")
@@ -124,7 +124,7 @@ class HazardForm(Panel):
         self._list.addWidget(frame)
         return card
 
-    def _named(self, card: Card) -> None:
+    def _named(self, card: HazardCard) -> None:
         name = card.name.text().strip()
         if not card.name.changed or not name:
             return
@@ -134,7 +134,7 @@ class HazardForm(Panel):
         elif card.facts.facts:
             self._add(name, card.facts.facts)
 
-    def _changed(self, card: Card, facts: dict[str, str]) -> None:
+    def _changed(self, card: HazardCard, facts: dict[str, str]) -> None:
         name = card.name.text().strip()
         if not facts:
             self.refusal.say("A hazard without facts says nothing. Remove it instead.")
@@ -151,12 +151,12 @@ class HazardForm(Panel):
         hazard = {"name": name, "facts": dict(facts)}
         self._write([*self._written(), hazard], f"Add the hazard “{name}”")
 
-    def _put(self, card: Card, words: Mapping[str, Any], step: str) -> None:
+    def _put(self, card: HazardCard, words: Mapping[str, Any], step: str) -> None:
         hazards = [dict(item) if _fits(item) else item for item in self._written()]
         hazards[card.at].update(words)
         self._write(hazards, step)
 
-    def _remove(self, card: Card) -> None:
+    def _remove(self, card: HazardCard) -> None:
         if card.at < 0:
             self.show_hazards()
             return

@@ -22,7 +22,7 @@ NEW = ""
 
 
 @dataclass
-class FactRow:
+class HeaderFactRow:
     """The widgets of one fact."""
 
     chip: Tag
@@ -47,7 +47,7 @@ class HeaderFacts(QWidget):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self._tokens = tokens
-        self.rows: list[FactRow] = []
+        self.rows: list[HeaderFactRow] = []
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 8, 0, 0)
         self._grid.setHorizontalSpacing(6)
@@ -77,7 +77,9 @@ class HeaderFacts(QWidget):
         for digit, fact in enumerate(self.rows):
             self._show_fact(branch, digit, fact, others)
 
-    def _show_fact(self, branch: StateBranch, digit: int, fact: FactRow, others: list[str]) -> None:
+    def _show_fact(
+        self, branch: StateBranch, digit: int, fact: HeaderFactRow, others: list[str]
+    ) -> None:
         sub = branch.subs.get(digit)
         fact.chip.show_tag(str(digit), VALUE, sub is not None)
         fact.chip.setToolTip(tip_text(f"Edit what fact {digit} means and where it comes from"))
@@ -94,8 +96,8 @@ class HeaderFacts(QWidget):
         fact.sub.setToolTip(tip_text(f"Sub-SB of fact {digit}: {sub or 'none'}"))
         fact.sub.update()
 
-    def _new_row(self, digit: int) -> FactRow:
-        fact = FactRow(Tag(self._tokens), Field(), Combo(height=28))
+    def _new_row(self, digit: int) -> HeaderFactRow:
+        fact = HeaderFactRow(Tag(self._tokens), Field(), Combo(height=28))
         fact.chip.press_with_keys(f"Edit fact {digit}")
         fact.chip.clicked.connect(lambda: self.wanted.emit(digit))
         fact.name.setProperty("role", "flat")

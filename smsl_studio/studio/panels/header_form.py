@@ -15,20 +15,20 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Combo, label, row
+from smsl_studio.studio.panels.attempt import try_edit
 from smsl_studio.studio.panels.fact_form import expansion
 from smsl_studio.studio.panels.fact_name import fact_name_step
 from smsl_studio.studio.panels.frame import Panel
 from smsl_studio.studio.panels.header_facts import (
     MOST,
     NEW,
-    FactRow,
+    HeaderFactRow,
     HeaderFacts,
     fact_count,
 )
-from smsl_studio.studio.panels.kept import Kept, kept_fields
-from smsl_studio.studio.panels.lines.line import Line, Said, Shown
-from smsl_studio.studio.panels.lines.text import Bounds, NumberLine
-from smsl_studio.studio.panels.trying import try_edit
+from smsl_studio.studio.panels.kept import KeptValues, kept_fields
+from smsl_studio.studio.panels.lines.line import FormLine, Sentence, ShownValue
+from smsl_studio.studio.panels.lines.text import NumberBounds, NumberLine
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
@@ -60,17 +60,17 @@ class HeaderForm(Panel):
             "Activating", "ACTIVATING", "The state in which the SB turns its base's fact on"
         )
         self.facts_line = NumberLine(
-            "Facts", "NUM_FACTS: how many facts a state's name carries", Bounds(1, whole=True)
+            "Facts", "NUM_FACTS: how many facts a state's name carries", NumberBounds(1, whole=True)
         )
         self.states_line = NumberLine(
             "States", "NUM_STATES: if it is written, it must be the number of states",
-            Bounds(0, whole=True),
+            NumberBounds(0, whole=True),
         )  # fmt: skip
         for key, line in (("NUM_FACTS", self.facts_line), ("NUM_STATES", self.states_line)):
             line.given.connect(self._giver(key, line))
             self.column.addWidget(line)
         self.num_facts, self.num_states = self.facts_line.field, self.states_line.field
-        self.refusal = Said("refusal")
+        self.refusal = Sentence("refusal")
         self.column.addWidget(self.refusal)
         self._facts = HeaderFacts(tokens)
         self._facts.named.connect(self._set_name)
@@ -79,7 +79,7 @@ class HeaderForm(Panel):
         self.column.addWidget(self._facts)
         self.sentence: QLabel = label("", "hint")
         self.column.addWidget(self.sentence)
-        self.kept = Kept("Kept in this State Branch")
+        self.kept = KeptValues("Kept in this State Branch")
         self.column.addWidget(self.kept)
         session.blueprint_changed.connect(lambda *_: self.show_header())
         session.branch_changed.connect(self._another)
@@ -89,7 +89,7 @@ class HeaderForm(Panel):
         self._facts.set_tokens(tokens)
 
     @property
-    def facts(self) -> tuple[FactRow, ...]:
+    def facts(self) -> tuple[HeaderFactRow, ...]:
         """The rows of the facts, digit 0 first."""
         return tuple(self._facts.rows)
 
@@ -104,10 +104,10 @@ class HeaderForm(Panel):
         self._show_home(blueprint, name)
         self._show_states(branch)
         header = branch.header
-        self.facts_line.show_values([Shown(header.num_facts)])
+        self.facts_line.show_values([ShownValue(header.num_facts)])
         self.num_facts.setPlaceholderText(f"{branch.num_facts}" if branch.table else "none yet")
         self.num_facts.set_suffix(_width_words(branch))
-        self.states_line.show_values([Shown(header.num_states)])
+        self.states_line.show_values([ShownValue(header.num_states)])
         self.num_states.setPlaceholderText(f"not written ({len(branch.table):,})")
         self._facts.show_facts(blueprint, branch)
         self.sentence.setText(_explanation(blueprint, branch))
@@ -130,7 +130,7 @@ class HeaderForm(Panel):
 
     def _choice(self, words: str, key: str, tip: str) -> Combo:
         combo = Combo()
-        self.column.addWidget(Line(words, combo, f"{key}: {tip}"))
+        self.column.addWidget(FormLine(words, combo, f"{key}: {tip}"))
         combo.setAccessibleName(plain_text(f"{words} state"))
         combo.activated.connect(lambda at: self._set_state(key, combo, at))
         return combo

@@ -18,7 +18,7 @@ BREAK = "&#8203;"
 """A place in markup where a line may break, which nobody sees."""
 
 
-class Kept(QWidget):
+class KeptValues(QWidget):
     """Keys and values under a heading, read-only; no room is taken where there are none."""
 
     def __init__(self, title: str) -> None:

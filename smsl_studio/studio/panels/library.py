@@ -17,7 +17,7 @@ from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.studio.controls import label, name_parts
 from smsl_studio.studio.icons import ACTOR_ICON, icon
 from smsl_studio.studio.panels.frame import Heading, Panel
-from smsl_studio.studio.rows import LINE, Row, RowsView
+from smsl_studio.studio.rows import LINE, ListRow, RowsView
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.words import counted
@@ -28,7 +28,7 @@ NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
 
 
 @dataclass(frozen=True)
-class Offer:
+class LibraryEntry:
     """An operation that a plugin offers: the name or pattern it answers to, and who offers it."""
 
     pattern: str
@@ -43,7 +43,7 @@ class Library(Panel):
     def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__("Library", parent)
         self._session, self._tokens = session, tokens
-        self._offers: tuple[Offer, ...] = ()
+        self._offers: tuple[LibraryEntry, ...] = ()
         self._severities: dict[str, str] = {}
         self._heading = Heading("Library")
         self.filter = QLineEdit()
@@ -84,14 +84,14 @@ class Library(Panel):
             self._severities = marks
             self._show()
 
-    def set_offers(self, offers: Sequence[Offer]) -> None:
+    def set_offers(self, offers: Sequence[LibraryEntry]) -> None:
         """What the plugins offer."""
         if tuple(offers) != self._offers:
             self._offers = tuple(offers)
             self._show()
 
     def _clicked(self, index: QModelIndex) -> None:
-        row: Row = index.data(Qt.ItemDataRole.UserRole)
+        row: ListRow = index.data(Qt.ItemDataRole.UserRole)
         if isinstance(row.payload, str):
             edges = _edges(self._session.blueprint, self._session.branch, row.payload)
             if edges:
@@ -104,17 +104,17 @@ class Library(Panel):
         blueprint = self._session.blueprint
         used, notes = _used(blueprint), _first_notes(blueprint)
         here = [name for name in sorted(used, key=_by_name) if wanted in name.casefold()]
-        rows: list[Row] = []
+        rows: list[ListRow] = []
         if here:
-            rows.append(Row(f"In this blueprint · {len(here):,}", kind="section"))
+            rows.append(ListRow(f"In this blueprint · {len(here):,}", kind="section"))
         rows += [self._row(name, used[name], notes) for name in here[:MOST]]
         if len(here) > MOST:
             rest = f"and {len(here) - MOST:,} more: filter them by a part of their name"
-            rows.append(Row(rest, kind="section"))
+            rows.append(ListRow(rest, kind="section"))
         offers = [o for o in self._offers if wanted in o.pattern.casefold()]
         if offers:
             of = f" of {len(self._offers)}" if len(offers) < len(self._offers) else ""
-            rows.append(Row(f"From plugins · {len(offers)}{of}", kind="section"))
+            rows.append(ListRow(f"From plugins · {len(offers)}{of}", kind="section"))
         rows += [_offered(offer) for offer in offers]
         self.list.show_rows(rows)
         self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
@@ -122,10 +122,10 @@ class Library(Panel):
         self.hint.setText(hint)
         self.hint.setVisible(bool(hint))
 
-    def _row(self, name: str, count: int, notes: Mapping[str, OperationNote]) -> Row:
+    def _row(self, name: str, count: int, notes: Mapping[str, OperationNote]) -> ListRow:
         note = notes.get(note_key(name), PLAIN)
         times = counted(count, "edge")
-        return Row(
+        return ListRow(
             name,
             name,
             ACTOR_ICON.get(note.actor or "", "robot" if note.actor else "arrow"),
@@ -143,10 +143,10 @@ class Library(Panel):
         return "" if used else "Draw an operation from a state's handle to another state."
 
 
-def _offered(offer: Offer) -> Row:
+def _offered(offer: LibraryEntry) -> ListRow:
     bound = counted(len(offer.names), "operation") if offer.names else "not used"
     names = ", ".join(offer.names[:8]) or "no operation of this blueprint"
-    return Row(
+    return ListRow(
         offer.pattern,
         None,
         "robot",

@@ -10,16 +10,16 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.studio.panels.attempt import try_edit
 from smsl_studio.studio.panels.frame import Panel
-from smsl_studio.studio.panels.lines.line import Line, Said, Shown
-from smsl_studio.studio.panels.trying import try_edit
+from smsl_studio.studio.panels.lines.line import FormLine, Sentence, ShownValue
 from smsl_studio.studio.session import Session
 
-LineT = TypeVar("LineT", bound=Line)
+LineT = TypeVar("LineT", bound=FormLine)
 
 
 @dataclass(frozen=True)
-class Entry:
+class NoteEntry:
     """One entry of a table of annotations, written or not.
 
     ``note`` is what its words mean, ``standard`` what holds for words that are not written; those
@@ -36,10 +36,10 @@ class Entry:
     inherited: frozenset[str] = frozenset()
     misfits: Mapping[str, str] = field(default_factory=dict)
 
-    def shown(self, word: str) -> Shown:
+    def shown(self, word: str) -> ShownValue:
         written = getattr(self.note, word) if word in self.written else None
         origin = self.origin if word in self.inherited else ""
-        return Shown(written, getattr(self.standard, word), origin)
+        return ShownValue(written, getattr(self.standard, word), origin)
 
 
 class NoteForm(Panel):
@@ -50,9 +50,9 @@ class NoteForm(Panel):
     ) -> None:
         super().__init__(name, parent)
         self._session, self._table = session, table
-        self._lines: dict[str, Line] = {}
-        self._entries: tuple[Entry, ...] = ()
-        self.odd = Said("hint")
+        self._lines: dict[str, FormLine] = {}
+        self._entries: tuple[NoteEntry, ...] = ()
+        self.odd = Sentence("hint")
         self.column.setContentsMargins(12, 8, 12, 12)
         self.column.setSpacing(6)
 
@@ -63,7 +63,7 @@ class NoteForm(Panel):
         self.column.addWidget(line)
         return line
 
-    def line(self, word: str) -> Line:
+    def line(self, word: str) -> FormLine:
         """The line of a word."""
         return self._lines[word]
 
@@ -75,7 +75,7 @@ class NoteForm(Panel):
         """Whom an edit is about, as its step says; subclasses know."""
         raise NotImplementedError
 
-    def show_entries(self, entries: Sequence[Entry]) -> None:
+    def show_entries(self, entries: Sequence[NoteEntry]) -> None:
         """Show these entries in all lines."""
         self._entries = tuple(entries)
         # Thousands of edges of one name share one note, which is looked at once.
@@ -135,7 +135,7 @@ def written_words(branch: StateBranch, table: str, key: str) -> frozenset[str]:
     return frozenset(entry) if isinstance(entry, dict) else frozenset()
 
 
-def _is(value: Any, entry: Entry, word: str) -> bool:
+def _is(value: Any, entry: NoteEntry, word: str) -> bool:
     """Whether a value is what holds without being written."""
     standard = getattr(entry.standard, word)
     if isinstance(standard, tuple):
@@ -143,9 +143,9 @@ def _is(value: Any, entry: Entry, word: str) -> bool:
     return bool(value is None or value == standard)
 
 
-def _each(shown: Sequence[Shown]) -> list[Shown]:
+def _each(shown: Sequence[ShownValue]) -> list[ShownValue]:
     """The different ones, in order: thousands of edges show but a few values."""
-    found: list[Shown] = []
+    found: list[ShownValue] = []
     for one in shown:
         if one not in found:
             found.append(one)

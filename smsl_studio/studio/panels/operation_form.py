@@ -15,13 +15,13 @@ from smsl_studio.library.loading import Loaded
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.controls import Combo, Switch, label, row
 from smsl_studio.studio.panels.asking_lines import AskingLines
-from smsl_studio.studio.panels.lines.binding import BindingLine
+from smsl_studio.studio.panels.lines.bound_function import BindingLine
 from smsl_studio.studio.panels.lines.choice import ChoiceLine, SwitchLine
 from smsl_studio.studio.panels.lines.digits import DigitsLine
-from smsl_studio.studio.panels.lines.line import Line, Shown
+from smsl_studio.studio.panels.lines.line import FormLine, ShownValue
 from smsl_studio.studio.panels.lines.requires import RequiresLine
 from smsl_studio.studio.panels.lines.roles import RolesLine
-from smsl_studio.studio.panels.lines.text import Bounds, NumberLine, TextLine
+from smsl_studio.studio.panels.lines.text import NumberBounds, NumberLine, TextLine
 from smsl_studio.studio.panels.note_form import NoteForm
 from smsl_studio.studio.panels.operation_entries import entries_of, noted_edges
 from smsl_studio.studio.panels.try_alone import TryAlone
@@ -53,8 +53,8 @@ class OperationForm(NoteForm):
         self.column.addLayout(row(self._heading, self._name, None))
         self._build_edge()
         self.where: Combo = Combo()
-        self._where = Line("Details", self.where, "Whether the details below hold for every edge "
-                           "of this name, or for this edge only")  # fmt: skip
+        tip = "Whether the details below hold for every edge of this name, or for this edge only"
+        self._where = FormLine("Details", self.where, tip)
         self.where.activated.connect(lambda *_: self._show_details())
         self.column.addWidget(self._where)
         self._build_details(tokens)
@@ -66,23 +66,24 @@ class OperationForm(NoteForm):
         self.everywhere = Switch()
         self._every_words = label("", "second")
         tip = "Rename every edge of this name in the State Branch"
-        self._every = Line("", self.everywhere, tip, self._every_words, None)
+        self._every = FormLine("", self.everywhere, tip, self._every_words, None)
         self.everywhere.setAccessibleName("Rename everywhere")
         self.source = QPushButton()
         self.source.setProperty("role", "link")
         self.source.clicked.connect(self._select_source)
-        self._from = Line("From", self.source, "Select the state this operation starts from")
+        self._from = FormLine("From", self.source, "Select the state this operation starts from")
         self.target = Combo()
-        self._to = Line("To", self.target, "The state this operation leads to")
+        self._to = FormLine("To", self.target, "The state this operation leads to")
         self.target.activated.connect(self._retarget)
         for line in (self.naming, self._every, self._from, self._to):
             self.column.addWidget(line)
 
     def _build_details(self, tokens: Tokens) -> None:
-        seconds = Bounds(0, open=True)
+        seconds = NumberBounds(0, open=True)
         self.title = self.add("title", TextLine("Title", "A plain title, for people")).field
         self.cost = self.add("cost", NumberLine(
-            "Cost", "What a route adds for this operation; 1 where not said", Bounds(), hint="1"
+            "Cost", "What a route adds for this operation; 1 where not said", NumberBounds(),
+            hint="1",
         )).field  # fmt: skip
         self.risk = self.add("risk", ChoiceLine(
             "Risk", "The declared risk of this operation", RISKS)).field  # fmt: skip
@@ -93,7 +94,7 @@ class OperationForm(NoteForm):
             "commas between; “anybody” is a person of any role", "nobody"
         )).field  # fmt: skip
         self.duration = self.add("duration", NumberLine(
-            "Duration", "How long it usually takes, in seconds", Bounds(), "s", "not said"
+            "Duration", "How long it usually takes, in seconds", NumberBounds(), "s", "not said"
         )).field  # fmt: skip
         self.timeout = self.add("timeout", NumberLine(
             "Time limit", "Seconds until the operation counts as failed", seconds, "s", "none"
@@ -166,7 +167,7 @@ class OperationForm(NoteForm):
         return counted(len(self._edges), "operation")
 
     def _show_edge(self, branch: StateBranch, edge: Address) -> None:
-        self.naming.show_values([Shown(edge.operation)])
+        self.naming.show_values([ShownValue(edge.operation)])
         self._every_words.setText(f"Rename all {self._count_of(edge)}")
         self.source.setText(as_it_is(edge.state))
         self.source.setToolTip(tip_text(f"Select {edge.state}"))

@@ -12,7 +12,7 @@ from smsl_studio.studio.words import capital
 
 
 @dataclass(frozen=True)
-class Line:
+class OutlineLine:
     """One line: an SB (``digit`` is None) or one of its facts.
 
     ``right`` is the SB's level, or the values of a fact that has more than 0 and 1. ``file`` is
@@ -45,28 +45,28 @@ class Line:
         return f"Fact {self.digit} of {self.branch}: {self.text}{values}"
 
 
-def branch_line(blueprint: Blueprint, name: str, level: int, severity: str = "") -> Line:
+def branch_line(blueprint: Blueprint, name: str, level: int, severity: str = "") -> OutlineLine:
     """The line of an SB, with the gravest of its findings (see ``worst_of``)."""
     home = blueprint.imported.get(name)
     file = home.file if home is not None else ""
-    return Line(name, None, name, str(level), severity=severity, file=file)
+    return OutlineLine(name, None, name, str(level), severity=severity, file=file)
 
 
-def fact_line(blueprint: Blueprint, name: str, digit: int) -> Line:
+def fact_line(blueprint: Blueprint, name: str, digit: int) -> OutlineLine:
     """The line of one fact of an SB."""
     branch = blueprint.branches[name]
     values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
     right = "" if set(values) <= {"0", "1"} else " ".join(values)
-    return Line(name, digit, branch.fact_name(digit), right, digit in branch.subs)
+    return OutlineLine(name, digit, branch.fact_name(digit), right, digit in branch.subs)
 
 
-def fault_line(fault: ImportFault) -> Line:
+def fault_line(fault: ImportFault) -> OutlineLine:
     """The line of an import that failed, with the files that led to it."""
     chain = " > ".join(fault.chain)
     told = f"{capital(fault.sentence)} {chain}".strip()
     name = fault.chain[-1] if len(fault.chain) > 1 else "_imports"
     word = "cycle" if name in fault.chain[:-1] else "not read"
-    return Line("", None, name, word, severity="E", fault=told)
+    return OutlineLine("", None, name, word, severity="E", fault=told)
 
 
 def worst_of(findings: Sequence[Finding]) -> dict[str, str]:

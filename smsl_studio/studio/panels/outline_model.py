@@ -19,8 +19,8 @@ from PySide6.QtCore import (
 )
 
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.studio.panels.outline_lines import Line
-from smsl_studio.studio.panels.outline_nodes import Key, Node, Nodes
+from smsl_studio.studio.panels.outline_lines import OutlineLine
+from smsl_studio.studio.panels.outline_nodes import Key, OutlineNode, OutlineNodes
 from smsl_studio.studio.tips import tip_text
 
 Index = QModelIndex | QPersistentModelIndex
@@ -39,7 +39,7 @@ class OutlineModel(QAbstractItemModel):
 
     def __init__(self, blueprint: Blueprint, parent: QObject) -> None:
         super().__init__(parent)
-        self.nodes = Nodes(blueprint)
+        self.nodes = OutlineNodes(blueprint)
         self.worst: Mapping[str, str] = {}
         """The gravest finding of each SB (see ``worst_of``)."""
 
@@ -82,16 +82,16 @@ class OutlineModel(QAbstractItemModel):
 
     # Lines and where they stand.
 
-    def node(self, index: Index) -> Node:
+    def node(self, index: Index) -> OutlineNode:
         """The node of an index; the invisible one above all others where it is none."""
         found = self.nodes.node(index.internalId()) if index.isValid() else None
         return found if found is not None else self.nodes.root
 
-    def index_of(self, node: Node) -> QModelIndex:
+    def index_of(self, node: OutlineNode) -> QModelIndex:
         """Where Qt finds a node."""
         return self.createIndex(node.row, 0, node.number) if node.above else QModelIndex()
 
-    def line(self, node: Node) -> Line:
+    def line(self, node: OutlineNode) -> OutlineLine:
         """What a node says."""
         return self.nodes.line(node, self.worst)
 
@@ -100,10 +100,10 @@ class OutlineModel(QAbstractItemModel):
     def begin(self, blueprint: Blueprint) -> None:
         """Show a blueprint that has nothing to do with the one before."""
         self.beginResetModel()
-        self.nodes = Nodes(blueprint)
+        self.nodes = OutlineNodes(blueprint)
         self.endResetModel()
 
-    def show(self, blueprint: Blueprint) -> list[Node]:
+    def show(self, blueprint: Blueprint) -> list[OutlineNode]:
         """Show a blueprint in place of the one before; the nodes that are new, or lead down now.
 
         Below a node that is new others are, which nobody has asked for yet.
@@ -112,7 +112,7 @@ class OutlineModel(QAbstractItemModel):
         changed = _changed(before, blueprint)
         self.nodes.replace(blueprint)
         others = before.branches.keys() != blueprint.branches.keys()
-        fresh: list[Node] = []
+        fresh: list[OutlineNode] = []
         for node in list(self.nodes.asked.values()):
             # Whoever stood below what is gone is gone with it.
             mine = node.above is None or others or node.key[0] in changed
@@ -121,7 +121,7 @@ class OutlineModel(QAbstractItemModel):
         self._tell(before, changed)
         return fresh
 
-    def _renew(self, node: Node) -> list[Node]:
+    def _renew(self, node: OutlineNode) -> list[OutlineNode]:
         """Let what is to stand below a node stand there."""
         below, keys = self.nodes.below(node), self.nodes.keys(node)
         old = [one.key for one in below]
@@ -152,7 +152,7 @@ class OutlineModel(QAbstractItemModel):
         """Whether the SB of a key is still there; where it is not it may have another name."""
         return not key[0] or key[0] in self.nodes.blueprint.branches
 
-    def _put(self, node: Node, first: int, gone: int, come: list[Node]) -> None:
+    def _put(self, node: OutlineNode, first: int, gone: int, come: list[OutlineNode]) -> None:
         below = self.nodes.below(node)
         below[first : first + gone] = come
         for row in range(first, len(below)):

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.panels.outline_lines import Line, branch_line, fact_line, fault_line
+from smsl_studio.studio.panels.outline_lines import OutlineLine, branch_line, fact_line, fault_line
 
 DEEPEST = 40
 """So many levels stand below each other; what is deeper begins at the margin again."""
@@ -20,7 +20,7 @@ Key = tuple[str, int | None]
 
 
 @dataclass(slots=True, eq=False)
-class Node:
+class OutlineNode:
     """One line where it stands. ``below`` is None as long as nobody has asked for it.
 
     ``depth`` counts the SBs that stand above it.
@@ -28,16 +28,16 @@ class Node:
 
     number: int
     key: Key
-    above: Node | None
+    above: OutlineNode | None
     row: int
     depth: int
-    below: list[Node] | None = None
+    below: list[OutlineNode] | None = None
 
     @property
     def path(self) -> tuple[int, ...]:
         """The rows that lead to it: what compares less stands further up."""
         rows: list[int] = []
-        node: Node | None = self
+        node: OutlineNode | None = self
         while node is not None and node.above is not None:
             rows.append(node.row)
             node = node.above
@@ -82,21 +82,21 @@ def surveyed(blueprint: Blueprint) -> Survey:
     return found
 
 
-class Nodes:
+class OutlineNodes:
     """The lines of one blueprint, made where they are asked for."""
 
     def __init__(self, blueprint: Blueprint) -> None:
         self.blueprint = blueprint
         self.survey = surveyed(blueprint)
-        self.root = Node(0, ("", None), None, 0, -1)
-        self.asked: dict[int, Node] = {}
+        self.root = OutlineNode(0, ("", None), None, 0, -1)
+        self.asked: dict[int, OutlineNode] = {}
         """The nodes of which somebody has asked what stands below them, the upper ones first."""
-        self._made: dict[int, Node] = {}
-        self._standing: dict[Key, dict[int, Node]] = {}
+        self._made: dict[int, OutlineNode] = {}
+        self._standing: dict[Key, dict[int, OutlineNode]] = {}
         self._last = 0
 
     @property
-    def top(self) -> list[Node]:
+    def top(self) -> list[OutlineNode]:
         """The lines at the margin."""
         return self.below(self.root)
 
@@ -109,18 +109,18 @@ class Nodes:
         """Take another blueprint; what stands already is left to whoever compares ``keys``."""
         self.blueprint, self.survey = blueprint, surveyed(blueprint)
 
-    def node(self, number: int) -> Node | None:
+    def node(self, number: int) -> OutlineNode | None:
         """The node of this number; None where it is gone."""
         return self._made.get(number)
 
-    def below(self, node: Node) -> list[Node]:
+    def below(self, node: OutlineNode) -> list[OutlineNode]:
         """What stands below a line."""
         if node.below is None:
             node.below = self.make(node, self.keys(node), 0)
             self.asked[node.number] = node
         return node.below
 
-    def leads_down(self, node: Node) -> bool:
+    def leads_down(self, node: OutlineNode) -> bool:
         """Whether anything stands below a line; the facts are not counted for it."""
         if node.below is not None:
             return bool(node.below)
@@ -131,7 +131,7 @@ class Nodes:
         branch = self.blueprint.branches.get(name)
         return branch is not None and bool(branch.table) and node.depth < DEEPEST
 
-    def keys(self, node: Node) -> list[Key]:
+    def keys(self, node: OutlineNode) -> list[Key]:
         """What is to stand below a line."""
         name, digit = node.key
         if node.above is None:
@@ -148,7 +148,7 @@ class Nodes:
             return []
         return [(sub, None)]
 
-    def line(self, node: Node, worst: Mapping[str, str]) -> Line:
+    def line(self, node: OutlineNode, worst: Mapping[str, str]) -> OutlineLine:
         """What a line says; ``worst`` is the gravest finding of each SB (see ``worst_of``)."""
         name, digit = node.key
         if not name and digit is not None:
@@ -161,20 +161,20 @@ class Nodes:
         level = self.survey.margin.get(top.key[0], 0) + node.depth
         return branch_line(self.blueprint, name, level, worst.get(name, ""))
 
-    def make(self, above: Node, keys: Iterable[Key], row: int) -> list[Node]:
+    def make(self, above: OutlineNode, keys: Iterable[Key], row: int) -> list[OutlineNode]:
         """Nodes of these keys that are to stand below a line from this row on."""
         # The line of a fact stands no deeper than that of its SB; its sub-SB does.
         depth = above.depth + (above.key[1] is not None or above.above is None)
         made = []
         for at, key in enumerate(keys, row):
             self._last += 1
-            node = Node(self._last, key, above, at, depth)
+            node = OutlineNode(self._last, key, above, at, depth)
             self._made[node.number] = node
             self._standing.setdefault(key, {})[node.number] = node
             made.append(node)
         return made
 
-    def drop(self, nodes: Iterable[Node]) -> None:
+    def drop(self, nodes: Iterable[OutlineNode]) -> None:
         """Forget nodes and all that stands below them."""
         stack = list(nodes)
         while stack:
@@ -184,17 +184,17 @@ class Nodes:
             self._leave(node)
             stack += node.below or ()
 
-    def rename(self, node: Node, key: Key) -> None:
+    def rename(self, node: OutlineNode, key: Key) -> None:
         """The SB of a node has another name now."""
         self._leave(node)
         node.key = key
         self._standing.setdefault(key, {})[node.number] = node
 
-    def standing(self, key: Key) -> list[Node]:
+    def standing(self, key: Key) -> list[OutlineNode]:
         """The nodes that were made of an SB or a fact."""
         return list(self._standing.get(key, {}).values())
 
-    def first(self, key: Key) -> Node | None:
+    def first(self, key: Key) -> OutlineNode | None:
         """The uppermost line of an SB or a fact; where none was made yet one that can be."""
         found = self.standing(key)
         if found:
@@ -215,15 +215,15 @@ class Nodes:
                 at = next(iter(self.below(at)), None)
         return at
 
-    def _leave(self, node: Node) -> None:
+    def _leave(self, node: OutlineNode) -> None:
         others = self._standing[node.key]
         del others[node.number]
         if not others:
             del self._standing[node.key]
 
 
-def _stands_above(node: Node, branch: str) -> bool:
-    above: Node | None = node
+def _stands_above(node: OutlineNode, branch: str) -> bool:
+    above: OutlineNode | None = node
     while above is not None:
         if above.key[0] == branch:
             return True

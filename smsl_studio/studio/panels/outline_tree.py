@@ -28,10 +28,10 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.chips import VALUE, paint_chip
 from smsl_studio.studio.icons import SEVERITY_ICON, draw, severity_colour
-from smsl_studio.studio.panels.outline_lines import Line
+from smsl_studio.studio.panels.outline_lines import OutlineLine
 from smsl_studio.studio.panels.outline_model import OutlineModel
-from smsl_studio.studio.panels.outline_nodes import Key, Node
-from smsl_studio.studio.rows import Ink, paint_text
+from smsl_studio.studio.panels.outline_nodes import Key, OutlineNode
+from smsl_studio.studio.rows import TextInk, paint_text
 from smsl_studio.studio.theme import Tokens, mono_font
 
 ROW, INDENT = 28, 13
@@ -125,7 +125,7 @@ class OutlineTree(QTreeView):
             self.clearSelection()
         self._quiet = False
 
-    def _open(self, nodes: Sequence[Node], closed: Container[Key]) -> None:
+    def _open(self, nodes: Sequence[OutlineNode], closed: Container[Key]) -> None:
         """Open lines and what is below them, from the top, until there are very many.
 
         What is in ``closed`` stays so; what is below it is opened all the same.
@@ -200,7 +200,7 @@ class OutlineDelegate(QStyledItemDelegate):
         return QSize(10, ROW)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        line: Line = index.data(Qt.ItemDataRole.UserRole)
+        line: OutlineLine = index.data(Qt.ItemDataRole.UserRole)
         rect = QRectF(option.rect)
         chosen = bool(option.state & QStyle.StateFlag.State_Selected)
         painter.save()
@@ -217,7 +217,7 @@ class OutlineDelegate(QStyledItemDelegate):
             painter.drawRect(rect.adjusted(1, 1, -1, -1))
         painter.restore()
 
-    def _branch(self, painter: QPainter, rect: QRectF, line: Line, chosen: bool) -> None:
+    def _branch(self, painter: QPainter, rect: QRectF, line: OutlineLine, chosen: bool) -> None:
         tokens = self.tokens
         mid = rect.center().y()
         badge = QRectF(rect.right() - 31, mid - 10, 20, 20)
@@ -227,7 +227,9 @@ class OutlineDelegate(QStyledItemDelegate):
             painter.setBrush(tokens.sunk)
             painter.drawRoundedRect(badge, 4, 4)
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            paint_text(painter, badge.adjusted(6.5, 0, 0, 0), line.right, Ink(tokens.tx2, 11, 500))
+            paint_text(
+                painter, badge.adjusted(6.5, 0, 0, 0), line.right, TextInk(tokens.tx2, 11, 500)
+            )
         # An import that failed has no level, and its mark stands there.
         right = badge.right() - 1 if line.fault else badge.left() - 6
         if line.severity:
@@ -242,12 +244,12 @@ class OutlineDelegate(QStyledItemDelegate):
         draw(painter, icon, box, tokens.acc if chosen else tokens.tx2, tokens.surf)
         room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
         if line.fault:
-            used = paint_text(painter, room, line.text, Ink(tokens.tx2))
+            used = paint_text(painter, room, line.text, TextInk(tokens.tx2))
         else:
-            used = paint_text(painter, room, line.text, Ink(tokens.tx, 13, 600))
+            used = paint_text(painter, room, line.text, TextInk(tokens.tx, 13, 600))
         behind = line.right if line.fault else line.home
         if behind and room.width() - used > NAMEABLE:
-            paint_text(painter, room.adjusted(used + 8, 0, 0, 0), behind, Ink(tokens.tx2, 12))
+            paint_text(painter, room.adjusted(used + 8, 0, 0, 0), behind, TextInk(tokens.tx2, 12))
 
     def _active(self, painter: QPainter, rect: QRectF, right: float, branch: str) -> float:
         """The active state of an SB as a chip, filled while it runs; how far the name may go."""
@@ -269,7 +271,7 @@ class OutlineDelegate(QStyledItemDelegate):
         painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, plain_text(words))
         return chip.left() - 6
 
-    def _fact(self, painter: QPainter, rect: QRectF, line: Line) -> None:
+    def _fact(self, painter: QPainter, rect: QRectF, line: OutlineLine) -> None:
         tokens = self.tokens
         chip = QRectF(rect.left() + 15, rect.center().y() - 9, 18, 18)
         paint_chip(painter, chip, str(line.digit), VALUE, tokens, sub=line.sub)
@@ -277,10 +279,10 @@ class OutlineDelegate(QStyledItemDelegate):
         if line.right:
             room = rect.adjusted(rect.width() / 2, 0, -12, 0)
             right -= paint_text(
-                painter, room, line.right, Ink(tokens.tx2, 12, mono=True), right=True
+                painter, room, line.right, TextInk(tokens.tx2, 12, mono=True), right=True
             )
         room = QRectF(rect.left() + 41, rect.top(), right - rect.left() - 47, rect.height())
-        paint_text(painter, room, line.text, Ink(tokens.tx))
+        paint_text(painter, room, line.text, TextInk(tokens.tx))
 
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
@@ -299,7 +301,7 @@ class OutlineDelegate(QStyledItemDelegate):
         return editor
 
 
-def line_of(index: Index) -> Line:
+def line_of(index: Index) -> OutlineLine:
     """The line that stands at an index."""
-    found: Line = index.data(Qt.ItemDataRole.UserRole)
+    found: OutlineLine = index.data(Qt.ItemDataRole.UserRole)
     return found

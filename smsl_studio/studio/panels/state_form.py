@@ -16,13 +16,13 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.chips import Chips
 from smsl_studio.studio.controls import label, row
-from smsl_studio.studio.panels.kept import Kept
+from smsl_studio.studio.panels.kept import KeptValues
 from smsl_studio.studio.panels.lines.box import BoxLine
 from smsl_studio.studio.panels.lines.choice import SwitchLine
-from smsl_studio.studio.panels.lines.line import Shown, labelled
+from smsl_studio.studio.panels.lines.line import ShownValue, labelled
 from smsl_studio.studio.panels.lines.text import ListLine, TextLine
-from smsl_studio.studio.panels.note_form import Entry, NoteForm, misfits_of, written_words
-from smsl_studio.studio.rows import Row, RowsView
+from smsl_studio.studio.panels.note_form import NoteEntry, NoteForm, misfits_of, written_words
+from smsl_studio.studio.rows import ListRow, RowsView
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
@@ -65,7 +65,7 @@ class StateForm(NoteForm):
             "note", BoxLine("Note", "What people should know about this state")
         ).field
         self.column.addWidget(self.odd)
-        self.kept = Kept("Kept in this state")
+        self.kept = KeptValues("Kept in this state")
         self.column.addWidget(self.kept)
         self._count = label("", "count")
         self._to = label("to state", "small")
@@ -105,7 +105,7 @@ class StateForm(NoteForm):
             self.operations.hide()
             return
         branch = blueprint[one.branch]
-        self.naming.show_values([Shown(one.state)])
+        self.naming.show_values([ShownValue(one.state)])
         self.chips.show_state(branch, one.state)
         rows = [_operation_row(branch, one.state, name) for name in branch.table[one.state]]
         self._count.setText(str(len(rows)))
@@ -136,7 +136,7 @@ class StateForm(NoteForm):
         self._session.select((row_.payload,))
 
 
-def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[Entry]:
+def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[NoteEntry]:
     odd = {name: misfits_of(blueprint[name], "_states") for name in {at.branch for at in states}}
     found = []
     for at in states:
@@ -144,17 +144,17 @@ def _entries(blueprint: Blueprint, states: Sequence[Address]) -> list[Entry]:
         misfits = odd[at.branch].get(at.state, {})
         written = written_words(branch, "_states", at.state) - set(misfits)
         note = branch.state_note(at.state) or PLAIN
-        found.append(Entry(at.branch, at.state, note, PLAIN, written, misfits=misfits))
+        found.append(NoteEntry(at.branch, at.state, note, PLAIN, written, misfits=misfits))
     return found
 
 
-def _operation_row(branch: StateBranch, state: str, name: str) -> Row:
+def _operation_row(branch: StateBranch, state: str, name: str) -> ListRow:
     target = branch.table[state][name]
     mark = sub_mark(branch, branch.operation(state, name))
     short = "itself" if target == state else _target_words(branch, target)
     title = branch.operation_note(state, name).title
     tip = f"{name} leads to {target}" + (f". {title}" if title else "")
-    return Row(name, Address(branch.name, state, name), mark, "", short, tip=tip, accent=True,
+    return ListRow(name, Address(branch.name, state, name), mark, "", short, tip=tip, accent=True,
                mono=True)  # fmt: skip
 
 

@@ -21,7 +21,7 @@ MOST = 64
 Role = QPalette.ColorRole
 
 
-class Tick(QAbstractButton):
+class TickBox(QAbstractButton):
     """A box with a tick, or a ring with a dot; ``default`` draws a choice nobody wrote."""
 
     def __init__(self, round_: bool = False) -> None:
@@ -59,8 +59,8 @@ class ValueRow:
 
     chip: Tag
     meaning: Field
-    on: Tick
-    failure: Tick
+    on: TickBox
+    failure: TickBox
 
 
 class ValueTable(QWidget):
@@ -116,7 +116,7 @@ class ValueTable(QWidget):
         self.rows = {value: self._new_row(at, value) for at, value in enumerate(values, start=1)}
 
     def _new_row(self, at: int, value: str) -> ValueRow:
-        one = ValueRow(Tag(self._tokens), Field(), Tick(round_=True), Tick())
+        one = ValueRow(Tag(self._tokens), Field(), TickBox(round_=True), TickBox())
         one.chip.fit(value)
         one.meaning.setAccessibleName(plain_text(f"Meaning of {value}"))
         one.meaning.setToolTip(tip_text(f"What {value} means, in plain words"))
@@ -138,7 +138,7 @@ class ValueTable(QWidget):
         if field.changed:
             self.meant.emit(value, field.text().strip() or None)
 
-    def _on(self, value: str, tick: Tick) -> None:
+    def _on(self, value: str, tick: TickBox) -> None:
         # A click on the one that is on takes the choice back; what is on by default stays on.
         chosen = tick.isChecked()
         tick.setChecked(chosen or tick.default)

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
-from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.panels.lines.line import Sentence
 from smsl_studio.studio.people.card_view import CardView, OptionView
 from smsl_studio.studio.people.persons import Persons
 from smsl_studio.studio.people.who import Who
@@ -39,8 +39,8 @@ class AnswerPart(QWidget):
     def __init__(self, persons: Persons) -> None:
         super().__init__()
         self.who = Who(persons)
-        self.objection = Said("hint")
-        self.refusal = Said("refusal")
+        self.objection = Sentence("hint")
+        self.refusal = Sentence("refusal")
         self.button = Decide(CHOOSE)
         self.button.setProperty("role", "primary")
         self.button.setEnabled(False)

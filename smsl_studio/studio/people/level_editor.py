@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.editing import set_levels
 from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.studio.controls import Switch, label
-from smsl_studio.studio.panels.lines.line import Said
-from smsl_studio.studio.panels.trying import try_edit
+from smsl_studio.studio.panels.attempt import try_edit
+from smsl_studio.studio.panels.lines.line import Sentence
 from smsl_studio.studio.people.level_rows import level_rows
 from smsl_studio.studio.people.level_table import OUT, LevelModel, LevelTable
 from smsl_studio.studio.people.next_levels import NextLevels
@@ -63,7 +63,7 @@ class LevelEditor(QDialog):
         self.each.toggled.connect(lambda _: self._fill())
         self.buttons: dict[str, QPushButton] = {}
         self._count = label("", "small")
-        self.refusal = Said("refusal")
+        self.refusal = Sentence("refusal")
         column = QVBoxLayout(self)
         column.setContentsMargins(16, 16, 16, 16)
         column.setSpacing(10)

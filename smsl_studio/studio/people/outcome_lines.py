@@ -10,7 +10,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.panels.small_button import SmallButton
-from smsl_studio.studio.people.outcomes import Outcome
+from smsl_studio.studio.people.outcomes import TaskOutcome
 from smsl_studio.studio.theme import RADIUS_CONTROL, Tokens
 
 SIGNS = {"answered": "check", "disagreed": "warning", "timed_out": "clock", "withdrawn": "minus"}
@@ -19,7 +19,7 @@ SIGNS = {"answered": "check", "disagreed": "warning", "timed_out": "clock", "wit
 class OutcomeLine(QWidget):
     """A sign, what was said, and a button that takes the line away."""
 
-    def __init__(self, line: Outcome, tokens: Tokens) -> None:
+    def __init__(self, line: TaskOutcome, tokens: Tokens) -> None:
         super().__init__()
         self.line, self._tokens = line, tokens
         words = label("\n".join([line.words, *line.late]), "small")
@@ -63,7 +63,7 @@ class OutcomeLines(QWidget):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self._tokens = tokens
-        self._lines: tuple[Outcome, ...] = ()
+        self._lines: tuple[TaskOutcome, ...] = ()
         self.rows: list[OutcomeLine] = []
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
@@ -79,7 +79,7 @@ class OutcomeLines(QWidget):
         self._tokens = tokens
         self._rebuild()
 
-    def show_lines(self, lines: tuple[Outcome, ...]) -> None:
+    def show_lines(self, lines: tuple[TaskOutcome, ...]) -> None:
         if lines != self._lines:
             self._lines = lines
             self._rebuild()

@@ -13,7 +13,7 @@ MOST = 2
 
 
 @dataclass(frozen=True)
-class Outcome:
+class TaskOutcome:
     """One line: ``kind`` is answered, disagreed, timed_out, withdrawn or refused."""
 
     task: str
@@ -27,7 +27,7 @@ class Outcomes:
     """The outcomes that nobody has dismissed yet, newest last."""
 
     def __init__(self) -> None:
-        self.lines: tuple[Outcome, ...] = ()
+        self.lines: tuple[TaskOutcome, ...] = ()
         self.refusals: dict[str, str] = {}
         """By open task: why the last answer did not count."""
         self._asked: dict[str, tuple[str, dict[str, str]]] = {}
@@ -52,14 +52,14 @@ class Outcomes:
                 self._asked.setdefault(event.task, (event.question, {}))
             elif isinstance(event, TaskClosed):
                 self.refusals.pop(event.task, None)
-                self._add(Outcome(event.task, event.outcome, self._words(event)))
+                self._add(TaskOutcome(event.task, event.outcome, self._words(event)))
             elif isinstance(event, TaskAnswered):
                 self._answered(event)
 
-    def dismiss(self, line: Outcome) -> None:
+    def dismiss(self, line: TaskOutcome) -> None:
         self.lines = tuple(one for one in self.lines if one != line)
 
-    def _add(self, line: Outcome) -> None:
+    def _add(self, line: TaskOutcome) -> None:
         self.lines = (*self.lines, line)[-MOST:]
 
     def _answered(self, event: TaskAnswered) -> None:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Field, label
-from smsl_studio.studio.panels.lines.line import Said
+from smsl_studio.studio.panels.lines.line import Sentence
 from smsl_studio.studio.people.persons import Person, Persons
 from smsl_studio.studio.people.pin import SHORTEST
 from smsl_studio.studio.screens import open_at
@@ -72,7 +72,7 @@ class PersonRow(QWidget):
         for button in (self.pin_button, self.remove):
             button.setProperty("role", "row")
             button.setAutoDefault(False)
-        self.refusal = Said("refusal", INSET)
+        self.refusal = Sentence("refusal", INSET)
         across = QHBoxLayout()
         across.setSpacing(8)
         for part, share in ((self.mine, 0), (self.name, 3), (self.role, 2),
@@ -175,7 +175,7 @@ class PersonsDialog(QDialog):
         self.add.clicked.connect(self._add)
         self.new_name.returnPressed.connect(self.new_role.setFocus)
         self.new_role.returnPressed.connect(self._add)
-        self.refusal = Said("refusal")
+        self.refusal = Sentence("refusal")
         across = QHBoxLayout()
         across.setSpacing(8)
         across.addWidget(self.new_name, 3)

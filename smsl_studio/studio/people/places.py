@@ -16,7 +16,7 @@ HEIGHT, LINE, BOXED = 66, 26, 2
 """Pixels of a box, and of a line; more than so many places are lines."""
 
 
-class Place(QWidget):
+class PersonPlace(QWidget):
     """One place: filled once it is taken, dashed while it is not settled."""
 
     def __init__(self, person: PersonView, tokens: Tokens, boxed: bool) -> None:
@@ -79,7 +79,7 @@ class Place(QWidget):
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, shown)
 
 
-class Places(QWidget):
+class PersonPlaces(QWidget):
     """All places: two boxes beside each other, or a line each."""
 
     def __init__(self, tokens: Tokens) -> None:
@@ -108,5 +108,5 @@ class Places(QWidget):
         boxed = len(self._shown) <= BOXED
         self._grid.setSpacing(8 if boxed else 4)
         for at, person in enumerate(self._shown):
-            place = Place(person, self._tokens, boxed)
+            place = PersonPlace(person, self._tokens, boxed)
             self._grid.addWidget(place, 0 if boxed else at, at if boxed else 0)

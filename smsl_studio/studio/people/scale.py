@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.icons import draw
 from smsl_studio.studio.people.continuum_view import ScaleView
-from smsl_studio.studio.rows import Ink, paint_text
+from smsl_studio.studio.rows import TextInk, paint_text
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.tips import tip_text
 
@@ -73,9 +73,9 @@ class Ends(Scale):
         if self.length < BOTH:
             painter.end()
             return
-        paint_text(painter, QRectF(self.start + 11, 0, 80, 20), "human", Ink(tokens.tx2, 12))
+        paint_text(painter, QRectF(self.start + 11, 0, 80, 20), "human", TextInk(tokens.tx2, 12))
         room = QRectF(right - 92, 0, 80, 20)
-        paint_text(painter, room, "automatic", Ink(tokens.tx2, 12), right=True)
+        paint_text(painter, room, "automatic", TextInk(tokens.tx2, 12), right=True)
         painter.end()
 
 
@@ -97,7 +97,7 @@ class ScaleRow(Scale):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         room = QRectF(LEFT, 0, NAME - 10, self.height())
-        paint_text(painter, room, view.name, Ink(tokens.tx))
+        paint_text(painter, room, view.name, TextInk(tokens.tx))
         painter.setPen(QPen(tokens.line2, 2))
         painter.drawLine(QPointF(self.at(0), middle), QPointF(self.at(1), middle))
         painter.setPen(QPen(tokens.nl, 1.4))
@@ -111,7 +111,7 @@ class ScaleRow(Scale):
         painter.setPen(QPen(tokens.acc, 2.6))
         painter.setBrush(tokens.surf)
         painter.drawEllipse(QPointF(self.at(view.position), middle), 6.2, 6.2)
-        paint_text(painter, self.words_room(), view.words, Ink(tokens.tx2, 12))
+        paint_text(painter, self.words_room(), view.words, TextInk(tokens.tx2, 12))
         painter.end()
 
 
@@ -138,7 +138,7 @@ class WholeRow(Scale):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(text_font(13))
-        paint_text(painter, QRectF(LEFT, 8, NAME - 10, 22), "Whole", Ink(tokens.tx, 13, 600))
+        paint_text(painter, QRectF(LEFT, 8, NAME - 10, 22), "Whole", TextInk(tokens.tx, 13, 600))
         bar = QRectF(self.start, 13, self.length, 12)
         shades = QLinearGradient(bar.topLeft(), bar.topRight())
         shades.setColorAt(0.0, tokens.ok)
@@ -153,7 +153,7 @@ class WholeRow(Scale):
         painter.drawPolygon(QPolygonF([QPointF(x, 14), QPointF(x - 7, 3), QPointF(x + 7, 3)]))
         painter.setPen(QPen(tokens.tx, 2))
         painter.drawLine(QPointF(x, 12), QPointF(x, 26))
-        paint_text(painter, self.words_room(), self._words, Ink(tokens.tx, 12, 600))
+        paint_text(painter, self.words_room(), self._words, TextInk(tokens.tx, 12, 600))
         painter.end()
 
     def _strokes(self, painter: QPainter, bar: QRectF) -> None:

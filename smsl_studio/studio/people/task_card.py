@@ -28,7 +28,7 @@ from smsl_studio.studio.people.option_row import OptionRow
 from smsl_studio.studio.people.outcome_lines import OutcomeLines
 from smsl_studio.studio.people.outcomes import Outcomes
 from smsl_studio.studio.people.persons import Persons
-from smsl_studio.studio.people.places import Places
+from smsl_studio.studio.people.places import PersonPlaces
 from smsl_studio.studio.people.room import Room
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.theme import Tokens
@@ -134,7 +134,7 @@ class TaskCard(QWidget):
         self.frame = QFrame()
         self.frame.setObjectName("taskCard")
         self.head, self.answers = CardHead(tokens), Answers(tokens)
-        self._places, self.lines = Places(tokens), OutcomeLines(tokens)
+        self._places, self.lines = PersonPlaces(tokens), OutcomeLines(tokens)
         self.lines.dismissed.connect(self._dismiss)
         self.answer = AnswerPart(persons)
         self._question, self._detail = label("", "question"), label("", "small")

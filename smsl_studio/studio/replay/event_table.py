@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QListView, QWidget
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.account_words import told
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.names import NAMELESS, Names, names_of
+from smsl_studio.runlog.names import NAMELESS, HeaderNames, names_of
 from smsl_studio.studio.controls import NameDelegate
 from smsl_studio.studio.theme import mono_font
 from smsl_studio.studio.tips import tip_text
@@ -30,7 +30,7 @@ class EventsModel(QAbstractListModel):
 
     def show(self, events: Sequence[Event], by: Sequence[str], blueprint: Blueprint) -> None:
         self.beginResetModel()
-        self._events, self._names = events, Names.of_header(names_of(blueprint))
+        self._events, self._names = events, HeaderNames.of_header(names_of(blueprint))
         self._by = by
         self.endResetModel()
 

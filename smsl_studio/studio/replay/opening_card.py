@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.studio.controls import label
-from smsl_studio.studio.replay.opening import Opening
+from smsl_studio.studio.replay.loader import RecordingLoader
 from smsl_studio.studio.theme import Tokens
 
 WIDTH, LOW, LINE = 460, 46, 4.0
@@ -19,7 +19,7 @@ SOON, OFTEN = 300, 100
 class OpeningCard(QWidget):
     """Lies at the bottom of ``over`` while ``opening`` reads."""
 
-    def __init__(self, opening: Opening, tokens: Tokens, over: QWidget) -> None:
+    def __init__(self, opening: RecordingLoader, tokens: Tokens, over: QWidget) -> None:
         super().__init__(over)
         self._opening, self._tokens, self._over = opening, tokens, over
         self.words = label("", "heading")

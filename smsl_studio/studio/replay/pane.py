@@ -12,11 +12,11 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.controls import Label, label
 from smsl_studio.studio.places import Places
 from smsl_studio.studio.replay.event_table import EventTable
-from smsl_studio.studio.replay.recording import ANOTHER, Recording
+from smsl_studio.studio.replay.recorded_run import ANOTHER, Recording
 from smsl_studio.studio.replay.replay import Replay
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.facts_table import COLUMNS, FactsTable
-from smsl_studio.studio.run.framing import head, panel, split
+from smsl_studio.studio.run.frames import head, panel, split
 from smsl_studio.studio.run.phases import phase_words
 from smsl_studio.studio.run.run_canvas import TROUBLE, RunCanvas
 from smsl_studio.studio.run.state_check import StateCheckView

@@ -11,7 +11,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.replay.as_status import as_status
-from smsl_studio.studio.replay.recording import Recording
+from smsl_studio.studio.replay.recorded_run import Recording
 from smsl_studio.studio.replay.whole_story import WholeStory
 from smsl_studio.studio.run.story import Story
 

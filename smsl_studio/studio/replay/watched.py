@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from smsl_studio.studio.commands.shell import Transport
+from smsl_studio.studio.commands.shell import RunActions
 from smsl_studio.studio.replay.replay import Replay
 
 
 class Watched:
     """A transport: it asks of the replay what is asked while Replay mode is shown."""
 
-    def __init__(self, run: Transport, replay: Replay, mode: Callable[[], str]) -> None:
+    def __init__(self, run: RunActions, replay: Replay, mode: Callable[[], str]) -> None:
         self._run, self._replay, self._mode = run, replay, mode
 
     @property

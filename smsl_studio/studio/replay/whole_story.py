@@ -9,7 +9,7 @@ from itertools import chain
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.account_words import Causes
 from smsl_studio.runlog.events import Committed
-from smsl_studio.runlog.retelling import Retelling
+from smsl_studio.runlog.playback import Playback
 from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.replay.marks import marks_of
 from smsl_studio.studio.run.story import Span, Story
@@ -21,7 +21,7 @@ class WholeStory:
     Who goes round and round leaves one trail, so that any moment of a long run is as near.
     """
 
-    def __init__(self, retelling: Retelling) -> None:
+    def __init__(self, retelling: Playback) -> None:
         self.story = Story()
         self.story.tell(retelling.events)
         self.marks = tuple(marks_of(retelling.events))

@@ -12,7 +12,7 @@ Matrix = NDArray[np.float32]
 
 
 @dataclass(frozen=True)
-class Camera:
+class WorldCamera:
     """Looks at ``target`` from ``distance`` away; ``azimuth`` 0 looks along -x."""
 
     target: tuple[float, float, float] = (0.48, 0.0, 0.095)
@@ -32,15 +32,15 @@ class Camera:
         )
         return np.asarray(np.array(self.target) + np.array(offset), dtype=np.float64)
 
-    def orbited(self, right: float, up: float) -> Camera:
+    def orbited(self, right: float, up: float) -> WorldCamera:
         """Turned around the target; the eye stays above the table and off the pole."""
         elevation = min(max(self.elevation + up, 0.03), pi / 2 - 0.02)
         return replace(self, azimuth=self.azimuth - right, elevation=elevation)
 
-    def zoomed(self, factor: float) -> Camera:
+    def zoomed(self, factor: float) -> WorldCamera:
         return replace(self, distance=min(max(self.distance * factor, 0.15), 8.0))
 
-    def panned(self, right: float, up: float) -> Camera:
+    def panned(self, right: float, up: float) -> WorldCamera:
         """The target moved in the plane of the picture, in metres."""
         side = np.array((-sin(self.azimuth), cos(self.azimuth), 0.0))
         high = np.array(
@@ -84,9 +84,9 @@ class Camera:
 
 
 VIEWS = {
-    "Front right": Camera(),
-    "Front": Camera(azimuth=0.0, elevation=0.3),
-    "Side": Camera(azimuth=pi / 2, elevation=0.3),
-    "Top": Camera(azimuth=0.0, elevation=pi / 2 - 0.02, distance=0.8),
-    "Whole arm": Camera(target=(0.25, 0.0, 0.35), distance=1.9, azimuth=0.6, elevation=0.32),
+    "Front right": WorldCamera(),
+    "Front": WorldCamera(azimuth=0.0, elevation=0.3),
+    "Side": WorldCamera(azimuth=pi / 2, elevation=0.3),
+    "Top": WorldCamera(azimuth=0.0, elevation=pi / 2 - 0.02, distance=0.8),
+    "Whole arm": WorldCamera(target=(0.25, 0.0, 0.35), distance=1.9, azimuth=0.6, elevation=0.32),
 }

@@ -113,7 +113,7 @@ class FactsModel(QAbstractTableModel):
         return None
 
 
-class _Cells(QStyledItemDelegate):
+class _FactCells(QStyledItemDelegate):
     """Paints chips and the bars of quality."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
@@ -241,7 +241,7 @@ class FactsTable(QTableView):
         self.facts = FactsModel(self, quality)
         self._names: tuple[str, ...] = ()
         self.setModel(self.facts)
-        self._cells = _Cells(tokens, self)
+        self._cells = _FactCells(tokens, self)
         self.setItemDelegate(self._cells)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)

@@ -17,13 +17,13 @@ from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.frame.tabs import Tabs
 from smsl_studio.studio.icons import icon
-from smsl_studio.studio.monitor.monitoring import Monitoring
+from smsl_studio.studio.monitor.opener import MonitorOpener
 from smsl_studio.studio.people.next_levels import NextLevels
 from smsl_studio.studio.run import view
 from smsl_studio.studio.run.camera import VIEWS
 from smsl_studio.studio.run.event_list import EventList
 from smsl_studio.studio.run.facts_table import FactsTable, as_they_were
-from smsl_studio.studio.run.framing import (
+from smsl_studio.studio.run.frames import (
     head,
     laid_over,
     panel,
@@ -85,7 +85,7 @@ class RunPane(QWidget):
         self.possible = PossiblePanel(self.run, tokens)
         self.timeline = Timeline(tokens)
         self.events = EventList()
-        self.monitoring = Monitoring(self.run, tokens, self)
+        self.monitoring = MonitorOpener(self.run, tokens, self)
         self.next = NextRun(session, self.run, self.transport, self.levels)
         self._asked = False
         self._begin_later: bool | None = None

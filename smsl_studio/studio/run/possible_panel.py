@@ -10,7 +10,7 @@ from smsl_studio.studio.people.room import Room
 from smsl_studio.studio.run.possible_list import PRUNABLE, PossibleList, PossibleRow
 from smsl_studio.studio.run.run_session import RunSession
 from smsl_studio.studio.supervise import decisions
-from smsl_studio.studio.supervise.asking import Asking
+from smsl_studio.studio.supervise.confirmation import ConfirmBox
 from smsl_studio.studio.supervise.decisions import Decision
 from smsl_studio.studio.supervise.hold_card import HoldCard
 from smsl_studio.studio.theme import Tokens
@@ -27,7 +27,7 @@ class PossiblePanel(QWidget):
         self.setProperty("role", "panel")
         self._run = run
         self.list = PossibleList(tokens)
-        self.hold, self.asking = HoldCard(brief=True), Asking()
+        self.hold, self.asking = HoldCard(brief=True), ConfirmBox()
         inset = QVBoxLayout()
         inset.setContentsMargins(8, 8, 8, 0)
         inset.setSpacing(8)

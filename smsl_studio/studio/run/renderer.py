@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from smsl_studio.studio.run.camera import Camera
+from smsl_studio.studio.run.camera import WorldCamera
 from smsl_studio.world.protocol import Shape
 
 CREASE = 0.75
@@ -78,7 +78,7 @@ void main() {
 
 
 @dataclass(frozen=True)
-class Look:
+class RenderStyle:
     """How a picture is made: its size in physical pixels, its theme, and whether edges are smooth,
     which takes software renderers three times as long."""
 
@@ -133,12 +133,12 @@ class Renderer:
             self._held.clear()
             self._shapes = [self._sent(shape) for shape in shapes]
 
-    def draw(self, poses: Sequence[float], camera: Camera, look: Look) -> QImage:
+    def draw(self, poses: Sequence[float], camera: WorldCamera, look: RenderStyle) -> QImage:
         """The picture, premultiplied on transparent ground."""
         with self._gl:
             return self._draw(poses, camera, look)
 
-    def _draw(self, poses: Sequence[float], camera: Camera, look: Look) -> QImage:
+    def _draw(self, poses: Sequence[float], camera: WorldCamera, look: RenderStyle) -> QImage:
         width, height = max(look.width, 1), max(look.height, 1)
         self._prepare(width, height)
         assert self._smooth is not None
@@ -177,7 +177,9 @@ class Renderer:
             array.render()
         self._gl.disable(moderngl.BLEND)
 
-    def _draw_solids(self, poses: Sequence[float], view: bytes, camera: Camera, dark: bool) -> None:
+    def _draw_solids(
+        self, poses: Sequence[float], view: bytes, camera: WorldCamera, dark: bool
+    ) -> None:
         solid = self._solid
         solid.put("view", view)
         solid.put("eye", tuple(float(v) for v in camera.eye))

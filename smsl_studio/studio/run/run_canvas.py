@@ -20,9 +20,9 @@ from smsl_studio.studio.controls import label
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.places import Position
 from smsl_studio.studio.run import view
-from smsl_studio.studio.run.framing import laid_over, tool, tools_over, words_over
+from smsl_studio.studio.run.frames import laid_over, tool, tools_over, words_over
 from smsl_studio.studio.run.phases import phase_words
-from smsl_studio.studio.run.shown import Drawn, ShownRun
+from smsl_studio.studio.run.shown import DrawnPlaces, ShownRun
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import as_it_is, capital, counted
@@ -60,7 +60,7 @@ class RunCanvas(QWidget):
     """The results of another version shall go, and the drawing shall be shown."""
 
     def __init__(
-        self, session: Drawn, run: ShownRun, tokens: Tokens, parent: QWidget | None = None
+        self, session: DrawnPlaces, run: ShownRun, tokens: Tokens, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self._session, self._run, self._tokens = session, run, tokens

@@ -19,9 +19,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import StudioError
-from smsl_studio.front.recording import new_recording, start_log
+from smsl_studio.front.recorder import new_recording, start_log
 from smsl_studio.front.run_header import asked_for
-from smsl_studio.front.supervising import supervisor_of
+from smsl_studio.front.supervisors import supervisor_of
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.host.remote import WithRemote

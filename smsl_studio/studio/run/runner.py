@@ -15,11 +15,11 @@ from time import monotonic
 from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.looking import look_at_nothing
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.status_now import look_at_nothing
 from smsl_studio.errors import SaveError, StudioError
-from smsl_studio.front.recording import Recording
-from smsl_studio.front.script.acting import Acting
+from smsl_studio.front.recorder import Recorder
+from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.log import RunLog
@@ -66,7 +66,7 @@ class Runner(QThread):
         speed: float,
         parent: QObject | None = None,
         record: Callable[[], RunLog | None] = _no_log,
-        acting: Acting | None = None,
+        acting: ScriptPlayer | None = None,
     ) -> None:
         super().__init__(parent)
         self._make, self._record, self._acting = make, record, acting
@@ -130,7 +130,7 @@ class Runner(QThread):
 
     def _live(self) -> None:
         heard: list[Event] = []
-        recording = Recording(heard.append)
+        recording = Recorder(heard.append)
         try:
             with heeding(self._inbox.heed_opening):
                 dispatcher = self._dispatcher = self._make()
@@ -158,7 +158,7 @@ class Runner(QThread):
         assert isinstance(last, RunFinished)
         return look_at_nothing("stopped", (), last)
 
-    def _loop(self, dispatcher: Dispatcher, recording: Recording, heard: list[Event]) -> None:
+    def _loop(self, dispatcher: Dispatcher, recording: Recorder, heard: list[Event]) -> None:
         """Tick until closed. ``heard`` are the events that the window was not told of yet."""
         opened = dispatcher.opened
         # Sensors elsewhere speak in wall time, and have to be waited for.
@@ -215,7 +215,7 @@ class Runner(QThread):
         with heeding(listen):
             return dispatcher.tick()
 
-    def _tell(self, recording: Recording, events: tuple[Event, ...]) -> None:
+    def _tell(self, recording: Recorder, events: tuple[Event, ...]) -> None:
         recording.tell(events)
         if self._acting is not None:
             self._acting.hear(events)

@@ -10,7 +10,7 @@ from smsl_studio.studio.places import Places
 from smsl_studio.studio.run.story import Story
 
 
-class Drawn(Protocol):
+class DrawnPlaces(Protocol):
     """Where the drawing stands that a run may differ from."""
 
     @property

@@ -24,8 +24,8 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.run.camera import VIEWS, Camera
-from smsl_studio.studio.run.renderer import Look, Renderer, open_renderer
+from smsl_studio.studio.run.camera import VIEWS, WorldCamera
+from smsl_studio.studio.run.renderer import Renderer, RenderStyle, open_renderer
 from smsl_studio.studio.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.world.protocol import Shape
@@ -167,7 +167,7 @@ class WorldView(QWidget):
         self._look(self._camera.zoomed(0.999 ** event.angleDelta().y()))
         event.accept()
 
-    def _look(self, camera: Camera) -> None:
+    def _look(self, camera: WorldCamera) -> None:
         self._camera = camera
         self._moving()
 
@@ -177,7 +177,9 @@ class WorldView(QWidget):
         began, ratio = perf_counter(), self.devicePixelRatioF()
         fine = self._quick or self.patient or not self._rest.isActive()
         size = round(self.width() * ratio), round(self.height() * ratio)
-        image = self._renderer.draw(self._poses, self._camera, Look(*size, self._tokens.dark, fine))
+        image = self._renderer.draw(
+            self._poses, self._camera, RenderStyle(*size, self._tokens.dark, fine)
+        )
         image.setDevicePixelRatio(ratio)
         self._image, self._fine = image, fine
         if fine:

@@ -13,14 +13,14 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.blueprint.revising import imported_anew
+from smsl_studio.blueprint.revision import imported_anew
 from smsl_studio.errors import EditRefused
 from smsl_studio.studio.broken import Broken, Reading, read_text
 from smsl_studio.studio.compare.versions import Version
 from smsl_studio.studio.files.files import Files
-from smsl_studio.studio.files.on_disk import Look
+from smsl_studio.studio.files.on_disk import DiskLook
 from smsl_studio.studio.safety.change_bar import ChangeBar
-from smsl_studio.studio.safety.watching import Watcher
+from smsl_studio.studio.safety.watcher import Watcher
 from smsl_studio.studio.session import Session
 
 AGAIN = 400
@@ -30,7 +30,7 @@ Compare = Callable[[Version], None]
 """Shows the difference from another version to what is drawn."""
 
 
-class Outside(QObject):
+class OutsideChanges(QObject):
     """Watches every file of the session."""
 
     said = Signal(str)
@@ -53,7 +53,7 @@ class Outside(QObject):
         self._signs: dict[str, Sign] = {}
         self._watched: tuple[str, ...] = ()
         self._doubted: dict[str, str] = {}
-        self._asked: dict[str, Look] = {}
+        self._asked: dict[str, DiskLook] = {}
         self.watcher = Watcher(self)
         self.watcher.stirred.connect(self.look)
         self._later = QTimer(self)
@@ -181,7 +181,7 @@ class Outside(QObject):
         else:
             self._changed(look, look.text)
 
-    def _changed(self, look: Look, text: str) -> None:
+    def _changed(self, look: DiskLook, text: str) -> None:
         self._files.settling.emit()
         mine, file = self._files.texts[look.file], look.file
         if text == mine:
@@ -193,7 +193,7 @@ class Outside(QObject):
         else:
             self._read(look, text)
 
-    def _read(self, look: Look, text: str) -> None:
+    def _read(self, look: DiskLook, text: str) -> None:
         """Follow the disk, unless what stands there is half done."""
         file, reading = look.file, read_text(self._session.blueprint, look.file, text)
         if isinstance(reading, Broken) and self._is_doubtful(file, text):
@@ -219,7 +219,7 @@ class Outside(QObject):
             self._signs[file] = _sign(file)
             self._look_at(file)
 
-    def _take(self, look: Look, words: str, reading: Reading | None = None) -> bool:
+    def _take(self, look: DiskLook, words: str, reading: Reading | None = None) -> bool:
         """Make a step of what another program wrote; False where that cannot be done yet."""
         if look.text is None:
             return False

@@ -10,17 +10,17 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.fresh import UNTITLED
 from smsl_studio.studio.frame.toast import Toast
-from smsl_studio.studio.journal.entry import Kept
-from smsl_studio.studio.journal.keeping import Unsaved
+from smsl_studio.studio.journal.entry import KeptText
+from smsl_studio.studio.journal.leftovers import Left
 from smsl_studio.studio.journal.place import folder_of
-from smsl_studio.studio.journal.recovering import Left
-from smsl_studio.studio.journal.restoring import keep_text, on_disk, restore
-from smsl_studio.studio.journal.writing import Journal
+from smsl_studio.studio.journal.restoration import keep_text, on_disk, restore
+from smsl_studio.studio.journal.unsaved import Unsaved
+from smsl_studio.studio.journal.writer import Journal
 from smsl_studio.studio.safety.change_bar import ChangeBar
-from smsl_studio.studio.safety.outside import Compare, Outside
+from smsl_studio.studio.safety.outside import Compare, OutsideChanges
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.source.pane import SourcePane
 from smsl_studio.studio.theme import Tokens
 
 
@@ -31,7 +31,7 @@ class Safety(QObject):
         self,
         session: Session,
         files: Files,
-        source: Source,
+        source: SourcePane,
         toast: Toast,
         settings: Settings,
         compare: Compare,
@@ -48,7 +48,7 @@ class Safety(QObject):
                        files.changed, source.editor.typed):  # fmt: skip
             signal.connect(lambda *_: self.journal.changed())
         self.bar = ChangeBar(tokens)
-        self.outside = Outside(session, files, self.bar, compare, self)
+        self.outside = OutsideChanges(session, files, self.bar, compare, self)
         self.outside.said.connect(toast.say)
         self.outside.warned.connect(toast.warn)
         self.outside.refused.connect(toast.refuse)
@@ -105,7 +105,7 @@ class Safety(QObject):
         self.outside.stop()
         self.journal.close()
 
-    def _put_aside(self, kept: Kept) -> bool:
+    def _put_aside(self, kept: KeptText) -> bool:
         """Keep a text that belongs nowhere any more; whether that went well."""
         name = Path(kept.file).name
         try:

@@ -31,7 +31,7 @@ _INDENTED = re.compile(r"(\s*(?:- +)*)(.*)")
 
 
 @dataclass(frozen=True)
-class Token:
+class TextToken:
     """A word or mark of one line, and where it begins."""
 
     text: str
@@ -95,18 +95,18 @@ def _in_header(header: re.Match[str], path: tuple[str, ...], column: int) -> Aro
         return Around((*path[:1], HEADER), "", key, typed, *header.span(1), False)
     found = [one for one in tokens(value, "smsl") if _is_word(one) and one.text not in "()"]
     at = column - header.start(2)
-    here = next((one for one in found if one.start <= at <= one.end), Token("", at))
+    here = next((one for one in found if one.start <= at <= one.end), TextToken("", at))
     start, end = header.start(2) + here.start, header.start(2) + here.end
     inner = (*path[:1], HEADER, key) if value.startswith("(") else (*path[:1], HEADER)
     typed = unquoted(here.text[: at - here.start])
     return Around(inner, "" if inner[2:] else key, here.name, typed, start, end, not inner[2:])
 
 
-def tokens(line: str, form: str) -> list[Token]:
+def tokens(line: str, form: str) -> list[TextToken]:
     """The words and marks of a line."""
     pattern = _TOKENS.get(form, _TOKENS["json"])
     found = pattern.finditer(line.rstrip("\r\n"))
-    return [Token(match[0].rstrip(), match.start()) for match in found if match[0].strip()]
+    return [TextToken(match[0].rstrip(), match.start()) for match in found if match[0].strip()]
 
 
 def path_at(lines: Sequence[str], at: int, column: int, form: str) -> tuple[str, ...]:
@@ -119,7 +119,7 @@ def path_at(lines: Sequence[str], at: int, column: int, form: str) -> tuple[str,
     return tuple(name for name in reversed(names) if name)
 
 
-def key_at(line: str, column: int, form: str) -> Token | None:
+def key_at(line: str, column: int, form: str) -> TextToken | None:
     """The name that what stands at a column of a line belongs to."""
     found = tokens(line, form)
     keys = [one for one, mark in pairwise(found) if mark.text in (":", "->")]
@@ -139,7 +139,7 @@ def unquoted(word: str) -> str:
         return word.strip('"')
 
 
-def _is_word(token: Token) -> bool:
+def _is_word(token: TextToken) -> bool:
     return token.text not in ("{", "}", "[", "]", ":", ",", "->") and token.text[:2] != "//"
 
 
@@ -154,7 +154,7 @@ def _names_before(lines: Sequence[str], at: int, column: int, form: str) -> tupl
 
 def _open_brackets(
     lines: Sequence[str], at: int, column: int, form: str
-) -> Iterator[tuple[Token, int]]:
+) -> Iterator[tuple[TextToken, int]]:
     """The brackets that are open at a place, the innermost first, each with its line."""
     closed = 0
     for number in range(at, -1, -1):

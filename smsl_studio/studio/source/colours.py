@@ -12,8 +12,8 @@ from collections.abc import Iterator
 from PySide6.QtGui import QColor, QTextBlock, QTextCharFormat, QTextLayout
 from PySide6.QtWidgets import QPlainTextEdit
 
-from smsl_studio.studio.source.around import Token, tokens
-from smsl_studio.studio.source.spelling import units
+from smsl_studio.studio.source.around import TextToken, tokens
+from smsl_studio.studio.source.shown_text import units
 from smsl_studio.studio.theme import Tokens
 
 Piece = tuple[int, int, str]
@@ -75,7 +75,7 @@ def _yaml(line: str) -> Iterator[Piece]:
             yield token.start, token.end, "ok"
 
 
-def _yaml_key(token: Token, value: list[str]) -> Iterator[Piece]:
+def _yaml_key(token: TextToken, value: list[str]) -> Iterator[Piece]:
     if token.name.startswith("_") or token.name == "HEADER":
         yield token.start, token.end, "tx3"
     elif not value or value[0] in ("{", "["):

@@ -23,14 +23,14 @@ _WORDS = {"true", "false", "yes", "no", "on", "off", "null", "y", "n"}
 
 
 @dataclass(frozen=True)
-class Offer:
+class Completion:
     """A name that may stand here, and a word on what it is."""
 
     name: str
     detail: str = ""
 
 
-def offers(blueprint: Blueprint, library: Sequence[str], here: Around) -> list[Offer]:
+def offers(blueprint: Blueprint, library: Sequence[str], here: Around) -> list[Completion]:
     """What may stand at a place, the best fit first; nothing where only free text may."""
     typed = here.typed.casefold()
     found = dict.fromkeys(offer for offer in _all(blueprint, library, here))
@@ -39,7 +39,7 @@ def offers(blueprint: Blueprint, library: Sequence[str], here: Around) -> list[O
     return fits[:MOST]
 
 
-def written(offer: Offer, here: Around, form: str, after: str) -> str:
+def written(offer: Completion, here: Around, form: str, after: str) -> str:
     """How an offer is written in a form; ``after`` is what follows on the line."""
     if form == "json":
         name = json.dumps(offer.name, ensure_ascii=False)
@@ -59,10 +59,10 @@ def _quoted(name: str) -> str:
     return json.dumps(name, ensure_ascii=False)
 
 
-def _all(blueprint: Blueprint, library: Sequence[str], here: Around) -> Iterator[Offer]:
+def _all(blueprint: Blueprint, library: Sequence[str], here: Around) -> Iterator[Completion]:
     path = here.path
     if not path:
-        yield from () if here.is_value else map(Offer, IN_FILE)
+        yield from () if here.is_value else map(Completion, IN_FILE)
         return
     branch = blueprint.branches.get(path[0])
     if path[1:2] == (HEADER,):
@@ -75,50 +75,56 @@ def _all(blueprint: Blueprint, library: Sequence[str], here: Around) -> Iterator
         yield from _states(branch) if here.is_value else _operations(branch, library)
 
 
-def _in_branch(branch: StateBranch | None) -> Iterator[Offer]:
+def _in_branch(branch: StateBranch | None) -> Iterator[Completion]:
     """States that are led to and not there yet, then what else an SB may hold."""
     if branch is not None:
         targets = (target for table in branch.table.values() for target in table.values())
         missing = dict.fromkeys(target for target in targets if target not in branch.table)
-        yield from (Offer(name, "is led to, and missing") for name in missing)
-    yield from (Offer(name) for name in IN_BRANCH if branch is None or name not in branch.fields)
+        yield from (Completion(name, "is led to, and missing") for name in missing)
+    yield from (
+        Completion(name) for name in IN_BRANCH if branch is None or name not in branch.fields
+    )
 
 
-def _in_header(blueprint: Blueprint, branch: StateBranch | None, here: Around) -> Iterator[Offer]:
+def _in_header(
+    blueprint: Blueprint, branch: StateBranch | None, here: Around
+) -> Iterator[Completion]:
     if here.path[2:3] == ("SUB_SBS",) or here.key == "SUB_SBS":
-        yield from (Offer(name, "State Branch") for name in blueprint.branches
+        yield from (Completion(name, "State Branch") for name in blueprint.branches
                     if name != here.path[0])  # fmt: skip
     elif here.is_value and here.key in ("INITIAL", "ACTIVATING"):
         yield from _states(branch)
     elif not here.is_value and len(here.path) == 2:
-        yield from map(Offer, HEADERS)
+        yield from map(Completion, HEADERS)
 
 
-def _in_note(branch: StateBranch | None, library: Sequence[str], here: Around) -> Iterator[Offer]:
+def _in_note(
+    branch: StateBranch | None, library: Sequence[str], here: Around
+) -> Iterator[Completion]:
     """In ``_states`` and its like: the names that notes are about, then what a note may say."""
     kind = _NOTES.get(here.path[1])
     if here.is_value or kind is None:
         return
     if len(here.path) == 3:
-        yield from (Offer(field.name) for field in fields(kind))
+        yield from (Completion(field.name) for field in fields(kind))
     elif here.path[1] == "_states":
         yield from _states(branch)
     elif here.path[1] == "_operations":
         yield from _operations(branch, library)
     elif branch is not None:
-        yield from (Offer(str(at), branch.fact_name(at)) for at in range(branch.num_facts))
+        yield from (Completion(str(at), branch.fact_name(at)) for at in range(branch.num_facts))
 
 
-def _states(branch: StateBranch | None) -> Iterator[Offer]:
+def _states(branch: StateBranch | None) -> Iterator[Completion]:
     if branch is not None:
         notes = branch.notes.states
         for name in branch.table:
-            yield Offer(name, notes[name].title if name in notes else "")
+            yield Completion(name, notes[name].title if name in notes else "")
 
 
-def _operations(branch: StateBranch | None, library: Sequence[str]) -> Iterator[Offer]:
+def _operations(branch: StateBranch | None, library: Sequence[str]) -> Iterator[Completion]:
     used = dict.fromkeys(n for t in branch.table.values() for n in t) if branch else {}
     notes = branch.notes.operations if branch else {}
     for name in sorted(used):
-        yield Offer(name, notes[name].title if name in notes else "")
-    yield from (Offer(name, "library") for name in library if name not in used)
+        yield Completion(name, notes[name].title if name in notes else "")
+    yield from (Completion(name, "library") for name in library if name not in used)

@@ -22,11 +22,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from smsl_studio.studio.source.answering import Keys
+from smsl_studio.studio.source.key_owner import Keys
 from smsl_studio.studio.source.patches import Patch, common_prefix, common_suffix, joined
-from smsl_studio.studio.source.sheet import Sheet
-from smsl_studio.studio.source.spelling import from_units, units
-from smsl_studio.studio.source.surface import Surface
+from smsl_studio.studio.source.sheet import TextSheet
+from smsl_studio.studio.source.shown_text import from_units, units
+from smsl_studio.studio.source.surface import TextSurface
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 
@@ -34,7 +34,7 @@ TOGETHER = 300
 """Patches from which on they are made as one."""
 
 
-class Editor(Surface):
+class Editor(TextSurface):
     """The text itself. Lines and columns are those shown, from 0, counted in characters."""
 
     starting = Signal()
@@ -78,7 +78,7 @@ class Editor(Surface):
     def load(self, text: str) -> None:
         """Show another text from its beginning."""
         self.folds.all.clear()
-        self.sheet = Sheet(text)
+        self.sheet = TextSheet(text)
         self._own = True
         self.setPlainText(self.sheet.shown)
         self._own = False

@@ -13,14 +13,14 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.smsl.document import Document
 from smsl_studio.studio.source import regions
 from smsl_studio.studio.source.around import HEADER, around, key_at, path_at
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.sheet import TextSheet
 
 MANY = 200
 """Places at which a name is looked for at most."""
 
 
 @dataclass(frozen=True)
-class Lines:
+class LineRange:
     """Lines as they are shown, counted from 0, first and last included."""
 
     first: int
@@ -30,7 +30,7 @@ class Lines:
 class Elements:
     """The elements in what a sheet shows; ``document`` is what its text was last read as."""
 
-    def __init__(self, sheet: Sheet, document: Document) -> None:
+    def __init__(self, sheet: TextSheet, document: Document) -> None:
         self._sheet, self._document = sheet, document
 
     @property
@@ -38,7 +38,7 @@ class Elements:
         """Whether the text is the document's own."""
         return self._sheet.text == self._document.text
 
-    def lines_of(self, address: Address) -> Lines | None:
+    def lines_of(self, address: Address) -> LineRange | None:
         """The lines in which an element is written; None where it is not found."""
         if not self.exact:
             return self._found(address.path)
@@ -76,8 +76,8 @@ class Elements:
             return Address(branch, here.word)
         return None
 
-    def _lines(self, start: int, end: int) -> Lines:
-        return Lines(self._sheet.where(start)[0], self._sheet.where(end)[0])
+    def _lines(self, start: int, end: int) -> LineRange:
+        return LineRange(self._sheet.where(start)[0], self._sheet.where(end)[0])
 
     def _read_path(self, line: int, column: int) -> tuple[str, ...]:
         offset = self._sheet.offset(line, column)
@@ -105,7 +105,7 @@ class Elements:
         outer = path_at(self._sheet.pieces, line, key.start, form)
         return (*outer, key.name) if outer == path else path
 
-    def _found(self, path: tuple[str, ...]) -> Lines | None:
+    def _found(self, path: tuple[str, ...]) -> LineRange | None:
         """The lines of an element whose name is searched for."""
         within = self._found(path[:-1]) if len(path) > 2 else None
         if len(path) > 2 and within is None:
@@ -126,5 +126,5 @@ class Elements:
                 line = regions.enclosing(self._sheet.pieces, line) or line
             elif path_at(self._sheet.pieces, line, column, form) != path[:-1]:
                 continue
-            return Lines(line, regions.extent(self._sheet.pieces, line))
+            return LineRange(line, regions.extent(self._sheet.pieces, line))
         return None

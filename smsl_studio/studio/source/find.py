@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QRegularExpression
 
-from smsl_studio.studio.source.spelling import from_units
+from smsl_studio.studio.source.shown_text import from_units
 
 MOST = 10_000
 """Places that are counted at most."""
@@ -15,7 +15,7 @@ _GROUP = re.compile(r"\\([0-9]|\\|n|t)")
 
 
 @dataclass(frozen=True)
-class Search:
+class TextSearch:
     """What is looked for."""
 
     words: str
@@ -42,7 +42,7 @@ class Found:
     more: bool = False
 
 
-def find(text: str, search: Search) -> Found:
+def find(text: str, search: TextSearch) -> Found:
     """All places of what is looked for. Qt's engine gives up where an expression goes astray."""
     if not search.words:
         return Found()
@@ -71,7 +71,7 @@ def find(text: str, search: Search) -> Found:
     return Found(tuple(matches))
 
 
-def replaced(match: Match, words: str, search: Search) -> str:
+def replaced(match: Match, words: str, search: TextSearch) -> str:
     """What stands in place of a match: in expressions ``\\1`` is its first group."""
     if not search.regular:
         return words
@@ -86,7 +86,7 @@ def replaced(match: Match, words: str, search: Search) -> str:
     return _GROUP.sub(group, words)
 
 
-def _expression(search: Search) -> QRegularExpression:
+def _expression(search: TextSearch) -> QRegularExpression:
     pattern = search.words if search.regular else QRegularExpression.escape(search.words)
     if search.whole:
         pattern = rf"(?<![\w-])(?:{pattern})(?![\w-])"

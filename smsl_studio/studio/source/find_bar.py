@@ -13,7 +13,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Elided, row
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.source.editor import Editor
-from smsl_studio.studio.source.find import Found, Match, Search, find, replaced
+from smsl_studio.studio.source.find import Found, Match, TextSearch, find, replaced
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import counted
@@ -83,9 +83,9 @@ class FindBar(QWidget):
             button.setIcon(icon(name, tokens))
 
     @property
-    def search(self) -> Search:
+    def search(self) -> TextSearch:
         """What is looked for."""
-        return Search(
+        return TextSearch(
             self.words.text(), self.case.isChecked(), self.whole.isChecked(),
             self.regular.isChecked(),
         )  # fmt: skip

@@ -12,7 +12,7 @@ from PySide6.QtGui import QTextBlock
 from PySide6.QtWidgets import QPlainTextEdit
 
 from smsl_studio.studio.source import regions
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.sheet import TextSheet
 
 
 @dataclass(frozen=True, order=True)
@@ -76,7 +76,7 @@ class Folds:
             for fold in self.all
         ]
 
-    def words(self, fold: Fold, sheet: Sheet, form: str) -> str:
+    def words(self, fold: Fold, sheet: TextSheet, form: str) -> str:
         """What a fold says: how many lines, and of which elements."""
         count = f"{fold.last - fold.first + 1} lines folded"
         above = regions.names_in(sheet.pieces, max(0, fold.first - 1), fold.first - 1, form)

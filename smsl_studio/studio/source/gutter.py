@@ -14,7 +14,7 @@ from smsl_studio.studio.source import regions
 from smsl_studio.studio.tips import tip_text
 
 if TYPE_CHECKING:
-    from smsl_studio.studio.source.surface import Surface
+    from smsl_studio.studio.source.surface import TextSurface
 
 LEFT, MARKS = 8, 22
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -34,7 +34,7 @@ class Gutter(QWidget):
     fixes_wanted = Signal(int)
     fold_wanted = Signal(int)
 
-    def __init__(self, editor: Surface) -> None:
+    def __init__(self, editor: TextSurface) -> None:
         super().__init__(editor)
         self._editor = editor
         self._under = -1

@@ -12,7 +12,7 @@ from smsl_studio.studio.source.manners import Manners
 from smsl_studio.studio.source.popup import Popup
 
 if TYPE_CHECKING:
-    from smsl_studio.studio.source.pane import Source
+    from smsl_studio.studio.source.pane import SourcePane
 
 _NONE, _CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 _SHIFT, _ALT = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier
@@ -39,7 +39,7 @@ SOURCE_KEYS = (
 class PaneKeys:
     """Asks the list of names first, then the pane's own keys, then the manners of the text."""
 
-    def __init__(self, pane: Source, popup: Popup) -> None:
+    def __init__(self, pane: SourcePane, popup: Popup) -> None:
         self._popup, self._manners = popup, Manners(pane.editor)
         self._pane, self._leaving = pane, False
         key, bar = Qt.Key, pane.find_bar
@@ -64,7 +64,7 @@ class PaneKeys:
                 self._keys[one, _CTRL | _ALT] = everywhere
 
     def takes(self, event: QKeyEvent) -> bool:
-        """See ``answering.Keys``."""
+        """See ``key_owner.Keys``."""
         held = event.modifiers()
         popup = not self._popup.isHidden() and event.key() == Qt.Key.Key_Escape
         bar = not self._pane.find_bar.isHidden() and event.key() == Qt.Key.Key_Escape
@@ -72,7 +72,7 @@ class PaneKeys:
         return popup or bar or known
 
     def answer(self, event: QKeyEvent) -> bool:
-        """See ``answering.Keys``."""
+        """See ``key_owner.Keys``."""
         if self._popup.answer(event):
             return True
         call = self._keys.get((event.key(), event.modifiers()))
@@ -96,5 +96,5 @@ class PaneKeys:
         return answered
 
     def typed(self, event: QKeyEvent) -> None:
-        """See ``answering.Keys``."""
+        """See ``key_owner.Keys``."""
         self._popup.typed(event)

@@ -16,7 +16,7 @@ from smsl_studio.studio.source.around import tokens
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.source.find import Match
 from smsl_studio.studio.source.gutter import Mark
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.sheet import TextSheet
 from smsl_studio.studio.words import capital, whole_sentence
 
 Selection = QTextEdit.ExtraSelection
@@ -26,7 +26,7 @@ MANY_WORDS = 12
 """Marks of one line whose words are shown."""
 
 
-def offset_of(sheet: Sheet, place: Place) -> int:
+def offset_of(sheet: TextSheet, place: Place) -> int:
     """The offset in the text of a place in it."""
     start = sheet.offset(sheet.piece_of(place.line - 1), 0)
     return min(start + place.column - 1, len(sheet.text))
@@ -58,7 +58,7 @@ def wavy(editor: Editor, start: int, end: int, severity: str) -> Selection:
     return mark
 
 
-def fault_span(sheet: Sheet, fault: ReadError) -> tuple[int, int]:
+def fault_span(sheet: TextSheet, fault: ReadError) -> tuple[int, int]:
     """The offsets between which a fault stands, within its line and one character at least."""
     if fault.place is None:
         return 0, min(1, len(sheet.text))
@@ -70,7 +70,7 @@ def fault_span(sheet: Sheet, fault: ReadError) -> tuple[int, int]:
     return start, max(start, min(end, start + max(1, fault.length)))
 
 
-def word_span(sheet: Sheet, place: Place, form: str) -> tuple[int, int]:
+def word_span(sheet: TextSheet, place: Place, form: str) -> tuple[int, int]:
     """The offsets of the word at a place."""
     start = offset_of(sheet, place)
     line, column = sheet.where(start)
@@ -108,7 +108,7 @@ def of_matches(editor: Editor, matches: Sequence[Match]) -> Iterator[Selection]:
 
 
 def by_line(
-    sheet: Sheet, findings: Iterable[Finding], faults: Iterable[ReadError], file: str
+    sheet: TextSheet, findings: Iterable[Finding], faults: Iterable[ReadError], file: str
 ) -> dict[int, Mark]:
     """The gravest mark of each line, with the words of the first few of them."""
     found: dict[int, list[Mark]] = {}

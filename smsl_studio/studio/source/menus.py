@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QApplication, QMenu, QToolButton
 
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.source.editor import Editor
-from smsl_studio.studio.source.repairs import Repair
+from smsl_studio.studio.source.repairs import TextRepair
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 from smsl_studio.studio.words import as_it_is
 
 if TYPE_CHECKING:
-    from smsl_studio.studio.source.pane import Source
+    from smsl_studio.studio.source.pane import SourcePane
 
 SIDE = 18
 
@@ -44,7 +44,7 @@ class Bulb(QToolButton):
         painter.end()
         super().paintEvent(event)
 
-    def show_for(self, repairs: Sequence[Repair]) -> None:
+    def show_for(self, repairs: Sequence[TextRepair]) -> None:
         """Show it if there is something to fix, and say what."""
         self.setVisible(bool(repairs))
         if repairs:
@@ -67,14 +67,14 @@ class Bulb(QToolButton):
         self.move(left, top)
 
 
-def repair_menu(pane: Source, repairs: Sequence[Repair]) -> QMenu:
+def repair_menu(pane: SourcePane, repairs: Sequence[TextRepair]) -> QMenu:
     """A menu of fixes."""
     menu = _passing(pane)
     _add_repairs(menu, repairs)
     return menu
 
 
-def text_menu(pane: Source, repairs: Sequence[Repair], at: QPoint) -> QMenu:
+def text_menu(pane: SourcePane, repairs: Sequence[TextRepair], at: QPoint) -> QMenu:
     """The menu at the pointer."""
     editor, menu = pane.editor, _passing(pane)
     _add_repairs(menu, repairs)
@@ -109,12 +109,12 @@ def text_menu(pane: Source, repairs: Sequence[Repair], at: QPoint) -> QMenu:
     return menu
 
 
-def _add_repairs(menu: QMenu, repairs: Sequence[Repair]) -> None:
+def _add_repairs(menu: QMenu, repairs: Sequence[TextRepair]) -> None:
     for repair in repairs:
         menu.addAction(as_it_is(repair.words), repair.apply)
 
 
-def _passing(pane: Source) -> QMenu:
+def _passing(pane: SourcePane) -> QMenu:
     menu = QMenu(pane)
     menu.aboutToHide.connect(menu.deleteLater)
     return menu

@@ -21,19 +21,19 @@ from smsl_studio.studio.source import marks
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.source.elements import Elements
 from smsl_studio.studio.source.find_bar import FindBar
-from smsl_studio.studio.source.folding import Folding
+from smsl_studio.studio.source.fold_verbs import FoldVerbs
 from smsl_studio.studio.source.keys import PaneKeys
-from smsl_studio.studio.source.marking import Marking
+from smsl_studio.studio.source.pane_marks import PaneMarks
 from smsl_studio.studio.source.patches import patches
-from smsl_studio.studio.source.pointing import Pointing
+from smsl_studio.studio.source.pointer import TextPointer
 from smsl_studio.studio.source.popup import Popup
-from smsl_studio.studio.source.repairing import Repairing
+from smsl_studio.studio.source.quick_fixes import QuickFixes
 from smsl_studio.studio.source.strips import FaultStrip, FileRow, YamlStrip
-from smsl_studio.studio.source.typing import Typing
+from smsl_studio.studio.source.typed_text import TypedText
 from smsl_studio.studio.theme import Tokens
 
 
-class Source(QWidget):
+class SourcePane(QWidget):
     """The source pane. It works while it is visible; hidden it is stale and costs nothing."""
 
     caret_moved = Signal(int, int)
@@ -51,9 +51,9 @@ class Source(QWidget):
         self.files, self.yaml, self.faults = FileRow(), YamlStrip(), FaultStrip()
         self.find_bar = FindBar(self.editor)
         self.popup = Popup(self.editor, lambda: session.blueprint)
-        self.marking, self.pointing = Marking(self, session), Pointing(self, session)
-        self.folding, self.repairing = Folding(self.editor), Repairing(self, session)
-        self.typing = Typing(session, lambda: self.editor.sheet.text, self)
+        self.marking, self.pointing = PaneMarks(self, session), TextPointer(self, session)
+        self.folding, self.repairing = FoldVerbs(self.editor), QuickFixes(self, session)
+        self.typing = TypedText(session, lambda: self.editor.sheet.text, self)
         self._build()
         self._connect()
         self.set_tokens(tokens)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.controls import NameDelegate
 from smsl_studio.studio.source.around import Around, around
-from smsl_studio.studio.source.completion import Offer, offers, written
+from smsl_studio.studio.source.completion import Completion, offers, written
 from smsl_studio.studio.source.editor import Editor
 from smsl_studio.studio.tips import tip_text
 
@@ -113,7 +113,7 @@ class Popup(QListWidget):
         self.setCurrentRow(0)
         self._place()
 
-    def _wanted(self, here: Around, found: Sequence[Offer], column: int) -> bool:
+    def _wanted(self, here: Around, found: Sequence[Completion], column: int) -> bool:
         """Whether somebody who did not ask has begun a name here that is not complete."""
         shown = self._editor.sheet.shown_piece(self._line)
         quoted = shown[column - 1 : column] == '"'
@@ -143,7 +143,7 @@ class Popup(QListWidget):
         self.hide()
         if item is None or here is None:
             return
-        offer: Offer = item.data(Qt.ItemDataRole.UserRole)
+        offer: Completion = item.data(Qt.ItemDataRole.UserRole)
         shown = editor.sheet.shown_piece(self._line)
         part = written(offer, here, editor.form, shown[here.end :])
         start, end = (editor.sheet.offset(self._line, at) for at in (here.start, here.end))

@@ -11,11 +11,11 @@ from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.repair import mend
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.marks import fault_span, offset_of
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.sheet import TextSheet
 
 
 @dataclass(frozen=True)
-class Repair:
+class TextRepair:
     """A fix that can be applied: the words for it, in which line it is, and what does it."""
 
     words: str
@@ -23,23 +23,25 @@ class Repair:
     apply: Callable[[], object]
 
 
-def of_faults(session: Session, sheet: Sheet, faults: Sequence[ReadError]) -> Iterator[Repair]:
+def of_faults(
+    session: Session, sheet: TextSheet, faults: Sequence[ReadError]
+) -> Iterator[TextRepair]:
     """The fixes of the faults of a text that does not read."""
     for fault in faults:
         if fault.fix is not None:
             line = sheet.where(fault_span(sheet, fault)[0])[0]
-            yield Repair(fault.fix.words, line, _text_fix(session, fault.fix))
+            yield TextRepair(fault.fix.words, line, _text_fix(session, fault.fix))
 
 
 def of_findings(
-    session: Session, sheet: Sheet, findings: Sequence[Finding], file: str
-) -> Iterator[Repair]:
+    session: Session, sheet: TextSheet, findings: Sequence[Finding], file: str
+) -> Iterator[TextRepair]:
     """The fixes of findings, as the panel of findings applies them."""
     for finding in findings:
         fix = finding.fix
         if fix is not None:
             line = sheet.where(offset_of(sheet, finding.places_in(file)[0]))[0]
-            yield Repair(
+            yield TextRepair(
                 fix.words, line, partial(session.edit, fix.words, partial(mend, finding=finding))
             )
 

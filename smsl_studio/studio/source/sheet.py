@@ -14,14 +14,14 @@ from collections.abc import Sequence
 from itertools import accumulate
 
 from smsl_studio.studio.source.patches import common_prefix, common_suffix
-from smsl_studio.studio.source.spelling import CR_SHOWN, exact_column, shown, shown_column
+from smsl_studio.studio.source.shown_text import CR_SHOWN, exact_column, shown, shown_column
 
 LONG = 4000
 """Characters from which on a line is cut; a piece has half as many at least."""
 _CUT = re.compile(r"[, \t}\])]")
 
 
-class Sheet:
+class TextSheet:
     """The pieces of one text, as many as the widget has blocks. Columns are those shown."""
 
     def __init__(self, text: str = "") -> None:

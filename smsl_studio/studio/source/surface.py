@@ -15,13 +15,13 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.source.colours import Colours
 from smsl_studio.studio.source.folds import Folds
 from smsl_studio.studio.source.gutter import Gutter
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.sheet import TextSheet
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 
 SIZE, SMALLEST, LARGEST = 12, 8, 32
 
 
-class Surface(QPlainTextEdit):
+class TextSurface(QPlainTextEdit):
     """A text widget without lines that wrap. Lines are those shown, counted from 0."""
 
     reshaped = Signal()
@@ -30,7 +30,7 @@ class Surface(QPlainTextEdit):
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.tokens = tokens
-        self.sheet = Sheet()
+        self.sheet = TextSheet()
         self.form = "json"
         self._caret_line, self._size = 0, SIZE
         self.setUndoRedoEnabled(False)

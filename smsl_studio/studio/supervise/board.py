@@ -11,8 +11,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.studio.supervise.card import CardButton
 from smsl_studio.studio.supervise.columns import Columns
 from smsl_studio.studio.supervise.partial import PartialView
-from smsl_studio.studio.supervise.spot import Spot
-from smsl_studio.studio.supervise.surface import Surface
+from smsl_studio.studio.supervise.spot import StateSpot
+from smsl_studio.studio.supervise.surface import PartialSurface
 from smsl_studio.studio.theme import Tokens
 
 
@@ -26,7 +26,7 @@ class Board(QScrollArea):
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._inner = Surface(tokens)
+        self._inner = PartialSurface(tokens)
         self._inner.card_chosen.connect(self.card_chosen)
         self._inner.seen_wanted.connect(self._see)
         self.setWidget(self._inner)
@@ -62,7 +62,7 @@ class Board(QScrollArea):
         return self.horizontalScrollBar().value()
 
     @property
-    def spots(self) -> list[Spot]:
+    def spots(self) -> list[StateSpot]:
         """The states that are shown: the previous one, the active one, the neighbours."""
         return self._inner.shown_spots()
 

@@ -22,7 +22,7 @@ from smsl_studio.studio.supervise.partial import (
     UNKNOWN,
     VETOED,
     WAITS,
-    Card,
+    OperationCard,
 )
 from smsl_studio.studio.theme import RADIUS_NODE, Tokens, text_font
 from smsl_studio.studio.tips import tip_text
@@ -52,7 +52,7 @@ class CardButton(QAbstractButton):
     step_wanted = Signal(int)
     """The card so many places further on is wanted."""
 
-    def __init__(self, card: Card, tokens: Tokens, parent: QWidget) -> None:
+    def __init__(self, card: OperationCard, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.card, self._tokens = card, tokens
         self._chosen = False
@@ -61,7 +61,7 @@ class CardButton(QAbstractButton):
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.show_card(card, chosen=False)
 
-    def show_card(self, card: Card, chosen: bool) -> None:
+    def show_card(self, card: OperationCard, chosen: bool) -> None:
         """Show another standing of the same operation, or another operation."""
         self.card, self._chosen = card, chosen
         self.setAccessibleName(plain_text(card_words(card, chosen)))
@@ -215,7 +215,7 @@ def _triangle(painter: QPainter, x: float, y: float, fill: QColor | None, tokens
     painter.drawPolygon(corners)
 
 
-def card_words(card: Card, chosen: bool = False) -> str:
+def card_words(card: OperationCard, chosen: bool = False) -> str:
     """A card in words, for those who do not see it."""
     words = [f"{card.number}, {card.name}"]
     words.append(f"stays in {card.target}" if card.stays else f"to {card.target}")
@@ -228,7 +228,7 @@ def card_words(card: Card, chosen: bool = False) -> str:
     return ", ".join([*words, *card.reasons])
 
 
-def _tip(card: Card) -> str:
+def _tip(card: OperationCard) -> str:
     lines = [str(card.address), f"stays in {card.target}" if card.stays else f"to {card.target}"]
     if card.mark:
         words = {"rise": "turns a sub-SB's fact on", "fall": "turns a sub-SB's fact off",

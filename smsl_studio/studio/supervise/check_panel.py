@@ -13,7 +13,7 @@ from smsl_studio.studio.canvas.ink import Ink, Type, draw_unknown
 from smsl_studio.studio.controls import Elided, Label, label
 from smsl_studio.studio.run.facts_table import FactsTable, as_they_were
 from smsl_studio.studio.supervise.facts import check_view
-from smsl_studio.studio.supervise.partial import Outside, PartialView, outside_facts
+from smsl_studio.studio.supervise.partial import OutsideFact, PartialView, outside_facts
 from smsl_studio.studio.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.tips import tip_text
 
@@ -74,7 +74,7 @@ class CheckPanel(QWidget):
         return f"{self._state.text()} {self._verdict.text()}".strip()
 
     @property
-    def outside(self) -> tuple[Outside, ...]:
+    def outside(self) -> tuple[OutsideFact, ...]:
         """The facts of other SBs that block something."""
         return self._outside.lines
 
@@ -98,7 +98,7 @@ class CheckPanel(QWidget):
         for part in (self._state, self._written, self._verdict, self.table):
             part.setVisible(found is not None)
         self._empty.setVisible(found is None)
-        lines: tuple[Outside, ...] = ()
+        lines: tuple[OutsideFact, ...] = ()
         if found is not None and blueprint is not None and status is not None and view is not None:
             lines = outside_facts(blueprint, status, view)
             self._state.setText(f"{found.state}, awaited" if found.awaited else found.state)
@@ -146,14 +146,14 @@ class _OutsideLines(QWidget):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self._tokens = tokens
-        self.lines: tuple[Outside, ...] = ()
+        self.lines: tuple[OutsideFact, ...] = ()
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
         self._tokens = tokens
         self.update()
 
-    def show_lines(self, lines: tuple[Outside, ...]) -> None:
+    def show_lines(self, lines: tuple[OutsideFact, ...]) -> None:
         if lines != self.lines:
             self.lines = lines
             said = "\n".join(

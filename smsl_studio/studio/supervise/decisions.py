@@ -7,7 +7,15 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus, Offer, Possible
-from smsl_studio.studio.supervise.partial import PAUSED, PRUNED, RISKY, RUNNING, VETOED, WAITS, Card
+from smsl_studio.studio.supervise.partial import (
+    PAUSED,
+    PRUNED,
+    RISKY,
+    RUNNING,
+    VETOED,
+    WAITS,
+    OperationCard,
+)
 from smsl_studio.studio.words import capital, counted
 
 ASK, VETO, PRUNE, RESTORE, TAKE_OVER, GIVE_BACK, ACCEPT = (
@@ -39,7 +47,7 @@ class Decision:
     reasoned: bool = False
 
 
-def choose(card: Card) -> Decision:
+def choose(card: OperationCard) -> Decision:
     """What choosing a card offers: to carry it out, to restore it, or why neither."""
     name, target = card.name, card.target
     if card.standing in (PRUNED, RISKY):

@@ -12,7 +12,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.canvas.ink import Type
 from smsl_studio.studio.controls import row
 from smsl_studio.studio.icons import icon
-from smsl_studio.studio.run.framing import tool
+from smsl_studio.studio.run.frames import tool
 from smsl_studio.studio.supervise.columns import Columns
 from smsl_studio.studio.supervise.surface import draw_dots
 from smsl_studio.studio.theme import Tokens, text_font
@@ -24,7 +24,7 @@ HIGH, LOW = 64, 40
 TOP = 40
 
 
-class Head(QWidget):
+class PartialHead(QWidget):
     """With several SBs one button each; the one in which something happens is chosen unasked,
     until a person chooses."""
 

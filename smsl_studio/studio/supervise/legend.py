@@ -15,7 +15,7 @@ from smsl_studio.studio.theme import Tokens, text_font
 LINE, LEFT, WORDS = 22, 20, 62
 
 
-class Legend(QWidget):
+class PartialLegend(QWidget):
     """Four lines; the last one only where sub-SBs expand facts."""
 
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:

@@ -24,9 +24,9 @@ from smsl_studio.studio.supervise import decisions
 from smsl_studio.studio.supervise.bar import SuperviseBar
 from smsl_studio.studio.supervise.board import Board
 from smsl_studio.studio.supervise.check_panel import CheckPanel
-from smsl_studio.studio.supervise.deciding import Deciding
+from smsl_studio.studio.supervise.decision_flow import DecisionFlow
 from smsl_studio.studio.supervise.facts import sensed_marks
-from smsl_studio.studio.supervise.head import HIGH, LOW, Head
+from smsl_studio.studio.supervise.head import HIGH, LOW, PartialHead
 from smsl_studio.studio.supervise.hold_card import HoldCard
 from smsl_studio.studio.supervise.notice import Notice
 from smsl_studio.studio.supervise.partial import PartialView, partial_view, shown_branch
@@ -57,13 +57,13 @@ class SupervisePane(QWidget):
         self.setAccessibleName("Supervise")
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.bar = SuperviseBar(tokens)
-        self.head, self.board = Head(tokens), Board(tokens)
+        self.head, self.board = PartialHead(tokens), Board(tokens)
         self.full_map = RunCanvas(session, run, tokens)
         self.notice = Notice()
         self.check = CheckPanel(tokens)
         self.hold, self.step_in = HoldCard(), StepIn(tokens)
         self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in)
-        self.deciding = Deciding(run, self.step_in, self)
+        self.deciding = DecisionFlow(run, self.step_in, self)
         self._build()
         self._connect()
         self.refresh()

@@ -26,7 +26,7 @@ NUMBERED = 9
 
 
 @dataclass(frozen=True)
-class Card:
+class OperationCard:
     """One operation out of the active state.
 
     ``standing`` is one of the words above; ``reasons`` say why it is not permitted. ``mark`` is
@@ -76,21 +76,21 @@ class PartialView:
     seconds: float
     via: Address | None
     via_mark: str
-    cards: tuple[Card, ...]
+    cards: tuple[OperationCard, ...]
     neighbours: tuple[str, ...]
     ahead: str = ""
 
-    def card(self, address: Address | None) -> Card | None:
+    def card(self, address: Address | None) -> OperationCard | None:
         """The card of an operation, None where it is not out of the active state."""
         return next((card for card in self.cards if card.address == address), None)
 
-    def numbered(self, number: int) -> Card | None:
+    def numbered(self, number: int) -> OperationCard | None:
         """The card with this key."""
         return self.cards[number - 1] if 0 < number <= len(self.cards) else None
 
 
 @dataclass(frozen=True)
-class Outside:
+class OutsideFact:
     """A fact of another SB that an operation requires and that does not hold."""
 
     term: Term
@@ -135,7 +135,7 @@ def partial_view(blueprint: Blueprint, status: DispatchStatus, name: str) -> Par
 
 def outside_facts(
     blueprint: Blueprint, status: DispatchStatus, view: PartialView
-) -> tuple[Outside, ...]:
+) -> tuple[OutsideFact, ...]:
     """The facts of other SBs that keep operations of this view from beginning."""
     found: dict[tuple[tuple[str, int], str], tuple[Term, list[str]]] = {}
     for item in status.possible:
@@ -146,14 +146,14 @@ def outside_facts(
                 entry = found.setdefault((term.fact, term.wanted), (term, []))
                 entry[1].append(item.address.operation)
     return tuple(
-        Outside(term, _fact_name(blueprint, term), _why(term), tuple(blocks))
+        OutsideFact(term, _fact_name(blueprint, term), _why(term), tuple(blocks))
         for term, blocks in found.values()
     )
 
 
 def _cards(
     blueprint: Blueprint, branch: StateBranch, status: DispatchStatus, state: str
-) -> tuple[Card, ...]:
+) -> tuple[OperationCard, ...]:
     """Operations that lead to one state stand together, in written order; those that stay, last.
 
     The order follows nothing that changes while one looks: a number stays the same key.
@@ -176,13 +176,13 @@ def _card(
     address: Address,
     item: Possible | None,
     number: int,
-) -> Card:
+) -> OperationCard:
     note = branch.operation_note(address.state, address.operation)
     needs, unmet = _needs(blueprint, note.confirm, item.needs if item else ())
     level = item.level if item else "automatic"
     actor = note.actor or ACTORS.get(level, "robot")
     cost = item.cost if item else branch.cost(address.state, address.operation)
-    return Card(
+    return OperationCard(
         address=address,
         number=number,
         target=branch.table[address.state][address.operation],

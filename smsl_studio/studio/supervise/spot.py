@@ -23,7 +23,7 @@ BELOW = 38
 """Room for two lines of words below the box."""
 
 
-class Spot(QWidget):
+class StateSpot(QWidget):
     """Shows one state; ``place`` puts the middle of its box somewhere."""
 
     def __init__(self, ink: Ink, parent: QWidget) -> None:

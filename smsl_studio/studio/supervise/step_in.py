@@ -11,8 +11,8 @@ from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import label
 from smsl_studio.studio.supervise import decisions
-from smsl_studio.studio.supervise.asking import Asking
 from smsl_studio.studio.supervise.buttons import StepInButton
+from smsl_studio.studio.supervise.confirmation import ConfirmBox
 from smsl_studio.studio.supervise.decisions import Decision
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
@@ -30,7 +30,7 @@ class StepIn(QWidget):
     def __init__(self, tokens: Tokens) -> None:
         super().__init__()
         self.setAccessibleName("Step in")
-        self.asking = Asking()
+        self.asking = ConfirmBox()
         self._status: DispatchStatus | None = None
         self._subject: Address | None = None
         self._on = label("", "second")

@@ -17,9 +17,9 @@ from smsl_studio.studio.canvas.node_paint import NodeLook, full_width
 from smsl_studio.studio.controls import Label
 from smsl_studio.studio.supervise.card import HEIGHT, INSET, CardButton
 from smsl_studio.studio.supervise.columns import NARROWEST, Columns, columns
-from smsl_studio.studio.supervise.legend import Legend
-from smsl_studio.studio.supervise.partial import Card, PartialView
-from smsl_studio.studio.supervise.spot import Spot
+from smsl_studio.studio.supervise.legend import PartialLegend
+from smsl_studio.studio.supervise.partial import OperationCard, PartialView
+from smsl_studio.studio.supervise.spot import StateSpot
 from smsl_studio.studio.supervise.wires import LIT, draw_way, draw_wire, fan
 from smsl_studio.studio.theme import Tokens, text_font
 from smsl_studio.studio.tips import tip_text
@@ -29,7 +29,7 @@ TOP, BOTTOM = 8, 12
 DOTS = 16
 
 
-class Surface(QWidget):
+class PartialSurface(QWidget):
     """Cards stand in a column; the states stay in the middle of what is in sight."""
 
     card_chosen = Signal(object)
@@ -45,11 +45,11 @@ class Surface(QWidget):
         self.view: PartialView | None = None
         self.columns: Columns | None = None
         self.cards: list[CardButton] = []
-        self._previous, self._current = Spot(self._ink, self), Spot(self._ink, self)
-        self._neighbours: list[Spot] = []
+        self._previous, self._current = StateSpot(self._ink, self), StateSpot(self._ink, self)
+        self._neighbours: list[StateSpot] = []
         self._stays: list[QLabel] = []
         self._via = Label("", self)
-        self._legend = Legend(tokens, self)
+        self._legend = PartialLegend(tokens, self)
         self._centres: dict[str, float] = {}
         self._told: object = None
 
@@ -90,7 +90,7 @@ class Surface(QWidget):
             self._window = window
             self._arrange()
 
-    def shown_spots(self) -> list[Spot]:
+    def shown_spots(self) -> list[StateSpot]:
         spots = (self._previous, self._current, *self._neighbours)
         return [spot for spot in spots if not spot.isHidden()]
 
@@ -103,7 +103,7 @@ class Surface(QWidget):
 
     # Filling.
 
-    def _fill_cards(self, cards: tuple[Card, ...], chosen: Address | None) -> None:
+    def _fill_cards(self, cards: tuple[OperationCard, ...], chosen: Address | None) -> None:
         while len(self.cards) > len(cards):
             gone = self.cards.pop()
             gone.hide()
@@ -208,7 +208,7 @@ class Surface(QWidget):
         assert self._picture is not None
         x, most = self.columns.neighbours
         while len(self._neighbours) < len(view.neighbours):
-            self._neighbours.append(Spot(self._ink, self))
+            self._neighbours.append(StateSpot(self._ink, self))
         for at, spot in enumerate(self._neighbours):
             spot.setVisible(at < len(view.neighbours))
             if at < len(view.neighbours):

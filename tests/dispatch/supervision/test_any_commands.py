@@ -18,7 +18,7 @@ from smsl_studio.dispatch.planner import Planner
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
-from smsl_studio.host.protocol import Host, Opened, Outcome
+from smsl_studio.host.protocol import Host, OpenedWorld, Outcome
 from smsl_studio.runlog.events import (
     Commanded,
     Committed,
@@ -70,7 +70,7 @@ class Sloppy(FakeHost):
         super().__init__(made, faults, lasts=lasts, settle=settle, stop=stop)
         self.resumes = dice.random() < 0.7
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         opened = super().open(start)
         self._good = dict(self.facts)
         return opened

@@ -10,17 +10,17 @@ import pytest
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.curves import LineStyle, meets
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.prefix import shared_prefix
-from smsl_studio.picture.routing import Style, meets
 from tests.stories.at_canvas import sample
 
 PICTURES = ["hfsm.json", "registration.json", "hanoi.json"]
 
 
 def geometry_of(
-    blueprint: Blueprint, branch: str, size: tuple[float, float], style: Style
+    blueprint: Blueprint, branch: str, size: tuple[float, float], style: LineStyle
 ) -> Geometry:
     """The geometry of an SB with labels of about six pixels a letter."""
     picture = Picture(blueprint, branch)
@@ -40,8 +40,8 @@ def shown(geometry: Geometry) -> dict[int, tuple[float, float, float, float]]:
 
 
 @pytest.mark.parametrize("name", PICTURES)
-@pytest.mark.parametrize("style", [Style(), Style(1.0, True), Style(1.9, True)])
-def test_no_label_lies_over_another_or_over_a_node(name: str, style: Style) -> None:
+@pytest.mark.parametrize("style", [LineStyle(), LineStyle(1.0, True), LineStyle(1.9, True)])
+def test_no_label_lies_over_another_or_over_a_node(name: str, style: LineStyle) -> None:
     blueprint = sample(name)
     size = (46.0, 24.0) if style.compact else (108.0, 54.0)
     for branch in blueprint.branches:
@@ -58,7 +58,7 @@ def test_every_label_of_the_samples_finds_a_place() -> None:
     for name in ("hfsm.json", "registration.json"):
         blueprint = sample(name)
         for branch in blueprint.branches:
-            geometry = geometry_of(blueprint, branch, (108.0, 54.0), Style())
+            geometry = geometry_of(blueprint, branch, (108.0, 54.0), LineStyle())
             hidden = set(range(len(geometry.picture.operations))) - shown(geometry).keys()
             assert not hidden, [str(geometry.picture.address(e)) for e in hidden]
 
@@ -67,7 +67,7 @@ def test_no_line_of_the_samples_runs_through_a_node() -> None:
     for name in ("hfsm.json", "registration.json"):
         blueprint = sample(name)
         for branch in blueprint.branches:
-            geometry = geometry_of(blueprint, branch, (108.0, 54.0), Style())
+            geometry = geometry_of(blueprint, branch, (108.0, 54.0), LineStyle())
             picture = geometry.picture
             for edge in range(len(picture.operations)):
                 ends = int(picture.source[edge]), int(picture.target[edge])
@@ -75,7 +75,7 @@ def test_no_line_of_the_samples_runs_through_a_node() -> None:
 
 
 def test_a_large_picture_is_routed_edge_by_edge() -> None:
-    geometry = geometry_of(hanoi(6), "SB1", (64.0, 24.0), Style(1.0, True))
+    geometry = geometry_of(hanoi(6), "SB1", (64.0, 24.0), LineStyle(1.0, True))
     assert not geometry.small
     first = geometry.shape(0)
     assert geometry.shape(0) is first
@@ -86,8 +86,8 @@ def test_a_large_picture_is_routed_edge_by_edge() -> None:
 
 def test_the_same_picture_is_always_drawn_the_same_way() -> None:
     blueprint = sample("registration.json")
-    one = geometry_of(blueprint, "REGISTRATION", (108.0, 54.0), Style())
-    two = geometry_of(blueprint, "REGISTRATION", (108.0, 54.0), Style())
+    one = geometry_of(blueprint, "REGISTRATION", (108.0, 54.0), LineStyle())
+    two = geometry_of(blueprint, "REGISTRATION", (108.0, 54.0), LineStyle())
     assert shown(one) == shown(two)
 
 

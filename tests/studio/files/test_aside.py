@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.files.asking import Answer, Interrupted
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.fresh import empty_blueprint
+from smsl_studio.studio.files.questions import Answer, Interrupted
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.settings import Settings
 

@@ -11,29 +11,29 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.errors import ReadError
-from smsl_studio.studio.journal.entry import MAGIC, Entry, Kept, decode, encode
+from smsl_studio.studio.journal.entry import MAGIC, JournalEntry, KeptText, decode, encode
 
 names = st.text(st.characters(exclude_characters="\0"), max_size=30)
 texts = st.text(st.characters(), max_size=60)
-kept = st.builds(Kept, names, texts, names)
+kept = st.builds(KeptText, names, texts, names)
 entries = st.builds(
-    Entry, names, names, names, names, st.integers(0, 10**9),
+    JournalEntry, names, names, names, names, st.integers(0, 10**9),
     st.lists(kept, min_size=1, max_size=4).map(tuple),
 )  # fmt: skip
-ENTRY = Entry("a.json", "/x/a.json", "/x/a.json", "2026-01-02T03:04:05", 7,
-              (Kept("/x/a.json", "{}\r\n", "d"), Kept("/x/b.smsl", "\ufeff// ü\n")))  # fmt: skip
+KEPT = (KeptText("/x/a.json", "{}\r\n", "d"), KeptText("/x/b.smsl", "\ufeff// ü\n"))
+ENTRY = JournalEntry("a.json", "/x/a.json", "/x/a.json", "2026-01-02T03:04:05", 7, KEPT)
 
 
 @given(entries)
 @settings(max_examples=60)
-def test_what_was_written_is_read(entry: Entry) -> None:
+def test_what_was_written_is_read(entry: JournalEntry) -> None:
     assert decode(encode(entry)) == entry
 
 
 @given(entries, st.randoms(use_true_random=False))
 @settings(max_examples=60)
 def test_a_journal_that_was_cut_or_damaged_is_refused_or_reads_as_a_whole(
-    entry: Entry, chance: random.Random
+    entry: JournalEntry, chance: random.Random
 ) -> None:
     raw = encode(entry)
     cut = raw[: chance.randrange(len(raw))]
@@ -69,7 +69,7 @@ def head(**other: object) -> bytes:
 
 
 def test_the_made_one_is_good() -> None:
-    assert decode(head()).texts == (Kept("a", "{}"),)
+    assert decode(head()).texts == (KeptText("a", "{}"),)
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from smsl_studio.studio.journal.leftovers import left_behind
 from smsl_studio.studio.journal.place import folder_of
-from smsl_studio.studio.journal.recovering import left_behind
-from smsl_studio.studio.journal.writing import WAIT
+from smsl_studio.studio.journal.writer import WAIT
 
 ROOT = Path(__file__).parents[3]
 SAMPLE = ROOT / "samples" / "hfsm.json"

@@ -9,25 +9,25 @@ from pathlib import Path
 
 import pytest
 
-from smsl_studio.studio.journal.entry import Entry, Kept, encode
-from smsl_studio.studio.journal.place import Place
-from smsl_studio.studio.journal.recovering import MOST, left_behind
+from smsl_studio.studio.journal.entry import JournalEntry, KeptText, encode
+from smsl_studio.studio.journal.leftovers import MOST, left_behind
+from smsl_studio.studio.journal.place import JournalFile
 
 
-def entry(name: str = "a.json", when: str = "2026-01-01T00:00:00") -> Entry:
-    return Entry(name, "", name, when, 1, (Kept(name, "{}"),))
+def entry(name: str = "a.json", when: str = "2026-01-01T00:00:00") -> JournalEntry:
+    return JournalEntry(name, "", name, when, 1, (KeptText(name, "{}"),))
 
 
-def leave(folder: Path, one: Entry) -> Path:
+def leave(folder: Path, one: JournalEntry) -> Path:
     """What a window leaves that goes without closing."""
-    place = Place.take(folder)
+    place = JournalFile.take(folder)
     place.write(encode(one))
     place.let_go()
     return place.path
 
 
 def test_a_living_window_is_not_offered(tmp_path: Path) -> None:
-    place = Place.take(tmp_path)
+    place = JournalFile.take(tmp_path)
     place.write(encode(entry()))
     assert left_behind(tmp_path) == ()
     place.let_go()
@@ -82,7 +82,7 @@ def test_the_lock_of_a_process_that_died_is_free(tmp_path: Path) -> None:
     )
     subprocess.run([sys.executable, "-c", code, str(tmp_path)], check=False, timeout=30)
     (left,) = left_behind(tmp_path)
-    assert left.entry.texts == (Kept("a", "{}"),)
+    assert left.entry.texts == (KeptText("a", "{}"),)
     left.drop()
 
 
@@ -112,7 +112,7 @@ def test_what_cannot_be_read_is_put_aside_and_nothing_is_destroyed(tmp_path: Pat
 
 def test_locks_without_a_journal_are_swept(tmp_path: Path) -> None:
     (tmp_path / "1-2.lock").touch()
-    living = Place.take(tmp_path)
+    living = JournalFile.take(tmp_path)
     assert left_behind(tmp_path) == ()
     assert [path.name for path in tmp_path.iterdir()] == [f"{living.path.stem}.lock"]
     living.let_go()
@@ -127,7 +127,7 @@ def test_a_folder_that_is_none_is_no_trouble(tmp_path: Path) -> None:
 
 
 def test_a_write_that_fails_leaves_the_last_one(tmp_path: Path) -> None:
-    place = Place.take(tmp_path)
+    place = JournalFile.take(tmp_path)
     place.write(b"old")
     place.path.with_suffix(".part").mkdir()
     try:

@@ -15,7 +15,7 @@ from smsl_studio.host.local import LocalHost
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.facts import FactMonitor
 from smsl_studio.monitor.nodes import NodeState
-from smsl_studio.monitor.reception import Received, Refusal, RemoteView
+from smsl_studio.monitor.reception import Received, RefusedMessages, RemoteView
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.studio.monitor.checks import Checks
 from smsl_studio.studio.monitor.estimates import Estimates
@@ -182,7 +182,7 @@ def test_nodes_and_what_counted_for_nothing() -> None:
         NodeState("table", "gone", 1, 1, 9.0, 8.6),
         NodeState("new", "expected", 1, 1, None, 0.1),
     )
-    refusals = (Refusal("retained fact", 3, "SB1/0 eye"),)
+    refusals = (RefusedMessages("retained fact", 3, "SB1/0 eye"),)
     view = RemoteView("b:1", "lab", "main", 2.2, 1, nodes, Received(9, 6, 0, refusals))
     rows = {row.text: row for row in network_rows("hanoi", True, (), view)}
     assert [(rows[n].right, rows[n].severity) for n in ("bench", "wrist", "table", "new")] == [

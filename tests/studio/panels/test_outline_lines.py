@@ -13,8 +13,8 @@ from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.inspection.inspect import inspect
 from smsl_studio.smsl.files import parse_bytes, read_document
 from smsl_studio.smsl.json_form import parse_json
-from smsl_studio.studio.panels.outline_lines import Line, worst_of
-from smsl_studio.studio.panels.outline_nodes import DEEPEST, Nodes
+from smsl_studio.studio.panels.outline_lines import OutlineLine, worst_of
+from smsl_studio.studio.panels.outline_nodes import DEEPEST, OutlineNodes
 from tests.bombs.table import BY_NAME
 from tests.bombs.test_work import steps
 
@@ -25,9 +25,9 @@ def read(values: dict[str, Any]) -> Blueprint:
     return read_blueprint(parse_json(json.dumps(values), "a.json"))
 
 
-def lines_of(blueprint: Blueprint, depth: int = 100) -> list[tuple[int, Line]]:
+def lines_of(blueprint: Blueprint, depth: int = 100) -> list[tuple[int, OutlineLine]]:
     """Every line, with how many stand above it, down to a depth."""
-    nodes, worst = Nodes(blueprint), worst_of(inspect(blueprint))
+    nodes, worst = OutlineNodes(blueprint), worst_of(inspect(blueprint))
     stack = [(0, node) for node in reversed(nodes.top)]
     found = []
     while stack:
@@ -103,7 +103,7 @@ def test_a_chain_of_more_levels_than_are_shown_goes_on_at_the_margin() -> None:
 def test_every_sb_and_fact_is_found_however_many_ways_lead_there(name: str) -> None:
     """Two to the power of 200 ways lead down the diamonds, and only one is gone."""
     blueprint = made(name, 200)
-    nodes = Nodes(blueprint)
+    nodes = OutlineNodes(blueprint)
     for branch in blueprint:
         for digit in (None, *range(branch.num_facts)):
             node = nodes.first((branch.name, digit))
@@ -115,7 +115,7 @@ def test_every_sb_and_fact_is_found_however_many_ways_lead_there(name: str) -> N
 
 
 def test_what_is_not_there_is_not_found() -> None:
-    nodes = Nodes(read_blueprint(read_document(SAMPLES / "hfsm.json")))
+    nodes = OutlineNodes(read_blueprint(read_document(SAMPLES / "hfsm.json")))
     wrong = [("SB3", None), ("SB3", 0), ("SB1", 7), ("SB1", -1), ("", 0)]
     assert [nodes.first(key) for key in wrong] == [None] * len(wrong)
 
@@ -124,8 +124,8 @@ def test_what_is_not_there_is_not_found() -> None:
 def test_what_nobody_looks_at_is_not_worked_out(name: str) -> None:
     blueprint = made(name, 200)
     subs = sum(len(branch.subs) for branch in blueprint)
-    assert steps(lambda: Nodes(blueprint)) <= 20 * (len(blueprint.branches) + subs)
-    nodes = Nodes(blueprint)
+    assert steps(lambda: OutlineNodes(blueprint)) <= 20 * (len(blueprint.branches) + subs)
+    nodes = OutlineNodes(blueprint)
     assert nodes.made == 0
     assert "shape" not in next(reversed(list(blueprint))).__dict__
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from smsl_studio.front.reading import read
+from smsl_studio.front.inputs import read
 from smsl_studio.picture.account import account
 from smsl_studio.runlog.events import (
     Commanded,
@@ -28,7 +28,7 @@ from smsl_studio.runlog.events import (
     TaskOpened,
 )
 from smsl_studio.shipped import samples_dir
-from smsl_studio.studio.replay.replaying import Replaying
+from smsl_studio.studio.replay.playback import ReplayVerbs
 from smsl_studio.studio.theme import LIGHT
 from tests.runlog.logs import chained
 
@@ -62,10 +62,12 @@ def _written(path: Path, events: Sequence[Event]) -> None:
 
 
 @pytest.fixture(scope="module")
-def replaying(qapp: QApplication, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Replaying]:
+def replaying(
+    qapp: QApplication, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[ReplayVerbs]:
     drawn = read(samples_dir() / "hanoi-2.json")
     window = QMainWindow()
-    made = Replaying(lambda: drawn, tmp_path_factory.mktemp("recordings"), LIGHT, window)
+    made = ReplayVerbs(lambda: drawn, tmp_path_factory.mktemp("recordings"), LIGHT, window)
     window.setCentralWidget(made.pane)
     window.resize(1000, 700)
     window.show()
@@ -76,7 +78,7 @@ def replaying(qapp: QApplication, tmp_path_factory: pytest.TempPathFactory) -> I
 
 @pytest.mark.parametrize("story", STORIES)
 def test_an_impossible_recording_is_shown_and_not_verified(
-    story: tuple[Event, ...], replaying: Replaying, qapp: QApplication, tmp_path: Path
+    story: tuple[Event, ...], replaying: ReplayVerbs, qapp: QApplication, tmp_path: Path
 ) -> None:
     path = tmp_path / "run.jsonl"
     _written(path, (START, *story))

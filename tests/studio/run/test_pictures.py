@@ -11,13 +11,13 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
-from smsl_studio.studio.run.camera import VIEWS, Camera
-from smsl_studio.studio.run.renderer import Look, Renderer, matrices, normals, open_renderer
+from smsl_studio.studio.run.camera import VIEWS, WorldCamera
+from smsl_studio.studio.run.renderer import Renderer, RenderStyle, matrices, normals, open_renderer
 from smsl_studio.studio.run.world_view import WorldView
 from smsl_studio.studio.theme import LIGHT
 from smsl_studio.world.protocol import Shape
 
-AHEAD = Camera(target=(0.0, 0.0, 0.0), distance=2.0, azimuth=0.0, elevation=0.0001)
+AHEAD = WorldCamera(target=(0.0, 0.0, 0.0), distance=2.0, azimuth=0.0, elevation=0.0001)
 
 
 def _wall(y: float, z: float, colour: tuple[float, float, float]) -> Shape:
@@ -77,7 +77,7 @@ def test_the_renderer_draws_what_stands_in_front_or_says_why() -> None:
         return
     renderer.load([_wall(-0.5, 0.0, (1, 0, 0)), _wall(0.5, 0.0, (0, 0, 1))])
     for fine in (True, False):
-        image = renderer.draw(STILL * 2, AHEAD, Look(200, 100, dark=False, fine=fine))
+        image = renderer.draw(STILL * 2, AHEAD, RenderStyle(200, 100, dark=False, fine=fine))
         assert (image.width(), image.height()) == (200, 100)
         left, right = image.pixelColor(60, 45), image.pixelColor(140, 45)
         assert left.red() > 2 * left.blue()
@@ -85,8 +85,8 @@ def test_the_renderer_draws_what_stands_in_front_or_says_why() -> None:
         assert image.pixelColor(100, 5).alpha() == 0
     # Both walls in the middle now, the red one before or behind the blue one, and drawn first.
     turn, blue = (0.0, 0.0, 0.0, 1.0), (0.0, -0.5, 0.0, 0.0, 0.0, 0.0, 1.0)
-    before = renderer.draw((0.5, 0.5, 0.0, *turn, *blue), AHEAD, Look(200, 100, dark=False))
-    behind = renderer.draw((-0.5, 0.5, 0.0, *turn, *blue), AHEAD, Look(200, 100, dark=False))
+    before = renderer.draw((0.5, 0.5, 0.0, *turn, *blue), AHEAD, RenderStyle(200, 100, dark=False))
+    behind = renderer.draw((-0.5, 0.5, 0.0, *turn, *blue), AHEAD, RenderStyle(200, 100, dark=False))
     assert before.pixelColor(100, 45).red() > 2 * before.pixelColor(100, 45).blue()
     assert behind.pixelColor(100, 45).blue() > 2 * behind.pixelColor(100, 45).red()
     renderer.close()
@@ -99,7 +99,7 @@ def test_two_windows_draw_each_their_own_world() -> None:
         return
     first.load([_wall(0, 0, (1, 0, 0))])
     second.load([_wall(0, 0, (0, 0, 1))])
-    look, at = Look(64, 48, False), (0.0,) * 6 + (1.0,)
+    look, at = RenderStyle(64, 48, False), (0.0,) * 6 + (1.0,)
     red = first.draw(at, AHEAD, look)
     assert second.draw(at, AHEAD, look) != red
     assert first.draw(at, AHEAD, look) == red
@@ -113,11 +113,11 @@ def test_a_drag_turns_the_camera_and_a_double_click_comes_back(qtbot: QtBot) -> 
         """Draws one colour, and remembers from where."""
 
         def __init__(self) -> None:
-            self.seen: list[Camera] = []
+            self.seen: list[WorldCamera] = []
 
         def load(self, shapes: object) -> None: ...
 
-        def draw(self, poses: object, camera: Camera, look: Look) -> QImage:
+        def draw(self, poses: object, camera: WorldCamera, look: RenderStyle) -> QImage:
             self.seen.append(camera)
             image = QImage(look.width, look.height, QImage.Format.Format_RGBA8888_Premultiplied)
             image.fill(QColor("red"))

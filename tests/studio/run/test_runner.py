@@ -13,7 +13,7 @@ from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.errors import HostError
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.protocol import Opened
+from smsl_studio.host.protocol import OpenedWorld
 from smsl_studio.runlog.events import RunFinished
 from smsl_studio.stop import heed
 from smsl_studio.studio.run.runner import Runner
@@ -34,7 +34,7 @@ class SlowHost(LocalHost):
         self.closed = threading.Event()
         self.was_ended = False
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         self.opening.set()
         self.was_ended = self.closed.wait(PATIENCE)
         if self.was_ended:
@@ -65,7 +65,7 @@ class OpeningHost(LocalHost):
         super().__init__(hanoi(2), "table")
         self.opening = threading.Event()
 
-    def open(self, start: Mapping[str, str]) -> Opened:
+    def open(self, start: Mapping[str, str]) -> OpenedWorld:
         self.opening.set()
         while True:
             heed()

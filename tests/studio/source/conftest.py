@@ -15,7 +15,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.forms import form_named, form_of
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.source.pane import SourcePane
 from smsl_studio.studio.theme import LIGHT
 
 HFSM = """{
@@ -42,7 +42,7 @@ def read(text: str, file: str = "a.json") -> Blueprint:
 class Writer:
     """Somebody at a source pane."""
 
-    pane: Source
+    pane: SourcePane
     session: Session
     qtbot: QtBot
 
@@ -91,11 +91,11 @@ class Writer:
 @pytest.fixture
 def at_text(qtbot: QtBot, qapp: QApplication) -> Iterator[Callable[..., Writer]]:
     """Open a text in a pane and put the focus there."""
-    made: list[Source] = []
+    made: list[SourcePane] = []
 
     def open_on(text: str = HFSM, file: str = "a.json", session: Session | None = None) -> Writer:
         session = session or Session(read(text, file))
-        pane = Source(session, LIGHT)
+        pane = SourcePane(session, LIGHT)
         made.append(pane)
         pane.resize(364, 600)
         pane.show()

@@ -11,8 +11,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.studio.source.elements import Elements, Lines
-from smsl_studio.studio.source.sheet import Sheet
+from smsl_studio.studio.source.elements import Elements, LineRange
+from smsl_studio.studio.source.sheet import TextSheet
 
 SAMPLES = Path(__file__).parents[3] / "samples"
 NAMES = ("hfsm.json", "hanoi.json", "registration.json")
@@ -24,7 +24,7 @@ def sample(name: str) -> Blueprint:
 
 def elements(blueprint: Blueprint, more: str = "") -> Elements:
     """Those of a blueprint's text; with something before it, it is no longer the document's."""
-    return Elements(Sheet(more + blueprint.document.text), blueprint.document)
+    return Elements(TextSheet(more + blueprint.document.text), blueprint.document)
 
 
 @pytest.mark.parametrize("more", ["", "%\n"], ids=["read", "broken"])
@@ -37,7 +37,7 @@ def test_every_element_is_found_where_it_is_written(more: str) -> None:
                 place = blueprint.place(edge.address)
                 line = place.line - 1 + bool(more)
                 assert found.address_at(line, place.column - 1) == edge.address
-                assert found.lines_of(edge.address) == Lines(line, line)
+                assert found.lines_of(edge.address) == LineRange(line, line)
 
 
 @pytest.mark.parametrize("form", ["json", "smsl", "yaml"])
@@ -74,7 +74,7 @@ def test_line_ends_and_a_bom_change_no_line() -> None:
     found = elements(blueprint)
     assert found.address_at(2, 14) == Address("SB1", "State0", "Op")
     assert found.address_at(0, 0) is None
-    assert found.lines_of(Address("SB1", "State0")) == Lines(2, 2)
+    assert found.lines_of(Address("SB1", "State0")) == LineRange(2, 2)
 
 
 def test_names_lead_to_what_they_stand_for() -> None:

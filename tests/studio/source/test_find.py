@@ -9,39 +9,39 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
-from smsl_studio.studio.source.find import Match, Search, find, replaced
+from smsl_studio.studio.source.find import Match, TextSearch, find, replaced
 from tests.studio.source.conftest import CTRL, HFSM, NONE, SHIFT, Writer
 
 At = Callable[..., Writer]
 
 
-def spans(text: str, search: Search) -> list[str]:
+def spans(text: str, search: TextSearch) -> list[str]:
     return [text[one.start : one.end] for one in find(text, search).matches]
 
 
 def test_plain_words_whole_words_case_and_expressions() -> None:
     text = "Op op Op_1 𝛼op a-op"
-    assert spans(text, Search("op")) == ["Op", "op", "Op", "op", "op"]
-    assert spans(text, Search("op", case=True)) == ["op", "op", "op"]
-    assert spans(text, Search("op", whole=True)) == ["Op", "op"]
-    assert spans(text, Search(r"op_\d", regular=True)) == ["Op_1"]
-    assert spans("a.b", Search(".")) == ["."]
-    assert find(text, Search("")).matches == ()
+    assert spans(text, TextSearch("op")) == ["Op", "op", "Op", "op", "op"]
+    assert spans(text, TextSearch("op", case=True)) == ["op", "op", "op"]
+    assert spans(text, TextSearch("op", whole=True)) == ["Op", "op"]
+    assert spans(text, TextSearch(r"op_\d", regular=True)) == ["Op_1"]
+    assert spans("a.b", TextSearch(".")) == ["."]
+    assert find(text, TextSearch("")).matches == ()
 
 
 def test_what_is_no_expression_or_goes_astray_is_said() -> None:
-    assert "expression" in find("a", Search("(", regular=True)).fault
-    assert "too long" in find("a" * 60 + "b", Search("(a+)+$", regular=True)).fault
+    assert "expression" in find("a", TextSearch("(", regular=True)).fault
+    assert "too long" in find("a" * 60 + "b", TextSearch("(a+)+$", regular=True)).fault
     for nothing in ("x*", "$", "^"):
-        found = find("a\nb", Search(nothing, regular=True))
+        found = find("a\nb", TextSearch(nothing, regular=True))
         assert (found.matches, found.fault) == ((), "")
-    assert spans("aab", Search("a*", regular=True)) == ["aa"]
+    assert spans("aab", TextSearch("a*", regular=True)) == ["aa"]
 
 
 def test_groups_stand_in_the_replacement() -> None:
-    match = find("State_12", Search(r"State_(\d)(\d)", regular=True)).matches[0]
-    assert replaced(match, r"S\2\1\\", Search("", regular=True)) == "S21\\"
-    assert replaced(Match(0, 1, ("a",)), r"\1", Search("")) == r"\1"
+    match = find("State_12", TextSearch(r"State_(\d)(\d)", regular=True)).matches[0]
+    assert replaced(match, r"S\2\1\\", TextSearch("", regular=True)) == "S21\\"
+    assert replaced(Match(0, 1, ("a",)), r"\1", TextSearch("")) == r"\1"
 
 
 def test_one_goes_from_place_to_place(at_text: At) -> None:

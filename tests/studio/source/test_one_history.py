@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.pane import Source
+from smsl_studio.studio.source.pane import SourcePane
 from smsl_studio.studio.theme import LIGHT
 from tests.studio.source.conftest import HFSM, read
 
@@ -27,7 +27,7 @@ def test_the_pane_shows_the_text_of_the_session(
     qapp: QApplication, text: str, deeds: list[tuple[str, int, int, str]]
 ) -> None:
     session = Session(read(text))
-    pane = Source(session, LIGHT)
+    pane = SourcePane(session, LIGHT)
     pane.show()
     for number, deed in enumerate(deeds):
         _do(session, pane, deed, number)
@@ -40,7 +40,7 @@ def test_the_pane_shows_the_text_of_the_session(
     pane.deleteLater()
 
 
-def _do(session: Session, pane: Source, deed: tuple[str, int, int, str], number: int) -> None:
+def _do(session: Session, pane: SourcePane, deed: tuple[str, int, int, str], number: int) -> None:
     kind, editor = deed[0], pane.editor
     if kind == "type":
         cursor = QTextCursor(editor.document())
@@ -58,7 +58,7 @@ def _do(session: Session, pane: Source, deed: tuple[str, int, int, str], number:
         pane.folding.unfold_all()
 
 
-def _agree(session: Session, pane: Source) -> None:
+def _agree(session: Session, pane: SourcePane) -> None:
     document, sheet = pane.editor.document(), pane.editor.sheet
     blocks = [document.findBlockByNumber(at).text() for at in range(document.blockCount())]
     assert sheet.text == session.texts["a.json"]

@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.studio.source.patches import patches
-from smsl_studio.studio.source.sheet import LONG, Sheet
-from smsl_studio.studio.source.spelling import from_units, shown, units
+from smsl_studio.studio.source.sheet import LONG, TextSheet
+from smsl_studio.studio.source.shown_text import from_units, shown, units
 
 EXACT = st.lists(
     st.sampled_from(["a", '"', "{", "\n", "\r\n", "\r", "\u2028", "é", "𝛼", "\ufeff", "\x85"]),
@@ -20,12 +20,12 @@ TYPED = st.text(st.sampled_from('ab\n"é𝛼'), max_size=6)
 def typing(draw: st.DrawFn) -> tuple[str, int, int, str]:
     """A text, what is marked in what is shown of it, and what is typed over that."""
     text = draw(st.sampled_from(["", "\ufeff"])) + draw(EXACT)
-    length = len(Sheet(text).shown)
+    length = len(TextSheet(text).shown)
     start = draw(st.integers(0, length))
     return text, start, draw(st.integers(start, min(length, start + 5))), draw(TYPED)
 
 
-def type_into(sheet: Sheet, start: int, end: int, words: str) -> bool:
+def type_into(sheet: TextSheet, start: int, end: int, words: str) -> bool:
     """What the editor tells the sheet when words replace a part of what is shown."""
     before = sheet.shown
     after = before[:start] + words + before[end:]
@@ -40,19 +40,19 @@ def type_into(sheet: Sheet, start: int, end: int, words: str) -> bool:
 @given(typing())
 def test_what_is_shown_is_what_was_typed(case: tuple[str, int, int, str]) -> None:
     text, start, end, words = case
-    sheet = Sheet(text)
+    sheet = TextSheet(text)
     before = sheet.shown
     changed = type_into(sheet, start, end, words)
     assert changed == (sheet.text != text)
     assert sheet.shown == before[:start] + words + before[end:]
-    assert sheet.shown == Sheet(sheet.text).shown
+    assert sheet.shown == TextSheet(sheet.text).shown
 
 
 @settings(max_examples=300)
 @given(typing())
 def test_what_was_not_touched_keeps_its_spelling(case: tuple[str, int, int, str]) -> None:
     text, start, end, words = case
-    sheet = Sheet(text)
+    sheet = TextSheet(text)
     before = sheet.shown
     at = [sheet.offset(before.count("\n", 0, point), point - before.rfind("\n", 0, point) - 1)
           for point in (start, end)]  # fmt: skip
@@ -66,18 +66,18 @@ def test_what_was_not_touched_keeps_its_spelling(case: tuple[str, int, int, str]
 @settings(max_examples=200)
 @given(EXACT, EXACT)
 def test_a_patched_sheet_is_that_of_the_new_text(old: str, new: str) -> None:
-    sheet, lines = Sheet(old), Sheet(old).shown.split("\n")
+    sheet, lines = TextSheet(old), TextSheet(old).shown.split("\n")
     for start, end, part in patches(old, new):
         first, gone, come = sheet.put(start, end, part)
         assert lines[first : first + len(gone)] == gone
         lines[first : first + len(gone)] = come
     assert sheet.text == new
-    assert "\n".join(lines) == sheet.shown == Sheet(new).shown
+    assert "\n".join(lines) == sheet.shown == TextSheet(new).shown
 
 
 @given(EXACT)
 def test_every_offset_is_shown_somewhere_and_leads_back(text: str) -> None:
-    sheet = Sheet(text)
+    sheet = TextSheet(text)
     for at, line in enumerate(sheet.shown.split("\n")):
         for column in range(len(line) + 1):
             assert sheet.where(sheet.offset(at, column)) == (at, column)
@@ -92,14 +92,14 @@ def test_qt_counts_in_units(text: str) -> None:
 
 
 def test_a_line_end_that_is_typed_is_that_of_the_file() -> None:
-    sheet = Sheet('{\r\n "a": {}\r\n}\r\n')
+    sheet = TextSheet('{\r\n "a": {}\r\n}\r\n')
     type_into(sheet, 1, 1, "\n x")
     assert sheet.text == '{\r\n x\r\n "a": {}\r\n}\r\n'
 
 
 def test_a_very_long_line_is_shown_in_pieces_and_stays_one_line() -> None:
     text = "{" + '"State_0": {"Op": "State_1"}, ' * 2000 + "}\n// end"
-    sheet = Sheet(text)
+    sheet = TextSheet(text)
     assert max(map(len, sheet.pieces)) <= LONG
     assert sheet.text == text
     middle = len(sheet.pieces) // 2
@@ -114,7 +114,7 @@ def test_a_very_long_line_is_shown_in_pieces_and_stays_one_line() -> None:
 
 
 def test_joining_the_pieces_of_a_long_line_changes_nothing() -> None:
-    sheet = Sheet("ab, " * 4000)
+    sheet = TextSheet("ab, " * 4000)
     one, two = sheet.shown_lines(0, 1)
     text = sheet.text
     sheet.typed(0, 1, [one + two], len(one))

@@ -6,7 +6,7 @@ import pytest
 
 from smsl_studio.dispatch.status import Offer
 from smsl_studio.studio.supervise import decisions
-from smsl_studio.studio.supervise.partial import Card, partial_view
+from smsl_studio.studio.supervise.partial import OperationCard, partial_view
 from tests.studio.supervise.statuses import at, possible, sample, status
 
 SAMPLE = sample("registration-digitization.json")
@@ -14,7 +14,7 @@ HERE = {"REGISTRATION": "State110", "DIGITIZATION": "State1"}
 REGISTERED = "REGISTRATION/State110/Registered"
 
 
-def _card(**said: object) -> Card:
+def _card(**said: object) -> OperationCard:
     found = status(HERE, possible=(possible(REGISTERED, "State111", **said),))
     view = partial_view(SAMPLE, found, "REGISTRATION")
     assert view is not None

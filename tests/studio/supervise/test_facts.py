@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from smsl_studio.blueprint.check import Reading, Scene, state_check
-from smsl_studio.monitor.aggregate import Said
+from smsl_studio.monitor.aggregate import SourceValue
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.run.freshness import bars
 from smsl_studio.studio.supervise.facts import check_view, sensed_marks
@@ -91,7 +91,7 @@ def _aged(age: float, *read: tuple[str, str]) -> tuple[int, str]:
     fact = ("REGISTRATION", 2)
     aged = Scene({**_scene().readings, fact: Reading("0", "", age)}, 60.0)
     sources = tuple(
-        SourceState(fact, Said(name, value, "", age), None, 0.0, 1, 0, 0, 0.3)
+        SourceState(fact, SourceValue(name, value, "", age), None, 0.0, 1, 0, 0, 0.3)
         for name, value in read
     )
     view = check_view(SAMPLE, status(HERE, scene=aged, sources=sources), "REGISTRATION")
@@ -112,8 +112,10 @@ def test_bars_show_age_against_limit_and_words_say_who_agrees() -> None:
 def test_a_person_s_answer_has_no_limit_of_a_sensor_that_does_not_count() -> None:
     fact = ("REGISTRATION", 2)
     aged = Scene({**_scene().readings, fact: Reading("0", "", 5.0)}, 60.0)
-    sensor = SourceState(fact, Said("table", "0", "", 0.05), None, 0.0, 1, 0, 0, 0.3)
-    person = SourceState(fact, Said("A. Okafor", "0", "", 5.0, human=True), None, 0.0, 0, 0, 0)
+    sensor = SourceState(fact, SourceValue("table", "0", "", 0.05), None, 0.0, 1, 0, 0, 0.3)
+    person = SourceState(
+        fact, SourceValue("A. Okafor", "0", "", 5.0, human=True), None, 0.0, 0, 0, 0
+    )
     found = status(HERE, scene=aged, sources=(sensor, person))
     view = check_view(SAMPLE, found, "REGISTRATION")
     assert view is not None

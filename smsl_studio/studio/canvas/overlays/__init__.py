@@ -15,12 +15,12 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.canvas.marks import Marks
 from smsl_studio.studio.canvas.overlays.breadcrumb import Breadcrumb
-from smsl_studio.studio.canvas.overlays.focus_ring import FocusRing
+from smsl_studio.studio.canvas.overlays.focus_outline import FocusRing
 from smsl_studio.studio.canvas.overlays.hover_pad import HoverPad
 from smsl_studio.studio.canvas.overlays.key import Key
 from smsl_studio.studio.canvas.overlays.legend import Legend, RunLegend
 from smsl_studio.studio.canvas.overlays.mini_map import MiniMap
-from smsl_studio.studio.canvas.overlays.notice import Banner, EmptyHint, Word
+from smsl_studio.studio.canvas.overlays.notice import Banner, EmptyHint, PointerNote
 from smsl_studio.studio.canvas.overlays.zoom_control import ZoomControl
 from smsl_studio.studio.theme import Tokens
 
@@ -49,7 +49,7 @@ class Overlays:
         self.key = Key(canvas, tokens)
         self.pad = HoverPad(canvas, tokens)
         self.banner = Banner(canvas, tokens)
-        self.word = Word(canvas, tokens)
+        self.word = PointerNote(canvas, tokens)
         self.empty = EmptyHint(canvas, tokens)
         self.ring = FocusRing(canvas, tokens)
         self._hush = QTimer(canvas)

@@ -58,7 +58,7 @@ class Banner(QWidget):
         painter.end()
 
 
-class Word(Card):
+class PointerNote(Card):
     """A short sentence beside the pointer; it goes with the next press or move."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:

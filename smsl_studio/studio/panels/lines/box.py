@@ -8,12 +8,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QPlainTextEdit
 
-from smsl_studio.studio.panels.lines.line import VARIOUS, Line, Shown, same
+from smsl_studio.studio.panels.lines.line import VARIOUS, FormLine, ShownValue, same
 
 HIGH = 62
 
 
-class Box(QPlainTextEdit):
+class TextBox(QPlainTextEdit):
     """Text that is given back once when it is meant: on leaving it, or on Ctrl+Enter.
 
     Escape puts the old text back.
@@ -55,17 +55,17 @@ class Box(QPlainTextEdit):
             self.done.emit()
 
 
-class BoxLine(Line):
+class BoxLine(FormLine):
     """Words of several lines."""
 
     def __init__(self, words: str, tip: str) -> None:
-        self.field: Box = Box()
+        self.field: TextBox = TextBox()
         super().__init__(words, self.field, f"{tip}. Ctrl+Enter, or leaving the field, keeps it.")
         self.name.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.name.setContentsMargins(0, 6, 0, 0)
         self.field.done.connect(self._typed)
 
-    def show_values(self, shown: Sequence[Shown]) -> None:
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
         super().show_values(shown)
         values = [one.value or "" for one in shown]
         alike = bool(values) and same(values)

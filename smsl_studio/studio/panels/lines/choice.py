@@ -9,14 +9,14 @@ from PySide6.QtWidgets import QPushButton
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.controls import Combo, Switch, label
-from smsl_studio.studio.panels.lines.line import NOT_SAID, VARIOUS, Line, Shown, same
+from smsl_studio.studio.panels.lines.line import NOT_SAID, VARIOUS, FormLine, ShownValue, same
 from smsl_studio.studio.tips import tip_text
 
 Choices = tuple[tuple[str, str], ...]
 _STANDARD, _VARIOUS = object(), object()
 
 
-class ChoiceLine(Line):
+class ChoiceLine(FormLine):
     """One of a few values, as pairs (words, value)."""
 
     def __init__(self, words: str, tip: str, choices: Choices, none: str = NOT_SAID) -> None:
@@ -26,11 +26,11 @@ class ChoiceLine(Line):
         self._values: list[Any] = []
         self.field.activated.connect(self._chosen)
 
-    def show_values(self, shown: Sequence[Shown]) -> None:
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
         super().show_values(shown)
         self.field.clear()
         alike = bool(shown) and same(list(shown))
-        first = shown[0] if shown else Shown()
+        first = shown[0] if shown else ShownValue()
         # A default is offered once, as what holds when nothing is written.
         plain = [c for c in self._choices if first.origin or c[1] != first.standard]
         self._values = [_STANDARD, *(value for _, value in plain)]
@@ -47,7 +47,7 @@ class ChoiceLine(Line):
     def said(self, value: Any) -> str:
         return next((words for words, one in self._choices if one == value), str(value))
 
-    def _standard_words(self, shown: Sequence[Shown]) -> str:
+    def _standard_words(self, shown: Sequence[ShownValue]) -> str:
         if not shown or not same([(one.standard, one.origin) for one in shown]):
             return self._none
         first = shown[0]
@@ -60,7 +60,7 @@ class ChoiceLine(Line):
             self.given.emit(None if self._values[at] is _STANDARD else self._values[at])
 
 
-class SwitchLine(Line):
+class SwitchLine(FormLine):
     """Yes or no; what was said can be taken back."""
 
     def __init__(self, words: str, tip: str) -> None:
@@ -74,7 +74,7 @@ class SwitchLine(Line):
         self.field.clicked.connect(lambda on: self.given.emit(on))
         self.clear.clicked.connect(lambda: self.given.emit(None))
 
-    def show_values(self, shown: Sequence[Shown]) -> None:
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
         super().show_values(shown)
         values = [one.value for one in shown]
         self.field.setChecked(bool(values) and all(values))
@@ -84,7 +84,7 @@ class SwitchLine(Line):
     def said(self, value: Any) -> str:
         return "yes" if value else "no"
 
-    def _answer(self, shown: Sequence[Shown], values: Sequence[Any]) -> str:
+    def _answer(self, shown: Sequence[ShownValue], values: Sequence[Any]) -> str:
         if not same(values):
             return VARIOUS
         words = {True: "Yes", False: "No", None: NOT_SAID}[values[0] if values else None]

@@ -27,7 +27,7 @@ from smsl_studio.studio.tips import tip_text
 
 
 @dataclass
-class FactRow:
+class FactLine:
     """The widgets of one row; ``text`` is the fact as it was shown, empty for a new row."""
 
     text: str
@@ -48,7 +48,7 @@ class FactRows(QWidget):
         self._blueprint: Blueprint | None = None
         self._facts: dict[str, str] = {}
         self._model: QStandardItemModel | None = None
-        self.rows: list[FactRow] = []
+        self.rows: list[FactLine] = []
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(4)
@@ -96,11 +96,11 @@ class FactRows(QWidget):
         self.refusal.setText(sentence)
         self.refusal.setVisible(bool(sentence))
 
-    def _new_row(self) -> FactRow:
+    def _new_row(self) -> FactLine:
         fact, value = Field(), Field()
         gone = SmallButton("Remove this fact", "close", self._tokens)
         layout = row(fact, label("=", "second"), value, gone, spacing=4)
-        one = FactRow("", fact, value, gone, layout)
+        one = FactLine("", fact, value, gone, layout)
         for field, words in ((fact, "Fact, as SB/digit"), (value, "Value of the fact")):
             field.setFont(mono_font(12))
             field.setAccessibleName(plain_text(words))
@@ -116,7 +116,7 @@ class FactRows(QWidget):
         self.rows.append(one)
         return one
 
-    def _drop(self, one: FactRow) -> None:
+    def _drop(self, one: FactLine) -> None:
         self.rows.remove(one)
         self._column.removeItem(one.layout)
         while one.layout.count():
@@ -126,21 +126,21 @@ class FactRows(QWidget):
                 widget.hide()
                 widget.deleteLater()
 
-    def _complete(self, one: FactRow) -> None:
+    def _complete(self, one: FactLine) -> None:
         """Completion is made when somebody types, and not for every row that is shown."""
         if one.fact.completer() is None and self._blueprint is not None:
             if self._model is None:
                 self._model = fact_model(self._blueprint, self)
             one.fact.setCompleter(FactCompleter(self._model, one.fact))
 
-    def _remove(self, one: FactRow) -> None:
+    def _remove(self, one: FactLine) -> None:
         if one.text:
             self.given.emit({k: v for k, v in self._facts.items() if k != one.text})
         else:
             self._drop(one)
             self.refuse("")
 
-    def _typed(self, one: FactRow, field: Field) -> None:
+    def _typed(self, one: FactLine, field: Field) -> None:
         if not field.changed or self._blueprint is None:
             return
         text, value = one.fact.text().strip(), one.value.text().strip()
@@ -155,7 +155,7 @@ class FactRows(QWidget):
         facts = {(text if k == one.text else k): v for k, v in self._facts.items()}
         self.given.emit({**facts, text: value})
 
-    def _explain(self, one: FactRow) -> None:
+    def _explain(self, one: FactLine) -> None:
         """The plain name of the fact and its values, in tooltip and completion."""
         fact = split_fact(one.fact.text().strip())
         if fact is None or self._blueprint is None or fact_fault(self._blueprint, one.fact.text()):

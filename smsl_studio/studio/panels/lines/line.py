@@ -18,7 +18,7 @@ NOT_SAID, VARIOUS = "Not said", "Various"
 
 
 @dataclass(frozen=True)
-class Shown:
+class ShownValue:
     """The value of one word in one entry: as written there (None: not), and what holds without.
 
     ``origin`` says where that comes from, such as ``all Op_1b``; empty for a plain default.
@@ -34,7 +34,7 @@ class Shown:
         return self.standard if self.written is None else self.written
 
 
-class Said(Label):
+class Sentence(Label):
     """A sentence in one of the style sheet's roles, which takes no room while it is empty."""
 
     def __init__(self, role: str, left: int = 0) -> None:
@@ -49,7 +49,7 @@ class Said(Label):
         self.setVisible(bool(sentence))
 
 
-class Line(QWidget):
+class FormLine(QWidget):
     """One line. ``given`` tells a value that was meant; None: nothing shall be written."""
 
     given = Signal(object)
@@ -59,7 +59,7 @@ class Line(QWidget):
         self.words, self.field = words, field
         field.setAccessibleName(plain_text(words))
         field.setToolTip(tip_text(tip))
-        self.hint, self.refusal = Said("hint", LABEL), Said("refusal", LABEL)
+        self.hint, self.refusal = Sentence("hint", LABEL), Sentence("refusal", LABEL)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2)
@@ -76,7 +76,7 @@ class Line(QWidget):
         column.addWidget(self.hint)
         column.addWidget(self.refusal)
 
-    def show_values(self, shown: Sequence[Shown]) -> None:
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
         """Show the word in every entry; subclasses put it into their field."""
         self.refuse("")
         self.say(_origin_words(shown, self.said))
@@ -110,7 +110,7 @@ def same(values: Sequence[Any]) -> bool:
     return all(value == values[0] for value in values[1:])
 
 
-def _origin_words(shown: Sequence[Shown], said: Any) -> str:
+def _origin_words(shown: Sequence[ShownValue], said: Any) -> str:
     """Where a value comes from, where another would hold without it."""
     if len(shown) != 1 or shown[0].written is None or not shown[0].origin:
         return ""

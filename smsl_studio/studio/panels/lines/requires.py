@@ -10,12 +10,12 @@ from PySide6.QtWidgets import QWidget
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.panels.lines.fact_rows import FactRows
-from smsl_studio.studio.panels.lines.line import Line, Shown, same
+from smsl_studio.studio.panels.lines.line import FormLine, ShownValue, same
 from smsl_studio.studio.theme import Tokens
 from smsl_studio.studio.tips import tip_text
 
 
-class RequiresLine(Line):
+class RequiresLine(FormLine):
     """Rows of facts under a heading; where entries differ, what is added holds for all of them."""
 
     def __init__(self, words: str, tip: str, tokens: Tokens) -> None:
@@ -33,7 +33,7 @@ class RequiresLine(Line):
         """Whose facts can be named."""
         self._blueprint = blueprint
 
-    def show_values(self, shown: Sequence[Shown]) -> None:
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
         super().show_values(shown)
         values = [one.value for one in shown]
         if self._blueprint is None:

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.studio.controls import Field
-from smsl_studio.studio.panels.lines.line import VARIOUS, Line, Shown, same
+from smsl_studio.studio.panels.lines.line import VARIOUS, FormLine, ShownValue, same
 
 
-class TextLine(Line):
+class TextLine(FormLine):
     """One line of text."""
 
     def __init__(self, words: str, tip: str, hint: str = "") -> None:
@@ -22,7 +22,7 @@ class TextLine(Line):
         self._hint = hint
         self.field.editingFinished.connect(self._typed)
 
-    def show_values(self, shown: Sequence[Shown]) -> None:
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
         super().show_values(shown)
         written = [one.written for one in shown]
         alike = bool(shown) and same(written) and written[0] is not None
@@ -37,7 +37,7 @@ class TextLine(Line):
         """What a text means; ValueError with a sentence where it means nothing."""
         return text
 
-    def _placeholder(self, shown: Sequence[Shown]) -> str:
+    def _placeholder(self, shown: Sequence[ShownValue]) -> str:
         if not shown or not same([one.value for one in shown]):
             return VARIOUS if shown else ""
         first = shown[0]
@@ -59,7 +59,7 @@ class TextLine(Line):
 
 
 @dataclass(frozen=True)
-class Bounds:
+class NumberBounds:
     """What numbers are taken: from ``least`` (or above it) to ``most``."""
 
     least: float = 0.0
@@ -89,7 +89,7 @@ class NumberLine(TextLine):
     """A number; its unit stands in the field."""
 
     def __init__(
-        self, words: str, tip: str, bounds: Bounds, unit: str = "", hint: str = ""
+        self, words: str, tip: str, bounds: NumberBounds, unit: str = "", hint: str = ""
     ) -> None:
         super().__init__(words, tip, hint)
         self._bounds, self._unit = bounds, unit

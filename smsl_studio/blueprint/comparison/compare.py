@@ -1,0 +1,101 @@
+"""``compare``: two blueprints, element by element, in the order of the files."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparison.difference import Change, ChangeKind, Difference
+from smsl_studio.blueprint.comparison.file_level import compare_fields, compare_order
+from smsl_studio.blueprint.comparison.headers import compare_header
+from smsl_studio.blueprint.comparison.notes import compare_notes
+from smsl_studio.blueprint.comparison.pairs import renamed_branches, renamed_states
+from smsl_studio.blueprint.comparison.sides import BranchSides, Sides
+from smsl_studio.blueprint.comparison.states import compare_states
+from smsl_studio.blueprint.comparison.values import merged
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+
+
+def compare(before: Blueprint, after: Blueprint) -> Difference:
+    """What changed in meaning from ``before`` to ``after``; apart from it, which boxes were moved
+    and which ``_`` fields differ that no reader reads.
+
+    Deterministic, and the same read the other way round: an addition there is a removal here.
+    Time grows with the number of operations, not with its square.
+    """
+    renamed = renamed_branches(before.branches, after.branches)
+    sides = Sides(before, after, renamed)
+    moved: list[Address] = []
+    states: dict[str, dict[str, str]] = {}
+    compare_fields(sides)
+    old_names = {new: old for old, new in renamed.items()}
+    names = [renamed.get(name, name) for name in before.branches]
+    for name in merged(names, list(after.branches)):
+        old = old_names.get(name, name)
+        one, other = before.branches.get(old), after.branches.get(name)
+        if one is not None and other is not None:
+            states[old] = _compare_branch(sides, one, other, moved)
+        elif one is not None:
+            sides.changes.append(_whole(one, ChangeKind.REMOVED))
+        elif other is not None:
+            sides.changes.append(_whole(other, ChangeKind.ADDED))
+    compare_order(sides)
+    changes = tuple(one for one in sides.changes if one.what != "field")
+    fields = tuple(one for one in sides.changes if one.what == "field")
+    return Difference(before, after, changes, tuple(moved), renamed, states, fields)
+
+
+def _compare_branch(
+    sides: Sides, before: StateBranch, after: StateBranch, moved: list[Address]
+) -> dict[str, str]:
+    renamed = renamed_states(before, after)
+    if before is after:
+        return renamed
+    pair = BranchSides(sides, before, after, renamed)
+    if before.name != after.name:
+        words = f"The State Branch {before.name} is now called {after.name}."
+        pair.add(
+            Change(
+                ChangeKind.RENAMED,
+                "branch",
+                before.address,
+                after.address,
+                words,
+                old=before.name,
+                new=after.name,
+                path_before=(before.name,),
+                path_after=(after.name,),
+            )
+        )
+    compare_header(pair)
+    compare_states(pair)
+    compare_notes(pair)
+    moved.extend(_moved(pair))
+    return renamed
+
+
+def _whole(branch: StateBranch, kind: ChangeKind) -> Change:
+    size = f"{_count(len(branch.table), 'state')} and {_count(branch.edge_count, 'operation')}"
+    words = f"The State Branch {branch.name} is {kind.value}, with {size}."
+    path = (branch.name,)
+    if kind is ChangeKind.REMOVED:
+        return Change(kind, "branch", branch.address, None, words, path_before=path)
+    return Change(kind, "branch", None, branch.address, words, path_after=path)
+
+
+def _count(number: int, word: str) -> str:
+    return f"{number} {word}{'' if number == 1 else 's'}"
+
+
+def _moved(pair: BranchSides) -> list[Address]:
+    old, new = (
+        side.notes.layout if "_layout" in side.fields else {} for side in (pair.before, pair.after)
+    )
+    if old == new:
+        return []
+    before, after = pair.before.table, pair.after.table
+    here = {pair.state(name): at for name, at in old.items() if name in before}
+    stays = {pair.state(name) for name in before}
+    return [
+        pair.address_after(name)
+        for name in merged(list(here), list(new))
+        if here.get(name) != new.get(name) and name in after and name in stays
+    ]

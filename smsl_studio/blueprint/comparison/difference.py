@@ -1,0 +1,170 @@
+"""A difference as frozen values: what a list, a picture, a rule and a script read alike."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparison.values import said
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import Place
+
+Json = Any
+Path = tuple[str, ...]
+_TOLD = 5
+"""So many fields without meaning are named in the sentence."""
+
+
+class ChangeKind(Enum):
+    """What happened to an element."""
+
+    REMOVED = "removed"
+    RENAMED = "renamed"
+    RETARGETED = "retargeted"
+    CHANGED = "changed"
+    ADDED = "added"
+
+
+@dataclass(frozen=True)
+class Change:
+    """One change.
+
+    ``what`` is the kind of element: ``branch``, ``state``, ``operation``, ``header``, ``fact``,
+    ``note``, ``hazard``, ``level``, ``import``, ``field`` or ``order``. ``before`` and ``after``
+    are the addresses of the element it belongs to on either side, None where there is none.
+    ``field`` is the key that changed, ``old`` and ``new`` its values, or the names of what
+    was renamed, or the targets of what was retargeted. The paths lead to the place in each side's
+    text.
+    """
+
+    kind: ChangeKind
+    what: str
+    before: Address | None
+    after: Address | None
+    words: str
+    field: str = ""
+    old: Json = None
+    new: Json = None
+    path_before: Path = ()
+    path_after: Path = ()
+
+    @property
+    def address(self) -> Address | None:
+        """Where to look: on the later side if it is there still."""
+        return self.after or self.before
+
+    def as_json(self) -> dict[str, Json]:
+        return {
+            "kind": self.kind.value,
+            "what": self.what,
+            "before": None if self.before is None else str(self.before),
+            "after": None if self.after is None else str(self.after),
+            "field": self.field or None,
+            "old": self.old,
+            "new": self.new,
+            "words": self.words,
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class Difference:
+    """All changes between two blueprints, in the order of the files.
+
+    ``moved`` are the states (on the later side) whose boxes stand elsewhere. ``states`` gives, for
+    each SB of the earlier side that is still there, the new names of the states that were renamed;
+    ``branches`` the same for SBs. ``fields`` are the ``_`` fields that differ and have no meaning,
+    such as ``_comment``: like the layout they are no changes.
+    """
+
+    before: Blueprint
+    after: Blueprint
+    changes: tuple[Change, ...] = ()
+    moved: tuple[Address, ...] = ()
+    branches: dict[str, str] = field(default_factory=dict)
+    states: dict[str, dict[str, str]] = field(default_factory=dict)
+    fields: tuple[Change, ...] = ()
+
+    @property
+    def same(self) -> bool:
+        """Whether nothing differs, layout and fields without meaning included."""
+        return not (self.changes or self.moved or self.fields)
+
+    @property
+    def same_meaning(self) -> bool:
+        """Whether nothing differs but layout and fields without meaning."""
+        return not self.changes
+
+    @property
+    def layout_only(self) -> bool:
+        """Whether boxes were moved and nothing else happened."""
+        return bool(self.moved) and not (self.changes or self.fields)
+
+    def count(self, kind: ChangeKind) -> int:
+        return Counter(change.kind for change in self.changes)[kind]
+
+    def place_before(self, change: Change) -> Place | None:
+        """Where a change stands in the earlier text; None for what was added."""
+        return _place(self.before, change.path_before)
+
+    def place_after(self, change: Change) -> Place | None:
+        """Where a change stands in the later text; None for what was removed."""
+        return _place(self.after, change.path_after)
+
+    @property
+    def words(self) -> str:
+        """The whole in one sentence."""
+        if self.same:
+            return "No difference."
+        boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"
+        if self.layout_only:
+            return f"Layout only: {boxes} moved."
+        if self.same_meaning:
+            layout = f"; {boxes} moved" if self.moved else ""
+            return f"Same meaning: only {self._fields_differ}{layout}."
+        parts = [f"{self.count(kind)} {kind.value}" for kind in ChangeKind if self.count(kind)]
+        boxes = f"; {len(self.moved)} moved in the layout" if self.moved else ""
+        fields = f"; beside the meaning {self._fields_differ}" if self.fields else ""
+        total = len(self.changes)
+        return f"{total} change{'' if total == 1 else 's'}: {', '.join(parts)}{boxes}{fields}."
+
+    @property
+    def _fields_differ(self) -> str:
+        """The fields without meaning, each named once."""
+        names = [said(name) for name in dict.fromkeys(one.field for one in self.fields)]
+        if len(names) == 1:
+            return f"{names[0]} differs"
+        told, left = names[:_TOLD], len(names) - _TOLD
+        last = f"{left} more" if left > 0 else told.pop()
+        return f"{', '.join(told)} and {last} differ"
+
+    def as_json(self) -> dict[str, Json]:
+        return {
+            "before": self.before.file,
+            "after": self.after.file,
+            "same": self.same,
+            "same_meaning": self.same_meaning,
+            "layout_only": self.layout_only,
+            "moved": len(self.moved),
+            "changes": [self._with_places(change) for change in self.changes],
+            "fields": [self._with_places(change) for change in self.fields],
+        }
+
+    def _with_places(self, change: Change) -> dict[str, Json]:
+        return {
+            **change.as_json(),
+            "place_before": _line_and_column(self.place_before(change)),
+            "place_after": _line_and_column(self.place_after(change)),
+        }
+
+
+def _place(blueprint: Blueprint, path: Path) -> Place | None:
+    return blueprint.home(path[0]).place(path) if path else None
+
+
+def _line_and_column(place: Place | None) -> Json:
+    if place is None:
+        return None
+    return {"file": place.file, "line": place.line, "column": place.column}

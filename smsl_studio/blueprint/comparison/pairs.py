@@ -1,0 +1,239 @@
+"""Which state of one SB is which of another, where names changed.
+
+A name that stands on both sides is the same state. Of the others, pairs are proposed where they
+stand at the same place in the file, have the same facts, are the start or the goal, or are reached
+from a pair that is known already; a pair holds if at least half of the operations at it agree.
+Every proposal is one look at the operations of its two states, and each pair is looked at a few
+times at most, so that the work grows with the number of operations.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from typing import TypeVar
+
+from smsl_studio.blueprint.model import StateBranch, Table
+
+ENOUGH = 0.5
+_LOOKS = 4
+
+Pair = tuple[str, str]
+Ends = Sequence[tuple[str, str]]
+K = TypeVar("K", bound=Hashable)
+
+
+def renamed_states(before: StateBranch, after: StateBranch) -> dict[str, str]:
+    """The new name of every state of ``before`` that has another one in ``after``."""
+    gone = [name for name in before.table if name not in after.table]
+    come = [name for name in after.table if name not in before.table]
+    if not gone or not come:
+        return {}
+    return _PairSearch(before, after, gone, come).found()
+
+
+class _PairSearch:
+    """The search for pairs; ``gone`` and ``come`` are the names that only one side has."""
+
+    def __init__(
+        self, before: StateBranch, after: StateBranch, gone: list[str], come: list[str]
+    ) -> None:
+        self.before, self.after = before, after
+        self.gone = {name: number for number, name in enumerate(gone)}
+        self.come = {name: number for number, name in enumerate(come)}
+        self.into_before, self.into_after = _into(before.table), _into(after.table)
+        self.pairs: dict[str, str] = {}
+        self.taken: set[str] = set()
+        self.looks: Counter[Pair] = Counter()
+
+    def found(self) -> dict[str, str]:
+        """The pairs: what is certain first, and what only stands at the same place last."""
+        for proposals in (self._certain(), _same_place(self.before.table, self.after.table)):
+            fresh = self._accept(proposals)
+            while fresh:
+                fresh = self._accept(pair for known in fresh for pair in self._around(*known))
+        return self.pairs
+
+    def _certain(self) -> Iterator[Pair]:
+        """Pairs of one role or the same facts, and what the states that kept their name lead to."""
+        yield self.before.initial, self.after.initial
+        yield self.before.activating, self.after.activating
+        for name in self.before.table:
+            if name in self.after.table:
+                yield from self._around(name, name)
+        yield from self._same_facts()
+
+    def _same_facts(self) -> Iterator[Pair]:
+        old = _unique((self.before.facts(name), name) for name in self.gone)
+        new = _unique((self.after.facts(name), name) for name in self.come)
+        for facts, name in old.items():
+            if facts in new:
+                yield name, new[facts]
+
+    def _around(self, old: str, new: str) -> Iterator[Pair]:
+        """What a known pair leads to by one name, and what alone leads to it by one name."""
+        others = self.after.table[new]
+        for operation, target in self.before.table[old].items():
+            if operation in others:
+                yield target, others[operation]
+        left = _unique((op, source) for source, op in self._open(self.into_before, self.gone, old))
+        if not left:
+            return
+        right = _unique((op, source) for source, op in self._open(self.into_after, self.come, new))
+        for operation, source in left.items():
+            if operation in right:
+                yield source, right[operation]
+
+    def _open(self, into: Mapping[str, Ends], wanted: Mapping[str, int], name: str) -> Ends:
+        return [end for end in into.get(name, ()) if end[0] in wanted]
+
+    def _accept(self, proposals: Iterable[Pair]) -> list[Pair]:
+        """Those of the proposals that hold, the best first; each state is paired once."""
+        scored = []
+        for pair in dict.fromkeys(proposals):
+            if self._is_open(pair) and self.looks[pair] < _LOOKS:
+                self.looks[pair] += 1
+                score = self._score(*pair)
+                if score >= ENOUGH:
+                    here, there = self.gone[pair[0]], self.come[pair[1]]
+                    # Two pairs of one state never come out equal, so both ways give the same.
+                    scored.append((-score, abs(here - there), here + there, here, pair))
+        fresh = []
+        for *_, pair in sorted(scored):
+            if self._is_open(pair):
+                self.pairs[pair[0]] = pair[1]
+                self.taken.add(pair[1])
+                fresh.append(pair)
+        return fresh
+
+    def _is_open(self, pair: Pair) -> bool:
+        old, new = pair
+        return (
+            old in self.gone
+            and new in self.come
+            and old not in self.pairs
+            and new not in self.taken
+        )
+
+    def _score(self, old: str, new: str) -> float:
+        """The share of the operations at both that agree; states without any agree wholly.
+
+        None where one has so many more than the other that they cannot: what stands at a state
+        with very many operations is not counted anew for each that it is compared with.
+        """
+        fewer, more = sorted(
+            (
+                len(self.before.table[old]) + len(self.into_before.get(old, ())),
+                len(self.after.table[new]) + len(self.into_after.get(new, ())),
+            )
+        )
+        if fewer < ENOUGH * more:
+            return 0.0
+        one = Counter(("out", op, self._old(t)) for op, t in self.before.table[old].items())
+        one.update(("in", op, self._old(s)) for s, op in self.into_before.get(old, ()))
+        other = Counter(("out", op, self._new(t)) for op, t in self.after.table[new].items())
+        other.update(("in", op, self._new(s)) for s, op in self.into_after.get(new, ()))
+        total = max(one.total(), other.total())
+        return (one & other).total() / total if total else 1.0
+
+    def _old(self, name: str) -> str:
+        """A neighbour by its later name; all that are not known yet are one."""
+        return self.pairs.get(name, "") if name in self.gone else name
+
+    def _new(self, name: str) -> str:
+        return "" if name in self.come and name not in self.taken else name
+
+
+def _into(table: Table) -> dict[str, list[tuple[str, str]]]:
+    """For each target the sources and the names of the operations that lead to it."""
+    found: dict[str, list[tuple[str, str]]] = {}
+    for source, operations in table.items():
+        for operation, target in operations.items():
+            found.setdefault(target, []).append((source, operation))
+    return found
+
+
+def _unique(items: Iterable[tuple[K, str]]) -> dict[K, str]:
+    """The items whose key occurs once."""
+    found: dict[K, str] = {}
+    doubled = set()
+    for key, value in items:
+        if key in found:
+            doubled.add(key)
+        found[key] = value
+    return {key: value for key, value in found.items() if key not in doubled}
+
+
+def _same_place(before: Table, after: Table) -> Iterator[Pair]:
+    """Names that stand at one place between the same names that were kept."""
+    one, other = _runs(before, after), _runs(after, before)
+    for anchor, names in one.items():
+        others = other.get(anchor, [])
+        if len(others) == len(names):
+            yield from zip(names, others, strict=True)
+
+
+def _runs(table: Table, kept: Table) -> dict[str, list[str]]:
+    """What stands behind each name that was kept, and what stands in front of all of them."""
+    found: dict[str, list[str]] = {}
+    anchor = ""
+    for name in table:
+        if name in kept:
+            anchor = name
+        else:
+            found.setdefault(anchor, []).append(name)
+    return found
+
+
+def renamed_branches(
+    before: Mapping[str, StateBranch], after: Mapping[str, StateBranch]
+) -> dict[str, str]:
+    """The new name of every SB that has another one: most of its operations are the same."""
+    gone = [name for name in before if name not in after]
+    come = [name for name in after if name not in before]
+    return _pair_branches(before, after, gone, come)
+
+
+_MOST_BRANCHES = 40
+"""Of more SBs than these on both sides, only those are paired whose operations are all the same."""
+
+
+def _pair_branches(
+    before: Mapping[str, StateBranch],
+    after: Mapping[str, StateBranch],
+    gone: list[str],
+    come: list[str],
+) -> dict[str, str]:
+    if not gone or not come:
+        return {}
+    if max(len(gone), len(come)) > _MOST_BRANCHES:
+        one = _unique((_print_of(before[name]), name) for name in gone)
+        other = _unique((_print_of(after[name]), name) for name in come)
+        return {name: other[key] for key, name in one.items() if key in other}
+    scored = [
+        (-share, abs(i - j), i + j, i, (old, new))
+        for i, old in enumerate(gone)
+        for j, new in enumerate(come)
+        if (share := _share(before[old], after[new])) >= ENOUGH
+    ]
+    found: dict[str, str] = {}
+    for *_, (old, new) in sorted(scored):
+        if old not in found and new not in found.values():
+            found[old] = new
+    return found
+
+
+def _share(one: StateBranch, other: StateBranch) -> float:
+    """The share of states and operations that two SBs have in common."""
+    total = max(len(one.table) + one.edge_count, len(other.table) + other.edge_count)
+    if not total:
+        return 1.0
+    both = [name for name in one.table if name in other.table]
+    if 2 * len(both) < ENOUGH * min(len(one.table), len(other.table)):
+        return 0.0
+    same = len(both) + sum(len(one.table[n].items() & other.table[n].items()) for n in both)
+    return same / total
+
+
+def _print_of(branch: StateBranch) -> Hashable:
+    return tuple((name, tuple(operations.items())) for name, operations in branch.table.items())

@@ -1,0 +1,74 @@
+"""Both sides of a comparison, and how names of the one are called on the other."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from smsl_studio.blueprint.address import Address, fact_text, split_fact
+from smsl_studio.blueprint.comparison.difference import Change
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+
+
+@dataclass
+class Sides:
+    """The two blueprints, the renamings found between them, and the changes written so far."""
+
+    before: Blueprint
+    after: Blueprint
+    branches: Mapping[str, str]
+    changes: list[Change] = field(default_factory=list)
+
+    def fact(self, text: str) -> str:
+        """A fact of the earlier side as the later one calls it."""
+        found = split_fact(text)
+        if found is None or found[0] not in self.branches:
+            return text
+        return fact_text(self.branches[found[0]], found[1])
+
+    def branch(self, name: str) -> str:
+        """An SB of the earlier side as the later one calls it."""
+        return _renamed(name, self.branches, self._given)
+
+    @cached_property
+    def _given(self) -> frozenset[str]:
+        return frozenset(self.branches.values()) - self.before.branches.keys()
+
+
+def _renamed(name: str, names: Mapping[str, str], given: Collection[str]) -> str:
+    """A name as the later side has it.
+
+    What names nothing on the earlier side is not what got this name by renaming: no name of the
+    later side is equal to it.
+    """
+    return f"{name}\0" if name in given else names.get(name, name)
+
+
+@dataclass
+class BranchSides:
+    """One SB on both sides. ``states`` has the new name of every state that was renamed."""
+
+    sides: Sides
+    before: StateBranch
+    after: StateBranch
+    states: Mapping[str, str]
+    operations: dict[tuple[str, str], str] = field(default_factory=dict)
+    """For (state, operation) of the earlier side, the new name of an operation renamed there."""
+
+    def state(self, name: str) -> str:
+        """A state of the earlier side, or a name that is none, as the later one calls it."""
+        return _renamed(name, self.states, self._given)
+
+    @cached_property
+    def _given(self) -> frozenset[str]:
+        return frozenset(self.states.values()) - self.before.table.keys()
+
+    def address_before(self, state: str = "", operation: str = "") -> Address:
+        return Address(self.before.name, state, operation)
+
+    def address_after(self, state: str = "", operation: str = "") -> Address:
+        return Address(self.after.name, state, operation)
+
+    def add(self, change: Change) -> None:
+        self.sides.changes.append(change)

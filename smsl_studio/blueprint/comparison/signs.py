@@ -1,0 +1,54 @@
+"""What of each side a difference marks: the sign of every state and operation that changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparison.difference import ChangeKind, Difference
+from smsl_studio.blueprint.model import Blueprint
+
+ADDED, REMOVED, CHANGED = "+", "-", "~"
+
+
+def sign_of(kind: ChangeKind) -> str:
+    """The sign of one kind of change."""
+    return {ChangeKind.ADDED: ADDED, ChangeKind.REMOVED: REMOVED}.get(kind, CHANGED)
+
+
+@dataclass
+class Signs:
+    """``+``, ``-`` or ``~`` by address: of one side's SBs, states and operations."""
+
+    by_address: dict[Address, str] = field(default_factory=dict)
+
+    def of(self, address: Address) -> str:
+        return self.by_address.get(address, "")
+
+    def add(self, address: Address, sign: str, blueprint: Blueprint) -> None:
+        """Mark an element and, where it came or went, all that belongs to it."""
+        # What came or went stays so, whatever else is told about it.
+        if self.by_address.get(address) in (ADDED, REMOVED):
+            return
+        self.by_address[address] = sign
+        if sign == CHANGED or address.operation:
+            return
+        branch = blueprint[address.branch]
+        states = [address.state] if address.state else list(branch.table)
+        for state in states:
+            self.by_address[Address(branch.name, state)] = sign
+            for operation in branch.table[state]:
+                self.by_address[Address(branch.name, state, operation)] = sign
+
+
+def signs_of(difference: Difference) -> tuple[Signs, Signs]:
+    """The signs of the earlier and of the later side."""
+    before, after = Signs(), Signs()
+    for change in difference.changes:
+        whole = change.what in ("branch", "state", "operation")
+        sign = sign_of(change.kind) if whole else CHANGED
+        if change.before is not None:
+            before.add(change.before, sign, difference.before)
+        if change.after is not None:
+            after.add(change.after, sign, difference.after)
+    return before, after

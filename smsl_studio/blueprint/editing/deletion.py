@@ -1,0 +1,114 @@
+"""Deleting: an element goes, and with it what would otherwise point at nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+
+from smsl_studio.blueprint.address import Address, note_key, split_fact
+from smsl_studio.blueprint.editing.additions import recount
+from smsl_studio.blueprint.editing.draft import Draft, existing
+from smsl_studio.blueprint.editing.headers import drop_sub
+from smsl_studio.blueprint.editing.levels import levels_follow
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import EditRefused
+
+
+def delete(blueprint: Blueprint, addresses: Iterable[Address]) -> Blueprint:
+    """Remove SBs, states and operations in one edit.
+
+    With a state go the operations that lead to it, its annotations, and an INITIAL or ACTIVATING
+    that names it; with an SB its entries in its bases' SUB_SBS. An SB that a hazard or a
+    ``requires`` speaks of is refused, because a safety condition must not vanish on the side.
+    """
+    wanted = {existing(blueprint, address) for address in addresses}
+    branches = {address.branch for address in wanted if not address.state}
+    states: dict[str, set[str]] = {}
+    operations: dict[str, set[tuple[str, str]]] = {}
+    for address in wanted:
+        if address.branch in branches:
+            continue
+        if address.operation:
+            edge = (address.state, address.operation)
+            operations.setdefault(address.branch, set()).add(edge)
+        elif address.state:
+            states.setdefault(address.branch, set()).add(address.state)
+    draft = Draft(blueprint)
+    for branch, edges in operations.items():
+        _delete_operations(draft, branch, edges)
+    for branch, gone in states.items():
+        _delete_states(draft, branch, gone)
+    _delete_branches(draft, branches)
+    _delete_levels(draft)
+    return draft.done()
+
+
+def _delete_operations(draft: Draft, branch: str, edges: Collection[tuple[str, str]]) -> None:
+    for state, operation in edges:
+        del draft.at(branch, state)[operation]
+    for table in draft.tables(branch, "_operations"):
+        for state, operation in edges:
+            table.pop(note_key(operation, state), None)
+
+
+def _delete_states(draft: Draft, branch: str, gone: Collection[str]) -> None:
+    found = draft.before[branch]
+    edges = {
+        (state, operation)
+        for state, operations in found.table.items()
+        for operation, target in operations.items()
+        if (target in gone or state in gone) and operation in draft.at(branch, state)
+    }
+    _delete_operations(draft, branch, edges)
+    for state in gone:
+        del draft.at(branch)[state]
+    for table in draft.tables(branch, "_states", "_layout"):
+        for state in gone:
+            table.pop(state, None)
+    for key in ("INITIAL", "ACTIVATING"):
+        if getattr(found.header, key.lower()) in gone:
+            del draft.header(branch)[key]
+    recount(draft, branch, -len(gone))
+
+
+def _delete_branches(draft: Draft, gone: Collection[str]) -> None:
+    blueprint = draft.before
+    for name in gone:
+        del draft.file(blueprint.home(name))[name]
+    for branch in blueprint:
+        if branch.name in gone:
+            continue
+        for sub, _ in branch.header.sub_sbs:
+            if sub in gone:
+                drop_sub(draft, branch.name, sub)
+        for key, note in branch.notes.operations.items():
+            _refuse_named(gone, note.requires, f"{key} of {branch.name} requires")
+    for hazard in blueprint.hazards:
+        _refuse_named(gone, hazard.facts, f"the hazard {hazard.name!r} names")
+
+
+def _delete_levels(draft: Draft) -> None:
+    """The levels of operations that are gone; what the name of one says stays, as its note does."""
+    blueprint = draft.before
+
+    def follow(key: tuple[str, ...]) -> tuple[str, ...] | None:
+        branch = blueprint.branches.get(key[0])
+        if branch is None:
+            return key
+        left = draft.file(blueprint.home(key[0])).get(key[0])
+        if left is None:
+            return None
+        stood = len(key) == 3 and key[2] in branch.table.get(key[1], {})
+        return None if stood and key[2] not in left.get(key[1], {}) else key
+
+    if blueprint.levels:
+        levels_follow(draft, follow)
+
+
+def _refuse_named(gone: Collection[str], facts: Iterable[str], who: str) -> None:
+    for text in facts:
+        fact = split_fact(text)
+        if fact and fact[0] in gone:
+            raise EditRefused(
+                f"{who} the fact {text}, and {fact[0]} would be gone",
+                advice="Change that condition first.",
+            )

@@ -1,0 +1,62 @@
+"""Where pasted states come to lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from math import ceil, sqrt
+from typing import Any
+
+from smsl_studio.blueprint.annotations import point_of
+from smsl_studio.blueprint.editing.notes import point
+
+Json = Any
+Point = tuple[float, float]
+
+STEP = (160.0, 96.0)
+"""How far apart (pixels at 100 %) states are put that have no places of their own."""
+
+ASIDE = (32.0, 32.0)
+"""So far aside goes what would lie on something else."""
+
+
+@dataclass(frozen=True)
+class PastedPlaces:
+    """States are moved by an offset, or have their middle at a point; else they stay where they
+    were, or go a little aside.
+    """
+
+    offset: Point | None = None
+    at: Point | None = None
+
+    def of(
+        self, states: list[str], layout: Mapping[str, Json], taken: Iterable[Point]
+    ) -> Iterator[tuple[str, list[float]]]:
+        """Which states get a place, and which one."""
+        points = {state: place for state in states if (place := point_of(layout.get(state)))}
+        if not points and self.at is not None:
+            points = _rows(states)
+        if points:
+            dx, dy = self._shift(list(points.values()), set(taken))
+            for state, (x, y) in points.items():
+                yield state, point((x + dx, y + dy))
+
+    def _shift(self, points: list[Point], taken: set[Point]) -> Point:
+        if self.offset is not None:
+            return self.offset
+        if self.at is not None:
+            x, y = ((min(axis) + max(axis)) / 2 for axis in zip(*points, strict=True))
+            return self.at[0] - x, self.at[1] - y
+        dx = dy = 0.0
+        while any((x + dx, y + dy) in taken for x, y in points):
+            dx, dy = dx + ASIDE[0], dy + ASIDE[1]
+        return dx, dy
+
+
+def _rows(states: list[str]) -> dict[str, Point]:
+    """Places in rows, about as high as wide."""
+    wide = ceil(sqrt(len(states)))
+    return {
+        state: (index % wide * STEP[0], index // wide * STEP[1])
+        for index, state in enumerate(states)
+    }

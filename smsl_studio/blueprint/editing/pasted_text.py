@@ -1,0 +1,220 @@
+"""Pasting: what stands in a text becomes part of a blueprint, under names that are free."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.editing.additions import recount
+from smsl_studio.blueprint.editing.draft import Draft, branch_of
+from smsl_studio.blueprint.editing.excerpts import MARK, OPERATIONS, STATES, parts_of
+from smsl_studio.blueprint.editing.pasted_places import ASIDE, PastedPlaces, Point
+from smsl_studio.blueprint.editing.renames import renamed_requires, renamed_subs
+from smsl_studio.blueprint.facts import fact_string
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.names import FreeNames, fresh_state_names
+from smsl_studio.blueprint.reading import HEADER, branches_of
+from smsl_studio.errors import EditRefused, ReadError, did_you_mean
+from smsl_studio.smsl.forms import form_named, form_of
+
+Json = Any
+Values = Mapping[str, Json]
+
+
+def paste(
+    blueprint: Blueprint, branch: str, text: str, at: Point | None = None
+) -> tuple[Blueprint, tuple[Address, ...]]:
+    """Put a copied text (see ``excerpt``), or any SMSL text, into the blueprint; the new addresses.
+
+    States and operations go into ``branch``, whole SBs behind the others; what is pasted takes a
+    free name where its own is taken, and what speaks of it follows. ``at`` is where the middle of
+    the states comes to lie. EditRefused for what is no SMSL.
+    """
+    return _put(blueprint, [(branch, *item) for item in _values(text).items()], PastedPlaces(at=at))
+
+
+def duplicate(
+    blueprint: Blueprint, addresses: Iterable[Address], offset: Point = ASIDE
+) -> tuple[Blueprint, tuple[Address, ...]]:
+    """A copy of each chosen element beside it, moved by ``offset``; the new addresses."""
+    parts = [(name, name, value) for name, value in parts_of(blueprint, addresses).items()]
+    return _put(blueprint, parts, PastedPlaces(offset))
+
+
+def _values(text: str) -> Values:
+    """The SBs in a text."""
+    file = "the pasted text"
+    try:
+        document = form_named(form_of("", text)).parse(text, file)
+        branches_of(document)
+    except ReadError as error:
+        where = f" (line {error.place.line})" if error.place else ""
+        raise EditRefused(
+            f"{file} is no SMSL: {error.sentence}{where}",
+            advice="Copy states, operations or State Branches, or the text of an SMSL file.",
+        ) from None
+    return {name: value for name, value in document.values.items() if not name.startswith("_")}
+
+
+def _put(
+    blueprint: Blueprint, parts: Iterable[tuple[str, str, Values]], places: PastedPlaces
+) -> tuple[Blueprint, tuple[Address, ...]]:
+    """Put in every part: the SB it goes into, the one it comes from, and what stands in it."""
+    draft = Draft(blueprint)
+    made: list[Address] = []
+    whole: dict[str, Values] = {}
+    into: dict[str, _Into] = {}
+    for target, name, value in parts:
+        kind = value.get(MARK)
+        if kind not in (STATES, OPERATIONS):
+            whole[name] = value
+            continue
+        if target not in into:
+            if not target:
+                raise EditRefused(
+                    "there is no State Branch to paste into", advice="Add a State Branch first."
+                )
+            into[target] = _Into(draft, target)
+        put = into[target].states if kind == STATES else into[target].operations
+        made.extend(put(value, places))
+    for target, one in into.items():
+        recount(draft, target, one.added)
+    made.extend(_put_branches(draft, whole))
+    if not made:
+        raise EditRefused(
+            "the pasted text holds nothing that could be put in",
+            advice="Copy states, operations or State Branches.",
+        )
+    return draft.done(), tuple(made)
+
+
+def _put_branches(draft: Draft, whole: Mapping[str, Values]) -> Iterator[Address]:
+    """Put SBs behind the others; SUB_SBS and ``requires`` follow their new names."""
+    inner = draft.file()
+    free = FreeNames({*draft.before.branches, *inner})
+    names = {name: free.take(name) for name in whole}
+    for name, value in whole.items():
+        fresh = dict(value)
+        header = fresh.get(HEADER)
+        if isinstance(header, dict) and "SUB_SBS" in header:
+            fresh[HEADER] = {**header, "SUB_SBS": renamed_subs(header["SUB_SBS"], names)}
+        if "_operations" in fresh:
+            fresh["_operations"] = renamed_requires(fresh["_operations"], names)
+        inner[names[name]] = fresh
+        yield Address(names[name])
+
+
+class _Into:
+    """One SB that states and operations are put into."""
+
+    def __init__(self, draft: Draft, branch: str) -> None:
+        self._draft, self._branch = draft, branch
+        self._found = branch_of(draft.before, branch)
+        self._names = _StateNames(self._found)
+        self._known = {name for ops in self._found.table.values() for name in ops}
+        self.added = 0
+
+    def states(self, value: Values, places: PastedPlaces) -> Iterator[Address]:
+        """Put in states with what speaks of them."""
+        draft, branch = self._draft, self._branch
+        states = [key for key in value if not key.startswith("_") and key != HEADER]
+        names = {state: self._names.take(state) for state in states}
+        inner = draft.at(branch)
+        edges = []
+        for state in states:
+            written = value[state].items()
+            inner[names[state]] = {
+                key: names.get(item, item) if key[:1] != "_" else item for key, item in written
+            }
+            edges += [(state, key, names[state], key) for key, _ in written if key[:1] != "_"]
+            yield Address(branch, names[state])
+        self.added += len(states)
+        self._edge_notes(value, edges)
+        notes = _map(value, "_states")
+        for state in states:
+            if state in notes:
+                draft.table(branch, "_states")[names[state]] = notes[state]
+        taken = self._found.notes.layout.values()
+        for state, place in places.of(states, _map(value, "_layout"), taken):
+            draft.table(branch, "_layout")[names[state]] = place
+
+    def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:
+        """Put operations into the states that have the names of those they left."""
+        states = [key for key in value if not key.startswith("_") and key != HEADER]
+        edges = []
+        for state in states:
+            operations = {key: to for key, to in value[state].items() if not key.startswith("_")}
+            for end in (state, *operations.values()):
+                if end not in self._found.table:
+                    raise EditRefused(
+                        f"there is no state {end!r} in {self._branch} for a pasted operation",
+                        advice=did_you_mean(end, self._found.table)
+                        or "Copy the states along with it.",
+                    )
+            inner = self._draft.at(self._branch, state)
+            free = FreeNames(inner)
+            for operation, target in operations.items():
+                name = free.take(operation)
+                inner[name] = target
+                edges.append((state, operation, state, name))
+                yield Address(self._branch, state, name)
+        self._edge_notes(value, edges)
+
+    def _edge_notes(self, value: Values, edges: Iterable[tuple[str, str, str, str]]) -> None:
+        """Let the notes of operations follow: (state, operation) before, and now.
+
+        What is said of all operations of a name must not fall on those that were here before.
+        """
+        notes, branch = _map(value, "_operations"), self._branch
+        here = _map(self._found.fields, "_operations")
+        for state, operation, new_state, new_operation in edges if notes else ():
+            common = notes.get(note_key(operation))
+            own = notes.get(note_key(operation, state))
+            if common is not None and operation == new_operation:
+                if operation not in self._known:
+                    self._draft.table(branch, "_operations")[note_key(operation)] = common
+                    common = None
+                elif here.get(note_key(operation)) == common:
+                    common = None
+            if isinstance(common, dict) and isinstance(own, dict | None):
+                own = {**common, **(own or {})}
+            if own is not None:
+                self._draft.table(branch, "_operations")[note_key(new_operation, new_state)] = own
+
+
+class _StateNames:
+    """Names for states that come into an SB: their own where it is free and carries facts as the
+    others do, and no other state has these facts; else the next one in the manner of the SB.
+    """
+
+    def __init__(self, branch: StateBranch) -> None:
+        shape = branch.shape
+        self._free = FreeNames({*branch.table, *branch.fields, HEADER})
+        self._written = shape.written
+        self._length = 0 if shape.opaque or not branch.table else shape.num_facts * shape.width
+        self._facts = {self._facts_of(name) for name in branch.table}
+        self._fresh = fresh_state_names(branch)
+
+    def take(self, name: str) -> str:
+        if self._length:
+            name = self._with_own_facts(name)
+        free = self._free.take(name)
+        self._facts.add(self._facts_of(free))
+        return free
+
+    def _with_own_facts(self, name: str) -> str:
+        if self._is_free(name) and len(self._facts_of(name)) == self._length:
+            return name
+        return next(fresh for fresh in self._fresh if self._is_free(fresh))
+
+    def _is_free(self, name: str) -> bool:
+        return name not in self._free.taken and self._facts_of(name) not in self._facts
+
+    def _facts_of(self, name: str) -> str:
+        return fact_string(name, self._written)
+
+
+def _map(values: Values, key: str) -> Mapping[str, Json]:
+    found = values.get(key)
+    return found if isinstance(found, dict) else {}

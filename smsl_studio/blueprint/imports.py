@@ -1,0 +1,260 @@
+"""``_imports``: State Branches that live in other files.
+
+A file that is missing, cannot be read, leads back to itself or brings a name that is taken does
+not keep the importing file from opening: it is a fault, with the chain of files, for inspection
+(R08) to report. A file that is reached on two ways is read once.
+
+What may be imported is told in ``project``. Two steps: ``follow`` finds the files, and reads those
+that are not in memory yet; ``gather`` makes one blueprint of what stands in them. An edit that
+leaves every ``_imports`` alone needs only the second.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import PurePath
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
+from smsl_studio.blueprint.project import project_of, real_path, refusal_of_name, refusal_of_place
+from smsl_studio.blueprint.reading import fields_of
+from smsl_studio.errors import Place, ReadError
+from smsl_studio.smsl.budget import share_of_budget
+from smsl_studio.smsl.document import Document, Path
+from smsl_studio.smsl.files import content_of, document_of
+from smsl_studio.smsl.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_BRANCHES
+
+KEY = "_imports"
+MOST = 500
+"""So many files are imported in all; who needs more has made a mistake, or a trap."""
+
+MOST_WRITTEN = 20_000
+"""So many entries of all lists are looked at; files on several ways count once for each."""
+
+SHOWN = 200
+"""Characters of a name that are shown where it leads to nothing."""
+
+Branches = dict[str, StateBranch]
+
+
+@dataclass(frozen=True)
+class Import:
+    """A file that was reached: by which files (real paths, its own last), and where the last but
+    one of them names it.
+    """
+
+    document: Document
+    chain: tuple[str, ...]
+    path: Path
+
+
+@dataclass(frozen=True)
+class ImportFailure:
+    """An import that led to no document; the chain ends with what it leads to.
+
+    ``wanted`` is the real path of a file that would be imported if it could be read.
+    """
+
+    sentence: str
+    home: str
+    path: Path
+    chain: tuple[str, ...]
+    advice: str
+    wanted: str = ""
+
+
+@dataclass(frozen=True)
+class Imports:
+    """What the imports of one file lead to, in the order in which SBs come; ``root`` is its own
+    real path.
+    """
+
+    root: str
+    files: tuple[Import, ...] = ()
+    failures: tuple[ImportFailure, ...] = ()
+
+    @property
+    def known(self) -> dict[str, Document]:
+        """The documents by their real paths."""
+        return {item.chain[-1]: item.document for item in self.files}
+
+    def swapped(self, documents: Mapping[Document, Document]) -> Imports:
+        """The same files with other texts: the former document to the one that it is now."""
+        if not any(item.document in documents for item in self.files):
+            return self
+        files = (
+            replace(item, document=documents.get(item.document, item.document))
+            for item in self.files
+        )
+        return replace(self, files=tuple(files))
+
+
+def follow(document: Document, known: Mapping[str, Document]) -> Imports:
+    """Find everything that ``document`` imports, directly or not, within its project.
+
+    A file in ``known`` (by its real path) is taken as it is there; any other is read.
+    """
+    root, project = real_path(document.file), project_of(document.file)
+    files: list[Import] = []
+    failures: list[ImportFailure] = []
+    seen: set[object] = {root}
+    asked, share = 0, share_of_budget(document)
+    waiting = list(_listed(document, (root,), failures))[::-1]
+    while waiting:
+        entry = waiting.pop()
+        asked += 1
+        if most := _too_many(files, failures, asked, share):
+            failures.append(entry.failure(most, "Import fewer files."))
+            break
+        try:
+            real = _place_of(entry, project)
+        except _Refused as refused:
+            if (entry.home, entry.name) not in seen:
+                seen.add((entry.home, entry.name))
+                failures.append(entry.failure(*refused.args))
+            continue
+        if real in entry.chain:
+            words = "the import leads back to a file it comes from"
+            failures.append(entry.failure(words, "Leave out one of these imports.", real))
+            continue
+        if real in seen:
+            continue
+        seen.add(real)
+        try:
+            found = known[real] if real in known else _read(entry, real, project)
+        except _Refused as refused:
+            sentence, advice = refused.args
+            failures.append(replace(entry.failure(sentence, advice, real), wanted=real))
+            continue
+        chain = (*entry.chain, real)
+        files.append(Import(found, chain, entry.path))
+        share += share_of_budget(found)
+        waiting.extend(list(_listed(found, chain, failures))[::-1])
+    return Imports(root, tuple(files), tuple(failures))
+
+
+def gather(document: Document, imports: Imports, own: Callable[[Document], Branches]) -> Blueprint:
+    """One blueprint of a document and what it imports; ``own`` reads the SBs of one document."""
+    branches = dict(own(document))
+    homes: dict[str, Document] = {}
+    known = {imports.root: document, **imports.known}
+    faults = [_fault(known, item) for item in imports.failures]
+    for item in imports.files:
+        at = (item.chain[-2], item.path, item.chain)
+        try:
+            brought = own(item.document)
+        except ReadError as error:
+            words, advice = _no_blueprint(error, item.document.file)
+            faults.append(_fault(known, ImportFailure(words, *at, advice)))
+            continue
+        if len(branches) + len(brought) > MAX_BRANCHES:
+            faults.append(
+                _fault(known, ImportFailure(TOO_MANY_BRANCHES[0], *at, TOO_MANY_BRANCHES[1]))
+            )
+            continue
+        for name, branch in brought.items():
+            if name in branches:
+                words = f"the import brings {name}, which is there already"
+                faults.append(_fault(known, ImportFailure(words, *at, "Rename one of the two.")))
+            else:
+                branches[name] = branch
+                homes[name] = item.document
+    return Blueprint(branches, document, fields_of(document), homes, tuple(faults), imports)
+
+
+class _Refused(Exception):  # noqa: N818
+    """An import that is not followed: the sentence and the advice."""
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """One name in a list of imports: where it is written, and by which files one came there."""
+
+    name: str
+    folder: str
+    path: Path
+    chain: tuple[str, ...]
+
+    @property
+    def home(self) -> str:
+        """The file that names it, by its real path."""
+        return self.chain[-1]
+
+    def failure(self, sentence: str, advice: str, end: str = "") -> ImportFailure:
+        """What is told where it led to nothing; ``end`` is what it leads to, if that is known."""
+        return ImportFailure(
+            sentence, self.home, self.path, (*self.chain, end or self.name), advice
+        )
+
+
+def _listed(
+    document: Document, chain: tuple[str, ...], failures: list[ImportFailure]
+) -> Iterator[_Entry]:
+    """Each import that a document names."""
+    listed: Any = document.values.get(KEY)
+    if listed is None:
+        return
+    if not isinstance(listed, list):
+        words = "_imports is no list of files"
+        failures.append(ImportFailure(words, chain[-1], (KEY,), chain, 'Write ["other.json"].'))
+        return
+    folder = os.path.dirname(document.file)  # noqa: PTH120
+    for index, name in enumerate(listed[: MOST_WRITTEN + 1]):
+        path = (KEY, str(index))
+        if isinstance(name, str) and name:
+            yield _Entry(name, folder, path, chain)
+        else:
+            words = "an import is the name of a file"
+            failures.append(ImportFailure(words, chain[-1], path, chain, "Write it in quotes."))
+
+
+def _too_many(files: list[Import], failures: list[ImportFailure], asked: int, share: int) -> str:
+    """What is said where imports are followed no further; empty where they are."""
+    if share > MAX_VALUES:
+        return f"the files hold more than {MAX_VALUES:,} names and values together"
+    if len(files) == MOST or asked > MOST_WRITTEN:
+        return f"more than {MOST if len(files) == MOST else MOST_WRITTEN} imports are not followed"
+    return f"more than {MOST} imports fail" if len(failures) >= MOST else ""
+
+
+def _place_of(entry: _Entry, project: str) -> str:
+    """The real path of what an import names; _Refused where it may not be imported."""
+    refusal = refusal_of_name(entry.name)
+    if refusal is None:
+        real = real_path(os.path.join(entry.folder, entry.name))  # noqa: PTH118
+        refusal = refusal_of_place(real, project)
+        if refusal is None:
+            return real
+    raise _Refused(refusal.sentence, refusal.advice)
+
+
+def _read(entry: _Entry, real: str, project: str) -> Document:
+    """The document in a file, under the plainest name that leads to it.
+
+    What is told of a fault names its place and never what stands there: the file may be any.
+    """
+    written = os.path.join(entry.folder, entry.name)  # noqa: PTH118
+    plain = os.path.normpath(written)
+    file = plain if real_path(plain) == real else written
+    try:
+        content = content_of(real, project)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "it has no possible name"
+        advice = "Import a file that is there, or leave it out."
+        raise _Refused(f"the import cannot be read: {reason}", advice) from None
+    try:
+        return document_of(content, file)
+    except ReadError as error:
+        raise _Refused(*_no_blueprint(error, file)) from None
+
+
+def _no_blueprint(error: ReadError, file: str) -> tuple[str, str]:
+    place = error.place or Place(file, 1, 1)
+    return f"the import is no blueprint: {place}", "Open that file by itself to see why."
+
+
+def _fault(known: Mapping[str, Document], failure: ImportFailure) -> ImportFault:
+    chain = tuple(PurePath(name).name[:SHOWN] for name in failure.chain)
+    return ImportFault(failure.path, failure.sentence, chain, known[failure.home], failure.advice)

@@ -1,0 +1,82 @@
+"""A blueprint with other texts: whatever changes a document of one ends here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import partial
+
+from smsl_studio.blueprint.imports import KEY, Imports, follow, gather
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.project import real_path
+from smsl_studio.blueprint.reading import branches_of, fields_of
+from smsl_studio.errors import UsageError
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.likeness import same
+
+
+def with_document(blueprint: Blueprint, document: Document) -> Blueprint:
+    """The blueprint with one of its documents (known by its ``file``) as it is given here.
+
+    What stands in it as before is not read again, and no other document is; where its
+    ``_imports`` changed they are followed anew, without reading from disk what is in memory.
+    ReadError where the document cannot be part of a blueprint, UsageError where it is none of
+    this one. A file that could not be imported yet may be given too.
+    """
+    for before in blueprint.documents:
+        if before.file == document.file:
+            if before.text == document.text:
+                return blueprint
+            return revised(blueprint, {before: _with_former_values(before, document)})
+    return _with_import(blueprint, document)
+
+
+def imported_anew(blueprint: Blueprint) -> Blueprint:
+    """The blueprint with those imports that led to nothing so far, where they now lead to a file.
+
+    What is in memory is not read again.
+    """
+    imports = follow(blueprint.document, blueprint.imports.known if blueprint.imports else {})
+    return gather(blueprint.document, imports, partial(branches_of, former=blueprint))
+
+
+def revised(former: Blueprint, changed: Mapping[Document, Document]) -> Blueprint:
+    """The blueprint with other texts: each former document to the one that it is now."""
+    read = {after: branches_of(after, former) for after in changed.values()}
+
+    def own(document: Document) -> dict[str, StateBranch]:
+        return read[document] if document in read else branches_of(document, former)
+
+    document = changed.get(former.document, former.document)
+    if KEY not in document.values:
+        return Blueprint(own(document), document, fields_of(document))
+    imports = former.imports.swapped(changed) if former.imports else None
+    if imports is None or any(_leads_elsewhere(*pair) for pair in changed.items()):
+        imports = follow(document, imports.known if imports else {})
+    return gather(document, imports, own)
+
+
+def _with_import(blueprint: Blueprint, document: Document) -> Blueprint:
+    own = partial(branches_of, former=blueprint)
+    own(document)
+    before = blueprint.imports or Imports("")
+    real = real_path(document.file)
+    imports = follow(blueprint.document, {**before.known, real: document})
+    if real not in imports.known:
+        raise UsageError(f"{document.file} is no file of this blueprint")
+    return gather(blueprint.document, imports, own)
+
+
+def _with_former_values(before: Document, document: Document) -> Document:
+    """The document whose equal values are the very objects that were there before."""
+    values = dict(document.values)
+    for key, value in values.items():
+        former = before.values.get(key)
+        # The first comparison is quick, the second one is exact (order, 1 and true).
+        if former == value and same(former, value):
+            values[key] = former
+    return replace(document, values=values)
+
+
+def _leads_elsewhere(before: Document, after: Document) -> bool:
+    return not same(before.values.get(KEY), after.values.get(KEY))

@@ -1,0 +1,93 @@
+"""``check``: inspection. Exit status 1 where a finding of severity E stands."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
+from smsl_studio.cli.blueprint_argument import read_each
+from smsl_studio.cli.output import Output
+from smsl_studio.front.inputs import inspect
+from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.legible import one_line
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
+    parser.add_argument(
+        "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
+    )
+    add_world(parser, required=False)
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    if options.world is not None:
+        _must_exist(options.world)
+    inspect(_nothing(), options.rule)
+    reports, status = [], 0
+    for blueprint in read_each(options.files, "smsl-studio check"):
+        if blueprint is None:
+            status = 2
+            continue
+        findings = inspect(blueprint, options.rule)
+        if any(finding.severity is Severity.ERROR for finding in findings):
+            status = max(status, 1)
+        if options.format == "text":
+            _print(blueprint, findings, out)
+        else:
+            reports.append(_as_json(blueprint, findings))
+    if options.format == "json":
+        out.json({"files": reports})
+    return status
+
+
+def _nothing() -> Blueprint:
+    """An empty blueprint: inspecting it tells whether the rules that were asked for exist."""
+    from smsl_studio.front.inputs import read_bytes
+
+    return read_bytes(b"{}", "")
+
+
+def _must_exist(world: str) -> None:
+    from smsl_studio.host.plugin_offers import describe
+    from smsl_studio.library.operation_library import TABLE
+
+    if world != TABLE:
+        describe().world(world)
+
+
+def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, Any]:
+    return {
+        "file": blueprint.file,
+        "states": blueprint.state_count,
+        "operations": blueprint.operation_count,
+        "findings": [_finding(blueprint, finding) for finding in findings],
+    }
+
+
+def _finding(blueprint: Blueprint, finding: Finding) -> dict[str, Any]:
+    """A finding, with its file where that is an imported one."""
+    file = finding.place.file
+    return finding.as_json() if file == blueprint.file else {**finding.as_json(), "file": file}
+
+
+def _print(blueprint: Blueprint, findings: tuple[Finding, ...], out: Output) -> None:
+    paint = {Severity.ERROR: out.red, Severity.WARNING: out.yellow, Severity.NOTE: out.plain}
+    counts = dict.fromkeys(Severity, 0)
+    for finding in findings:
+        counts[finding.severity] += 1
+        mark = paint[finding.severity](f"{finding.severity.value} {finding.rule}")
+        said = "; ".join(filter(None, (finding.message, finding.advice, finding.also)))
+        words = one_line(f"{finding.address}: {said}")
+        out.line(f"{one_line(str(finding.place))}: {mark} {words}")
+    said = ", ".join(
+        f"{counts[severity]} {word}{'' if counts[severity] == 1 else 's'}"
+        for severity, word in zip(Severity, ("error", "warning", "note"), strict=True)
+    )
+    out.line(
+        f"{one_line(blueprint.file)}: {blueprint.state_count} states, "
+        f"{blueprint.operation_count} operations: {said}"
+    )

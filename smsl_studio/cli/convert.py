@@ -1,0 +1,47 @@
+"""``convert``: the same blueprint in another written form, by the suffix of the file it goes to."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from smsl_studio.blueprint.relocation import relocated
+from smsl_studio.cli.arguments import ArgumentParser
+from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
+from smsl_studio.cli.output import Output, note, note_losses
+from smsl_studio.errors import UsageError
+from smsl_studio.smsl.conversion import convert
+from smsl_studio.smsl.files import save_document
+from smsl_studio.smsl.forms import SUFFIXES, WORDS
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
+    parser.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        required=True,
+        help=f"where it goes; its suffix names the form: {', '.join(SUFFIXES)}",
+    )
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    form = SUFFIXES.get(Path(options.output).suffix.lower())
+    if form is None:
+        raise UsageError(
+            f"the suffix of {options.output} names no written form",
+            advice=f"End it with {', '.join(SUFFIXES)}.",
+        )
+    blueprint = read_argument(options.file)
+    document = blueprint.document
+    moved = relocated(document, options.output)
+    converted = convert(moved, form, options.output)
+    note_losses(options.output)
+    save_document(converted.document, options.output, made_of=inputs_of(blueprint))
+    if left := converted.comments_left:
+        words = "1 comment was" if left == 1 else f"{left} comments were"
+        note(f"{words} left behind: {WORDS[form]} has no place for comments.")
+    if moved is not document:
+        note(f"_imports are named from the folder of {options.output}.")
+    return 0

@@ -1,0 +1,92 @@
+"""``diff``: what changed in meaning between two files. Exit status 1 where they differ.
+
+Called by git as an external diff driver, it gets seven arguments (nine for a renamed file, one for
+an unmerged one) and must end with 0, whatever it finds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+
+from smsl_studio.blueprint.comparison import Change, Difference, compare
+from smsl_studio.blueprint.comparison.signs import ADDED, REMOVED, sign_of
+from smsl_studio.cli.arguments import ArgumentParser, add_format
+from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
+from smsl_studio.cli.git_driver import by_git, show_for_git
+from smsl_studio.cli.output import Output
+from smsl_studio.cli.pictures import add_picture, draw_picture, picture_form
+from smsl_studio.errors import UsageError
+from smsl_studio.legible import one_line
+from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.smsl.files import save_document
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument(
+        "files", nargs="+", metavar="FILE", help="the earlier and the later blueprint; - is one"
+    )
+    add_picture(parser, required=False)
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    files: list[str] = options.files
+    if by_git(files, os.environ):
+        show_for_git(files, out, print_difference)
+        return 0
+    if len(files) != 2:
+        raise UsageError(
+            f"two files are compared, and {len(files)} are named",
+            advice="smsl-studio diff BEFORE AFTER",
+        )
+    if files == ["-", "-"]:
+        raise UsageError("standard input cannot be both files", advice="Name one of them.")
+    if options.output:
+        picture_form(options.output)
+    difference = as_drawn(compare(read_argument(files[0]), read_argument(files[1])))
+    if options.output:
+        _draw(difference, options.output)
+    if options.format == "json":
+        out.json(difference.as_json())
+    else:
+        print_difference(difference, out)
+    return 1 if difference.changes else 0
+
+
+def print_difference(difference: Difference, out: Output) -> None:
+    """Every change on a line: its sign, its address, its sentence, its places; then the sum.
+
+    What differs beside the meaning stands apart, under a line of its own.
+    """
+    for change in difference.changes:
+        sign = sign_of(change.kind)
+        paint = {ADDED: out.green, REMOVED: out.red}.get(sign, out.yellow)
+        out.line(paint(_told(sign, change)) + _places(difference, change))
+    if difference.fields:
+        out.line("Beside the meaning:")
+    for change in difference.fields:
+        sign = sign_of(change.kind)
+        out.line(f"  {_told(sign, change)}{_places(difference, change)}")
+    out.line(one_line(difference.words))
+
+
+def _told(sign: str, change: Change) -> str:
+    where = "" if change.address is None else f"{change.address}: "
+    return one_line(f"{sign} {where}{change.words}")
+
+
+def _draw(difference: Difference, output: str) -> None:
+    from smsl_studio.picture.colours import LIGHT
+    from smsl_studio.picture.compared import draw_difference
+
+    title = f"{difference.before.file} -> {difference.after.file}"
+    picture = draw_picture(draw_difference(difference), title, output, LIGHT)
+    inputs = (*inputs_of(difference.before), *inputs_of(difference.after))
+    save_document(picture, output, made_of=inputs)
+
+
+def _places(difference: Difference, change: Change) -> str:
+    places = difference.place_before(change), difference.place_after(change)
+    told = " -> ".join(str(place) for place in places if place is not None)
+    return one_line(f" ({told})") if told else ""

@@ -1,0 +1,32 @@
+"""``digest``: SHA-256 of what a blueprint does, of what is said of it, and of all it needs."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.blueprint.digests import digests
+from smsl_studio.cli.arguments import ArgumentParser, add_format
+from smsl_studio.cli.blueprint_argument import read_each
+from smsl_studio.cli.output import Output
+from smsl_studio.legible import one_line
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    found, status = [], 0
+    for blueprint in read_each(options.files, "smsl-studio digest"):
+        if blueprint is None:
+            status = 2
+            continue
+        kinds = digests(blueprint).as_json()
+        found.append({"file": blueprint.file, **kinds})
+        if options.format == "text":
+            for kind, digest in kinds.items():
+                out.line(f"{digest}  {kind:<9}  {one_line(blueprint.file)}")
+    if options.format == "json":
+        out.json({"files": found})
+    return status

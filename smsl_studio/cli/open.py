@@ -1,0 +1,21 @@
+"""``open``: the window. It has a door of its own; this one only says so."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.cli.arguments import ArgumentParser
+from smsl_studio.cli.output import Output
+from smsl_studio.errors import UsageError
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
+    parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    raise UsageError(
+        "the window is opened by the program itself",
+        advice="Start smsl-studio open FILE..., with nothing before it.",
+    )

@@ -1,0 +1,123 @@
+"""``replay``: the events of a run again, from its log alone; whether the log is whole."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import io
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import BinaryIO
+
+from smsl_studio.cli.arguments import ArgumentParser, add_format
+from smsl_studio.cli.blueprint_argument import STDIN
+from smsl_studio.cli.output import Output, note
+from smsl_studio.cli.story import line_of
+from smsl_studio.errors import Place, ReadError, UsageError
+from smsl_studio.legible import json_text, one_line
+from smsl_studio.runlog.log import FORMER
+from smsl_studio.runlog.log_reader import LogReader, LogVerdict, open_log, read_records, verify
+from smsl_studio.smsl.files import save_document
+
+BEFORE = (
+    f"a log of version {FORMER}: its goals were told without a fresh check, "
+    "and it does not say what its states want of their facts"
+)
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("log", metavar="LOG", help="a log of run --log; - is standard input")
+    instead = parser.add_mutually_exclusive_group()
+    instead.add_argument(
+        "--verify",
+        action="store_true",
+        help="check the chain over the raw bytes, and the head, instead of telling the events",
+    )
+    instead.add_argument(
+        "-o", "--output", metavar="OUT.html", help="write an account of the run instead"
+    )
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    if options.output is not None:
+        _check_output(options.output)
+    with _log(options.log) as (stream, file):
+        if options.verify:
+            return _verify(stream, file, options.format, out)
+        if options.output is not None:
+            return _account(stream, file, options.output)
+        return _tell(stream, file, options.format, out)
+
+
+def _tell(stream: BinaryIO, file: str, form: str, out: Output) -> int:
+    reader = LogReader(stream, file)
+    for record in reader.records():
+        out.line(json_text(record.text) if form == "json" else one_line(line_of(record.event)))
+    if reader.doubt is not None:
+        note(str(reader.doubt))
+    return 0
+
+
+def _verify(stream: BinaryIO, file: str, form: str, out: Output) -> int:
+    verdict = verify(stream, file)
+    if form == "json":
+        out.json(_as_json(verdict, file))
+    elif verdict.doubt is not None:
+        out.line(one_line(str(verdict.doubt)))
+    else:
+        assert verdict.head is not None
+        many = f"{verdict.events} event{'' if verdict.events == 1 else 's'}"
+        former = f" ({BEFORE})" if verdict.version == FORMER else ""
+        out.line(one_line(f"{file}: verified: {many}, {verdict.head.hash}{former}"))
+    return 0 if verdict.doubt is None else 1
+
+
+def _as_json(verdict: LogVerdict, file: str) -> dict[str, object]:
+    doubt, head = verdict.doubt, verdict.head
+    return {
+        "file": file,
+        "verified": doubt is None,
+        "events": verdict.events,
+        "version": verdict.version,
+        "head": {"count": head.count, "hash": head.hash} if head else None,
+        "line": doubt.place.line if doubt else None,
+        "column": doubt.place.column if doubt else None,
+        "message": doubt.sentence if doubt else "",
+    }
+
+
+def _account(stream: BinaryIO, file: str, output: str) -> int:
+    from smsl_studio.picture.account import account
+
+    run = read_records(stream, file)
+    save_document(account(run), output, made_of=[0 if file == STDIN else file])
+    if run.doubt is not None:
+        note(str(run.doubt))
+    return 0
+
+
+def _check_output(output: str) -> None:
+    if Path(output).suffix.lower() not in (".html", ".htm"):
+        raise UsageError(f"{output!r} is no name of a page", advice="Let it end in .html.")
+
+
+@contextlib.contextmanager
+def _log(file: str) -> Iterator[tuple[BinaryIO, str]]:
+    """The bytes of a log, and its name in messages."""
+    if file == "-":
+        yield _standard_input(), STDIN
+        return
+    with open_log(Path(file)) as stream:
+        yield stream, file
+
+
+def _standard_input() -> BinaryIO:
+    if sys.stdin is None:
+        raise ReadError(
+            "standard input cannot be read: it is closed",
+            Place(STDIN, 1, 1),
+            "Name a file instead of -.",
+        )
+    return getattr(sys.stdin, "buffer", None) or io.BytesIO(sys.stdin.read().encode())

@@ -1,0 +1,191 @@
+"""``run``: a blueprint in a world, headless. Exit status 0 where every goal was reached."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from smsl_studio.cli.arguments import (
+    ArgumentParser,
+    add_format,
+    add_seed_and_host,
+    add_world,
+    host_of,
+)
+from smsl_studio.cli.blueprint_argument import STDIN, read_argument, standard_input
+from smsl_studio.cli.output import Output, note
+from smsl_studio.cli.signals import Signals
+from smsl_studio.cli.story import line_of
+from smsl_studio.errors import UsageError
+from smsl_studio.legible import one_line
+from smsl_studio.runlog.ends import UNBEGUN
+from smsl_studio.runlog.events import Event, Held, RunFinished
+from smsl_studio.runlog.regulation import Commanded
+from smsl_studio.stop import Stopped, look_for_garbage
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.model import Blueprint
+    from smsl_studio.front.runs import Run
+    from smsl_studio.front.script.script import Script
+
+UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; simulation only"
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
+    add_world(parser, required=True)
+    _several(parser, "--goal", "SB/State", "where to go; one an SB (default: ACTIVATING of roots)")
+    _several(parser, "--start", "SB/State", "where to begin; one an SB (default: INITIAL)")
+    _several(parser, "--avoid", "ADDRESS", "an operation not to use")
+    add_seed_and_host(parser)
+    parser.add_argument(
+        "--script",
+        metavar="FILE",
+        help="supervise it by a script: commands, chosen operations and faults at their moments",
+    )
+    parser.add_argument("--log", metavar="FILE", help="write the run's log, JSON Lines")
+    parser.add_argument(
+        "--speed", default="max", metavar="X|max", help="times real time; max is as fast as it goes"
+    )
+    parser.add_argument(
+        "--on-mismatch",
+        choices=("hold", "adopt"),
+        default="hold",
+        help="where facts and beliefs differ: hold (default), or adopt the only state that agrees",
+    )
+    parser.add_argument(
+        "--broker", default="", metavar="HOST[:PORT]", help="the MQTT broker of sensors elsewhere"
+    )
+    parser.add_argument("--site", default="", help="the site whose sensors are heard")
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    told = _ToldEvents(out, options.format, options.signals)
+    try:
+        return _execute(options, told)
+    except Stopped:
+        if told.finished or not options.signals.asked:
+            raise
+        # So early that there was no run which could tell it.
+        finished = RunFinished(
+            t=0.0, reason="stopped", sentence=UNBEGUN, operations=0, configuration={}
+        )
+        told.tell(finished)
+        return 1
+
+
+class _ToldEvents:
+    """The events of a run, as they are told on standard output."""
+
+    def __init__(self, out: Output, form: str, signals: Signals) -> None:
+        self.finished = False
+        self._out, self._form, self._signals = out, form, signals
+        self._begun = False
+
+    def tell(self, event: Event) -> None:
+        """One line; the last one says that the run is over, and a stop of it carried out."""
+        if not self._begun:
+            self._begun = True
+            note(UNINSPECTED)
+        self._out.line(event.line() if self._form == "json" else one_line(line_of(event)))
+        if isinstance(event, RunFinished):
+            self.finished = True
+            self._signals.take()
+
+
+def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
+    from smsl_studio.front.inputs import inspect
+    from smsl_studio.front.runs import run
+
+    speed = _speed(options.speed)
+    if options.log == "-":
+        raise UsageError(
+            "a log is a file; the events go to standard output anyway",
+            advice="Name a new file, or leave out --log.",
+        )
+    blueprint = read_argument(options.file)
+    script = _script(options.script, options.file, blueprint)
+    # What guards a run and is misspelt guards nothing: this is said, whoever inspected it or not.
+    for finding in inspect(blueprint, ("R29",)):
+        note(f"{finding.place}: {finding.message}")
+    look_for_garbage()
+    done = run(
+        blueprint,
+        options.world,
+        options.goal,
+        options.start,
+        seed=options.seed,
+        host=host_of(options),
+        speed=speed,
+        avoid=options.avoid,
+        on_mismatch=options.on_mismatch,
+        script=script,
+        log=options.log,
+        on_event=told.tell,
+        stop_when=options.signals.is_asked,
+        broker=options.broker,
+        site=options.site,
+    )
+    for words in done.unbound:
+        note(words)
+    if script is not None:
+        for event in done.events:
+            if isinstance(event, Commanded) and event.refused:
+                note(f"{script.file}: {_refused(event)}")
+    for act in done.left:
+        note(f"{act.place}: its moment never came: {act}")
+    if done.reason != "goal_reached":
+        _explain(done, options.format == "json")
+    return 0 if done.reason == "goal_reached" else 1
+
+
+def _refused(event: Commanded) -> str:
+    what = " ".join(filter(None, (event.command.replace("_", " "), event.address, event.value)))
+    return f"refused at {event.t:.3f} s: {what}: {event.refused}"
+
+
+def _explain(done: Run, also_why: bool) -> None:
+    """Why the goal was not reached, and what stood in the way, one thing a line."""
+    if also_why:
+        note(f"{done.reason}: {done.sentence}")
+    holds = [event for event in done.events if isinstance(event, Held)]
+    for line in holds[-1].details if holds else ():
+        edge, _, reason = line.partition(": ")
+        # Most reasons name their edge themselves; it is said once.
+        note(f"    {reason if reason.startswith(f'{edge} ') else line}")
+
+
+def _script(file: str | None, blueprint_file: str, blueprint: Blueprint) -> Script | None:
+    """The script of a run; - is standard input, unless the blueprint stands there."""
+    from smsl_studio.front.script.lines import read_script, script_of
+
+    if file is None:
+        return None
+    if file != "-":
+        return read_script(Path(file), blueprint)
+    if blueprint_file == "-":
+        raise UsageError(
+            "the blueprint and the script cannot both be standard input",
+            advice="Name a file for one of them.",
+        )
+    return script_of(standard_input(), STDIN, blueprint)
+
+
+def _several(parser: ArgumentParser, name: str, metavar: str, words: str) -> None:
+    parser.add_argument(
+        name, action="append", default=[], metavar=metavar, help=f"{words}; may be repeated"
+    )
+
+
+def _speed(text: str) -> float | None:
+    if text == "max":
+        return None
+    try:
+        speed = float(text)
+    except ValueError:
+        speed = 0.0
+    if not 0 < speed < float("inf"):
+        raise UsageError(f"the speed is {text!r}", advice="Give a number above 0, or max.")
+    return speed

@@ -1,0 +1,62 @@
+"""``sweep``: every edge by itself in a world. Exit status 0 where all of them pass."""
+
+from __future__ import annotations
+
+import argparse
+
+from smsl_studio.cli.arguments import (
+    ArgumentParser,
+    add_format,
+    add_seed_and_host,
+    add_world,
+    host_of,
+)
+from smsl_studio.cli.blueprint_argument import read_argument
+from smsl_studio.cli.output import Output
+from smsl_studio.cli.story import line_of
+from smsl_studio.legible import one_line
+from smsl_studio.runlog.events import SweepFinished
+from smsl_studio.stop import look_for_garbage
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
+    add_world(parser, required=True)
+    add_seed_and_host(parser)
+    parser.add_argument(
+        "--sb", action="append", metavar="SB", help="only this State Branch; may be repeated"
+    )
+    parser.add_argument(
+        "--most",
+        type=_count,
+        metavar="N",
+        help="so many operations at most (default 2,500, fewer where checks are large)",
+    )
+    add_format(parser)
+
+
+def execute(options: argparse.Namespace, out: Output) -> int:
+    from smsl_studio.front.sweeps import sweep
+
+    blueprint = read_argument(options.file)
+    look_for_garbage()
+    status = 1
+    events = sweep(
+        blueprint,
+        options.world,
+        seed=options.seed,
+        host=host_of(options),
+        branches=options.sb or (),
+        most=options.most,
+    )
+    for event in events:
+        out.line(event.line() if options.format == "json" else one_line(line_of(event)))
+        if isinstance(event, SweepFinished):
+            status = 0 if event.passed == event.edges else 1
+    return status
+
+
+def _count(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and 0 < len(text) < 10):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number of operations")
+    return int(text)

@@ -1,0 +1,95 @@
+"""The start of a run, as far as people have a part in it: facts they say, findings they accept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.people.board import ANSWERED, Closed
+from smsl_studio.dispatch.people.desk import no_words
+from smsl_studio.dispatch.people.needed import in_checks
+from smsl_studio.dispatch.people.questions import start_task
+from smsl_studio.dispatch.start import start_events
+from smsl_studio.dispatch.trouble import Hold
+from smsl_studio.errors import RunRefused
+from smsl_studio.runlog.events import FactChanged
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.driver import Driver
+
+
+class StartTasks:
+    """What stands between an opened world and the first operation.
+
+    First the facts of the start that only people know, then the state checks of the start, then
+    (where ``findings`` has words) whether a person accepts what inspection found. ``goals`` and
+    ``seed`` are for the record.
+    """
+
+    def __init__(self, driver: Driver, seed: int, goals: Sequence[Address], findings: str) -> None:
+        self._driver = driver
+        self._seed, self._goals, self._findings = seed, tuple(goals), findings
+        self._told = False
+
+    @property
+    def over(self) -> bool:
+        """Whether the run may move."""
+        return self._told and not self._findings
+
+    @property
+    def told(self) -> bool:
+        """Whether the world stands at the start, and the run has begun."""
+        return self._told
+
+    def go_on(self) -> None:
+        """As far as it goes now. RunRefused where the world does not stand at the start, or
+        nobody is there to say so."""
+        if self._told:
+            self._accepted()
+            return
+        run = self._driver.run
+        changes = run.senses.look()
+        facts = in_checks(run, run.checks(run.configuration))
+        if not facts:
+            self._tell(changes)
+            return
+        run.emit(*changes)
+        nobody = self._driver.desk.ask(facts, self._said)
+        if nobody:
+            raise RunRefused(
+                nobody,
+                advice="Run it where somebody answers, or by a script that does, or let sensors "
+                "say what it asks.",
+            )
+
+    def _said(self, closed: tuple[Closed, ...]) -> None:
+        no = no_words(closed)
+        try:
+            if no:
+                raise RunRefused(no, advice="The start must be known before anything moves.")
+            self._tell(())
+        except RunRefused as refused:
+            self._driver.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
+
+    def _tell(self, changes: tuple[FactChanged, ...]) -> None:
+        self._driver.run.emit(*start_events(self._driver.run, self._seed, self._goals, changes))
+        self._told = True
+        self._accepted()
+
+    def _accepted(self) -> None:
+        """Ask whether the findings are accepted, where there are any to accept."""
+        if not self._findings:
+            return
+        nobody = self._driver.desk.ask([start_task(self._findings)], self._decided)
+        if nobody:
+            self._driver.hold(Hold(nobody, (self._findings,)))
+
+    def _decided(self, closed: tuple[Closed, ...]) -> None:
+        driver = self._driver
+        if closed[0].yes:
+            self._findings = ""
+        elif closed[0].outcome == ANSWERED:
+            driver.finish("refused", f"The findings were not accepted: {no_words(closed)}.")
+        else:
+            driver.hold(Hold(no_words(closed), (self._findings,)))

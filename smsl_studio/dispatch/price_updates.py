@@ -1,0 +1,37 @@
+"""Cost functions are asked when the run arrives somewhere and when facts change; prices follow."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.address import fact_text
+from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.runlog.events import CostsChanged
+
+
+class PriceUpdates:
+    """What cost functions say of edges, brought into the course where it is news."""
+
+    def __init__(self, run: LiveRun, course: Course) -> None:
+        self._run, self._course = run, course
+        self._seen: object = None
+        self._told = 0
+        self._faults: set[str] = set()
+
+    def ask(self) -> None:
+        """Ask, unless nothing has changed since; tell the edges that cost otherwise now."""
+        run = self._run
+        if not run.opened.priced:
+            return
+        readings = run.senses.scene.readings
+        scene = {fact_text(*key): reading.value for key, reading in readings.items()}
+        seen = (scene, len(run.history))
+        if seen == self._seen:
+            return
+        priced = run.host.costs(scene, tuple(run.history[self._told :]))
+        self._seen, self._told = seen, len(run.history)
+        changed = self._course.adapt(priced.costs)
+        faults = tuple(fault for fault in priced.faults if fault not in self._faults)
+        self._faults.update(faults)
+        if changed or faults:
+            costs = {str(address): cost for address, cost in changed.items()}
+            run.emit(CostsChanged(t=run.time, costs=costs, faults=faults))

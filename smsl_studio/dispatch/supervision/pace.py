@@ -1,0 +1,97 @@
+"""What lets a run go on or holds it: ask, pause, resume, step. Each answers why it was refused."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.guards import asked
+from smsl_studio.dispatch.people.admission import admit
+from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.dispatch.supervision.recheck import recheck
+from smsl_studio.runlog.events import OperationRefused, Resumed
+from smsl_studio.stop import restartable
+
+if TYPE_CHECKING:
+    from smsl_studio.dispatch.driver import Driver
+
+
+def ask(driver: Driver, command: Command) -> str:
+    """Carry out one operation, once people have agreed where they must; refused with every
+    reason, before anything moves."""
+    run, address = driver.run, command.address
+    assert address is not None
+    reasons: tuple[str, ...]
+    if driver.carrier is not None:
+        reasons = (f"{driver.carrier.step.asked} is being carried out",)
+    elif not driver.starting.over:
+        reasons = ("the run has not begun yet",)
+    elif driver.phase == "running":
+        reasons = ("the run is automatic, pause it first",)
+    elif driver.desk.keeps:
+        reasons = ("people are being asked where the procedure stands",)
+    else:
+        run.look()
+        with restartable():
+            answer = asked(run, driver.course, address)
+        if isinstance(answer, JointStep) and command.parameters.get("every_time"):
+            circling = driver.repeats.why_not(run.configuration, answer.asked)
+            driver.repeats.count(run.configuration, answer.asked)
+            answer = (circling,) if circling else answer
+        if isinstance(answer, JointStep):
+            refused = admit(driver, answer, chosen=True)
+            # What was held by a pause until now, a question, is no longer what the run waits for.
+            driver.state.frozen &= bool(refused)
+            return refused
+        reasons = answer
+    run.emit(OperationRefused(t=run.time, address=str(address), reasons=reasons))
+    return "; ".join(reasons)
+
+
+def pause(driver: Driver, command: Command) -> str:
+    """Hold now, or as the running operation declares: finish it, abort it."""
+    state, carrier = driver.state, driver.carrier
+    if state.pausing:
+        return "it pauses already, as soon as the operation allows"
+    if carrier is None or not carrier.moving or carrier.can_freeze:
+        driver.now_paused()
+        return ""
+    state.pausing = True
+    if carrier.bound.stop != "finish":
+        carrier.abort(carrier.bound.stop, "it was paused and cannot be held")
+    return ""
+
+
+def resume(driver: Driver, command: Command) -> str:
+    """Go on after a pause or a hold; by hand, follow the route from here."""
+    state = driver.state
+    if driver.phase == "ready":
+        state.by_hand = False
+    state.resume()
+    driver.run.emit(Resumed(t=driver.run.time))
+    if driver.carrier is None:
+        driver.course.drop_plan()
+    driver.reviewer.trust()
+    recheck(driver)
+    return ""
+
+
+def step(driver: Driver, command: Command) -> str:
+    """One operation of the route, then wait again; ignored while one is carried out."""
+    if driver.phase == "running" and driver.carrier is not None:
+        return f"{driver.carrier.step.asked} is being carried out; step is ignored until it ended"
+    if driver.state.once:
+        return "one operation is about to begin already"
+    driver.state.step()
+    driver.reviewer.trust()
+    recheck(driver)
+    return ""
+
+
+def set_automatic(driver: Driver, command: Command) -> str:
+    """Follow the route by itself, or wait to be asked."""
+    driver.state.by_hand = command.value == "off"
+    route_asks = driver.starting.over and not driver.chosen and not driver.desk.keeps
+    if driver.state.by_hand and route_asks:
+        driver.withdraw()
+    return ""

@@ -1,0 +1,126 @@
+"""One edge by itself: from its source state, in a world, checked on sensed facts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.check import Scene, state_check
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.effort import refuse_too_large
+from smsl_studio.dispatch.words import truth_word
+from smsl_studio.front.hosts import make_host
+from smsl_studio.front.starts import start_for_edge
+from smsl_studio.host.protocol import Host
+from smsl_studio.library.loading import Loaded
+from smsl_studio.library.operation_library import TABLE
+from smsl_studio.runlog.events import (
+    Committed,
+    EdgeSwept,
+    Event,
+    Mismatch,
+    OperationEnded,
+    OperationRefused,
+    OperationRisky,
+)
+
+
+def try_edge(
+    blueprint: Blueprint,
+    edge: Address,
+    world: str = TABLE,
+    *,
+    seed: int = 0,
+    host: str = "process",
+    stop_when: Callable[[], bool] | None = None,
+    loaded: Loaded | None = None,
+) -> EdgeSwept:
+    """Carry out one edge alone, as a sweep would, and say how it went; nothing of it is kept.
+
+    ``stop_when`` is asked before every tick: a stop brakes the world, and the edge has not passed.
+    ``loaded`` are plugins that were found already (see ``make_host``).
+    WorldError for a world that does not exist or does not suit the blueprint, RunRefused where the
+    SUB_SBS go round in a circle, or the blueprint is too large to run.
+    """
+    hierarchy = Hierarchy(blueprint)
+    refuse_too_large(hierarchy)
+    place = make_host(blueprint, world, seed, host, loaded=loaded)
+    try:
+        target = blueprint[edge.branch].table[edge.state][edge.operation]
+        return edge_alone(hierarchy, place, edge, target, seed, stop_when)[0]
+    finally:
+        place.close()
+
+
+def edge_alone(
+    hierarchy: Hierarchy,
+    host: Host,
+    edge: Address,
+    target: str,
+    seed: int,
+    stop_when: Callable[[], bool] | None = None,
+) -> tuple[EdgeSwept, bool]:
+    """The verdict on one edge in a host, and whether the host was lost on the way."""
+    if target not in hierarchy.blueprint[edge.branch].table:
+        return _verdict(edge, sentence=f"its target {target} is no state"), False
+    start = start_for_edge(hierarchy, edge)
+    if start is None:
+        words = f"no start agrees with {edge.branch} in {edge.state}"
+        return _verdict(edge, sentence=words), False
+    dispatcher = Dispatcher(hierarchy.blueprint, host, start=start, seed=seed, automatic=False)
+    events = list(dispatcher.open())
+    source = "unknown"
+    if not dispatcher.finished:
+        source = _truth(hierarchy, dispatcher.standing.scene, start, edge.branch, edge.state)
+        dispatcher.ask(edge)
+        events += dispatcher.tick()
+        while dispatcher.phase == "running":
+            if stop_when is not None and stop_when():
+                dispatcher.stop()
+            events += dispatcher.tick()
+    at_end = dispatcher.standing
+    done = any(isinstance(e, Committed) and str(edge) in e.operations for e in events)
+    believed = {**start, **at_end.configuration}
+    passed = done and dispatcher.phase == "ready"
+    swept = EdgeSwept(
+        t=at_end.time,
+        address=str(edge),
+        passed=passed,
+        source=source,
+        target=_truth(hierarchy, at_end.scene, believed, edge.branch, target),
+        sentence="" if passed else _why(events, at_end.sentence),
+    )
+    return swept, at_end.reason == "failed"
+
+
+def _truth(
+    hierarchy: Hierarchy, scene: Scene, believed: Mapping[str, str], branch: str, state: str
+) -> str:
+    if not scene.readings:
+        return "unknown"
+    check = state_check(hierarchy.blueprint, branch, state, scene, {**believed, branch: state})
+    return truth_word(check.truth)
+
+
+def _why(events: Sequence[Event], sentence: str) -> str:
+    """The sentence that explains a failure best: a refusal, what was said, what was read."""
+    for event in events:
+        if isinstance(event, OperationRefused):
+            return "; ".join(event.reasons)
+    said = [e.message for e in events if isinstance(e, OperationEnded) and e.message]
+    said += [e.reason for e in events if isinstance(e, OperationRisky) and e.reason not in said]
+    read = [fact for e in events if isinstance(e, Mismatch) for fact in e.facts]
+    return "; ".join(dict.fromkeys([*said, *([sentence] if sentence else []), *read[:3]]))
+
+
+def _verdict(edge: Address, sentence: str) -> EdgeSwept:
+    return EdgeSwept(
+        t=0.0,
+        address=str(edge),
+        passed=False,
+        source="unknown",
+        target="unknown",
+        sentence=sentence,
+    )

@@ -1,0 +1,52 @@
+"""Which worlds a blueprint can run in: where everything it does and senses is bound."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.edges import Edges
+from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
+from smsl_studio.host.plugin_offers import describe
+from smsl_studio.library.bindings import bind
+from smsl_studio.library.bindings_file import bindings_beside
+from smsl_studio.library.bound import leaf_facts
+from smsl_studio.library.loading import Loaded
+from smsl_studio.library.operation_library import TABLE
+
+
+def worlds_for(
+    blueprint: Blueprint, plugin_paths: Sequence[Path] = (), loaded: Loaded | None = None
+) -> tuple[str, ...]:
+    """The worlds in which every operation has its function and every fact its sensor, or a person
+    in the place of either.
+
+    Worlds of plugins come first, in their order; ``table``, which runs anything, comes last.
+    ``loaded`` spares looking for plugins again; no plugin's code runs here.
+    """
+    known = loaded if loaded is not None else describe(plugin_paths)
+    names = [name for name in known.worlds if name != TABLE]
+    return (*(name for name in names if _suits(blueprint, known, name)), TABLE)
+
+
+def _suits(blueprint: Blueprint, loaded: Loaded, world: str) -> bool:
+    try:
+        edges = Edges(Hierarchy(blueprint))
+        bindings = bind(blueprint, loaded, world, bindings_beside(blueprint.file))
+    except StudioError:
+        return False
+    sensed = {(sensor.branch, sensor.digit) for sensor in bindings.sensors}
+    levels = Levels(blueprint)
+    facts = ((branch.name, digit) for branch, digit in leaf_facts(blueprint))
+    if any(fact not in sensed and levels.fact(*fact) != HUMAN for fact in facts):
+        return False
+    return blueprint.operation_count > 0 and all(
+        edge.address in bindings.operations or levels.operation(edge.address) == HUMAN
+        for branch in blueprint
+        for state in branch.table
+        for edge in edges.out(branch.name, state)
+        if edge.function
+    )

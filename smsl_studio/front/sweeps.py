@@ -1,0 +1,64 @@
+"""Sweeping: every edge by itself, from its source state, checked on sensed facts."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from pathlib import Path
+
+from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.effort import refuse_too_large, refuse_too_many_edges
+from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.single_edge import edge_alone
+from smsl_studio.host.protocol import Host
+from smsl_studio.library.operation_library import TABLE
+from smsl_studio.runlog.events import (
+    EdgeSwept,
+    SweepFinished,
+)
+
+
+def sweep(
+    blueprint: Blueprint,
+    world: str = TABLE,
+    *,
+    seed: int = 0,
+    host: str = "local",
+    plugin_paths: Sequence[Path] = (),
+    branches: Collection[str] = (),
+    most: int | None = None,
+) -> Iterator[EdgeSwept | SweepFinished]:
+    """One event an edge as it is done, in written order, and a summary last.
+
+    Each edge starts in its source state (its subs as clause 3 says, its bases where they agree) and
+    is asked by hand. It passes when it is committed. Findings refuse nothing here: a sweep is how
+    one looks at them. ``branches`` are those to be swept (all where none is named), ``most`` is how
+    many edges one waits for (see ``dispatch.effort``). RunRefused where there are more, or the
+    SUB_SBS go round in a circle; WorldError for a world that does not exist or does not suit the
+    blueprint.
+    """
+    chosen = [blueprint[name] for name in dict.fromkeys(branches)] or list(blueprint)
+    hierarchy = Hierarchy(blueprint)
+    refuse_too_large(hierarchy)
+    refuse_too_many_edges(hierarchy, chosen, most)
+    loaded = known_world(world, plugin_paths, host)
+
+    def fresh() -> Host:
+        return make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded)
+
+    place = fresh()
+    time, passed, failed = 0.0, 0, []
+    try:
+        for branch in chosen:
+            for edge in branch.edges():
+                swept, lost = edge_alone(hierarchy, place, edge.address, edge.target, seed)
+                time += swept.t
+                passed += swept.passed
+                failed += [] if swept.passed else [swept.address]
+                yield swept
+                if lost:
+                    place.close()
+                    place = fresh()
+    finally:
+        place.close()
+    yield SweepFinished(t=time, edges=passed + len(failed), passed=passed, failed=tuple(failed))

@@ -1,0 +1,59 @@
+"""Cost functions of plugins: asked what edges cost now, believed only where that is a cost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.host.call import words_of
+from smsl_studio.host.protocol import Happened, Priced
+from smsl_studio.library.bound import BoundCost
+
+MOST = 1e12
+"""No edge may cost more, so that the cost of any route is a number too."""
+
+
+class CostFunctions:
+    """The cost functions bound to edges, what they said last, and what has happened in the run."""
+
+    def __init__(self, bound: Mapping[Address, BoundCost]) -> None:
+        self._bound = bound
+        self._history: tuple[Happened, ...] = ()
+        self._said: dict[Address, float | None] = {}
+
+    def ask(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
+        """Ask every function about every edge of it; the answers that are not what they were.
+
+        A function that raises, or says what is no cost, is one fault, and the declared costs of
+        those edges stand.
+        """
+        self._history = (*self._history, *happened)
+        seen = MappingProxyType(dict(scene))
+        costs: dict[Address, float | None] = {}
+        faults: dict[str, str] = {}
+        for edge, bound in self._bound.items():
+            cost, wrong = self._cost(edge, bound, seen)
+            if wrong:
+                words = f"the cost function {bound.name} {wrong}; what is declared stands"
+                faults.setdefault(bound.name, words)
+            if self._said.get(edge) != cost:
+                self._said[edge] = costs[edge] = cost
+        return Priced(costs, tuple(faults.values()))
+
+    def _cost(
+        self, edge: Address, bound: BoundCost, scene: Mapping[str, str | None]
+    ) -> tuple[float | None, str]:
+        """What an edge costs (None: as declared), and what was wrong with the answer."""
+        try:
+            found = bound.function(edge.state, scene, self._history, **bound.arguments)
+            if found is None:
+                return None, ""
+            if isinstance(found, (int, float)) and type(found) is not bool and 0 <= found <= MOST:
+                return float(found), ""
+            said = repr(found)[:60]
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # SystemExit, and what compiled libraries raise
+            return None, f"raised an error for {edge}: {words_of(error, bound.location)}"
+        return None, f"says {said} for {edge}, which is no number from 0 to 1e12"

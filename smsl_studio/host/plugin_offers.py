@@ -1,0 +1,125 @@
+"""What the plugins offer, without their code: a child loads them, and only words come back.
+
+Loading a plugin runs its code, and that may end or hang the process it runs in. Who only wants to
+know what there is (the window, ``plugins``, a run whose world lives in a child) asks ``describe``:
+a plugin that takes its process down is one named fault, and the others are there all the same.
+"""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.errors import HostError
+from smsl_studio.host.codec import Unfit
+from smsl_studio.host.confinement import keeps_apart
+from smsl_studio.host.description import read_description
+from smsl_studio.host.exit_words import ending_words
+from smsl_studio.host.plugin_child import STEP
+from smsl_studio.host.started_child import Child, start_child
+from smsl_studio.host.wire import NoAnswer
+from smsl_studio.library.loading import Loaded, Plugin, PluginFault, gathered
+from smsl_studio.library.survey import FoundPlugin, PluginState, survey
+from smsl_studio.stop import heed
+
+LIMIT = 20.0
+"""Wall seconds that one plugin may take to load."""
+
+GRACE = 10.0
+"""Wall seconds that the child itself may take: to start, and to end a plugin at its limit."""
+
+LOOK = 0.05
+"""Wall seconds between two looks at the limit, and whether to stop."""
+
+_CHILD = "smsl_studio.host.plugin_child"
+
+
+def describe(
+    plugin_paths: Sequence[Path] = (), limit: float = LIMIT, together: int | None = None
+) -> Loaded:
+    """What ``discover`` finds, with ``AbsentCode`` in the place of all code.
+
+    Takes about as long as starting Python, and at most half as long again as ``limit``: several
+    plugins load ``together``, as many as there are processors (None). Where the system does not
+    keep them apart, they load one after the other (0), and each that hangs takes its ``limit``.
+    What is found, and the order of all faults, is the same. HostError where no child can be
+    started. It heeds (see ``stop``): called off, it ends the child.
+    """
+    every = survey(plugin_paths)
+    if together is None:
+        together = len(os.sched_getaffinity(0)) if keeps_apart() else 0
+    asked = [found for found in every if found.state is PluginState.ALLOWED]
+    told: dict[str, Plugin | PluginFault] = {}
+    while left := [found for found in asked if found.location not in told]:
+        told |= _asked(left, limit, together)
+    return gathered(every, lambda found: told[found.location])
+
+
+def _asked(
+    found: Sequence[FoundPlugin], limit: float, together: int
+) -> dict[str, Plugin | PluginFault]:
+    """What a child tells of plugins, by their locations: of all, or of one at least.
+
+    Where the child was lost, so is the plugin that was loading. Where several were, each is asked
+    again alone.
+    """
+    try:
+        child = start_child(_CHILD)
+    except OSError as error:
+        raise HostError(f"no process can be started: {error.strerror or error}") from None
+    told: dict[str, Plugin | PluginFault] = {}
+    begun: dict[str, FoundPlugin] = {}
+    try:
+        child.wire.send("describe", (list(found), limit, together))
+        while (step := _next(child, limit)) is not None:
+            number, _, body, words = step
+            if number >= len(found):
+                raise NoAnswer("it tells of a plugin that was not asked for")
+            at = found[number]
+            if body is not None:
+                told[at.location] = _read(body, at)
+            elif words:
+                told[at.location] = _fault(at, words)
+            else:
+                begun[at.location] = at
+        return told
+    except TimeoutError:
+        words = f"it did not load within {limit:g} s"
+    except (EOFError, OSError):
+        words = f"the process that loads plugins {ending_words(child.ending())}"
+    except (NoAnswer, Unfit) as error:
+        words = f"the process that loads plugins said what is no answer: {error}"
+    finally:
+        child.release()
+    suspects = [one for location, one in begun.items() if location not in told]
+    if not suspects and not told:
+        raise HostError(f"the plugins cannot be looked at: {words}")
+    if len(suspects) == 1:
+        return told | {one.location: _fault(one, words) for one in suspects}
+    for one in suspects:
+        told |= _asked([one], limit, 0)
+    return told
+
+
+def _next(child: Child, limit: float) -> tuple[Any, ...] | None:
+    """What the child tells next, None at the end; the one place that waits for it."""
+    until = time.monotonic() + limit + GRACE
+    while (frame := child.heard(LOOK)) is None:
+        heed()
+        if time.monotonic() > until:
+            raise TimeoutError
+    return STEP.decode(frame.body) if frame.kind == "loads" else None
+
+
+def _read(body: bytes, found: FoundPlugin) -> Plugin | PluginFault:
+    try:
+        return read_description(body, found)
+    except Unfit as error:
+        return _fault(found, f"it is described as what no plugin is: {error}")
+
+
+def _fault(found: FoundPlugin, words: str) -> PluginFault:
+    return PluginFault(found.name, words, None, found.location)

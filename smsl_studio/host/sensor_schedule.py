@@ -1,0 +1,132 @@
+"""Sensors by their period: which are due at a tick, what they say, and what disturbs them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+from smsl_studio.blueprint.address import fact_text, split_fact
+from smsl_studio.blueprint.check import FactKey
+from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.host.brief import invalid
+from smsl_studio.host.call import words_of
+from smsl_studio.library.bound import BoundSensor
+from smsl_studio.monitor.disturbance import DisturbedSensor, checked
+from smsl_studio.monitor.sample import BAD, GOOD, Sample
+
+
+def _no_values(fact: FactKey) -> Sequence[str]:
+    return ()
+
+
+class SensorSchedule:
+    """The sensors of one world, and how often each has spoken since the world was opened.
+
+    ``values`` tells those a fact can have, in order, to disturbances that change them.
+    """
+
+    def __init__(
+        self,
+        sensors: Iterable[BoundSensor],
+        tick: float,
+        boot: int,
+        values: Callable[[FactKey], Sequence[str]] = _no_values,
+        seed: int = 0,
+    ) -> None:
+        self._sensors = tuple(sensors)
+        self._every = tuple(_ticks(sensor.period, tick) for sensor in self._sensors)
+        self._indices: Sequence[int] = range(len(self._sensors))
+        self._slowest = max(self._every, default=1)
+        self._spoken = [0] * len(self._sensors)
+        self._boot = boot
+        self._values = values
+        self._seed = seed
+        self._disturbed: dict[int, DisturbedSensor] = {}
+
+    def all(self, subject: Any, time: float) -> tuple[Sample, ...]:
+        """One sample of every sensor; of one that is disturbed, what arrives now."""
+        return self._heard(self._indices, subject, time)
+
+    def due(self, subject: Any, ticks: int, time: float) -> tuple[Sample, ...]:
+        """One sample of every sensor whose period ends with this tick, and what was held up."""
+        due = self._indices
+        if self._slowest > 1:
+            due = [i for i in due if ticks % self._every[i] == 0]
+        return self._heard(due, subject, time)
+
+    def disturb(self, target: str, kind: str, parameters: Mapping[str, Any]) -> tuple[str, ...]:
+        """Disturb the sensor called ``target``, or all of the fact written so (``SB/digit``).
+
+        The names of those it meets. UsageError where there is none, or no such disturbance.
+        """
+        parameter = checked(kind, parameters)
+        met = self._met(target)
+        for index in met:
+            if index not in self._disturbed:
+                sensor = self._sensors[index]
+                key = (sensor.branch, sensor.digit)
+                seed = f"{self._seed} {fact_text(*key)} {sensor.name}"
+                self._disturbed[index] = DisturbedSensor(self._values(key), seed)
+            self._disturbed[index].switch(kind, parameter)
+        return tuple(self._sensors[index].name for index in met)
+
+    def _met(self, target: str) -> tuple[int, ...]:
+        named = tuple(i for i, sensor in enumerate(self._sensors) if sensor.name == target)
+        fact = split_fact(target)
+        met = named or tuple(
+            i for i, sensor in enumerate(self._sensors) if (sensor.branch, sensor.digit) == fact
+        )
+        if met:
+            return met
+        names = [sensor.name for sensor in self._sensors]
+        facts = [fact_text(sensor.branch, sensor.digit) for sensor in self._sensors]
+        raise UsageError(
+            f"nothing called {target!r} is sensed", advice=did_you_mean(target, [*names, *facts])
+        )
+
+    def _heard(self, indices: Sequence[int], subject: Any, time: float) -> tuple[Sample, ...]:
+        if not indices and not self._disturbed:
+            return ()
+        if not self._disturbed:
+            return tuple([self._sample(index, subject, time) for index in indices])
+        heard: list[Sample] = []
+        for index in indices:
+            sample = self._sample(index, subject, time)
+            if index in self._disturbed:
+                self._disturbed[index].take(sample, time)
+            else:
+                heard.append(sample)
+        for disturbed in self._disturbed.values():
+            heard.extend(disturbed.release(time))
+        return tuple(heard)
+
+    def _sample(self, index: int, subject: Any, time: float) -> Sample:
+        sensor = self._sensors[index]
+        self._spoken[index] += 1
+        reason = ""
+        try:
+            value = sensor.function(subject, **sensor.arguments)
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # SystemExit, and what compiled libraries raise
+            value, reason = None, words_of(error, sensor.location)
+        wrong = invalid(value)
+        if wrong:
+            value, reason = None, wrong
+        return Sample(
+            sensor.branch,
+            sensor.digit,
+            sensor.name,
+            value,
+            time,
+            self._spoken[index],
+            self._boot,
+            reason or ("no valid reading" if value is None else ""),
+            BAD if value is None else GOOD,
+        )
+
+
+def _ticks(period: float, tick: float) -> int:
+    """The period in whole ticks, rounded up, at least one; a hair's breadth is forgiven."""
+    return max(1, math.ceil(period / tick - 1e-6))

@@ -1,0 +1,158 @@
+"""Rules about what is written: doubled keys, unknown targets, annotations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from smsl_studio.blueprint.address import Address, note_key, split_fact
+from smsl_studio.blueprint.annotations import read_hazards, read_levels
+from smsl_studio.blueprint.editing import keep_last, retarget
+from smsl_studio.blueprint.levels import fault_of
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.numbers import numbers_of
+from smsl_studio.blueprint.reading import HEADER
+from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.words import NearNames
+from smsl_studio.smsl.document import Document
+
+ERROR, WARNING = Severity.ERROR, Severity.WARNING
+
+
+def r01_doubled_key(blueprint: Blueprint) -> Iterator[Remark]:
+    """A key written twice: the last one wins, and a reader of the text may see the first."""
+    for document in blueprint.documents:
+        for path, (first, *others) in document.duplicates():
+            fix = None
+            # A place that does not count is not the one that the path leads to.
+            if others[-1] == document.place(path):
+                keep = partial(keep_last, path=path, file=document.file)
+                fix = Fix("Keep the last one", keep)
+            often = "twice" if len(others) == 1 else f"{len(others) + 1:,} times"
+            where = f"first at line {first.line}, column {first.column}"
+            yield Remark(
+                "R01",
+                ERROR,
+                _address(path),
+                f"{path[-1]} is written {often}, {where}",
+                "the last one counts; rename or remove one",
+                fix,
+                spot=others[0],
+                others=others[1:],
+            )
+
+
+def _address(path: tuple[str, ...]) -> Address:
+    """The SB, state or operation that a path of keys lies in."""
+    if len(path) > 1 and (path[1] == HEADER or path[1].startswith("_")):
+        return Address(path[0])
+    return Address(*path[: 2 if len(path) > 2 and path[2].startswith("_") else 3])
+
+
+def r02_unknown_target(blueprint: Blueprint) -> Iterator[Remark]:
+    """A target that is no state of the SB: one finding for all that leads there."""
+    for branch in blueprint:
+        if not numbers_of(branch).dangles:
+            continue
+        unknown: dict[str, list[Address]] = {}
+        states = NearNames(branch.table)
+        for edge in branch.edges():
+            if edge.target not in branch.table:
+                unknown.setdefault(edge.target, []).append(edge.address)
+        for target, addresses in unknown.items():
+            yield Remark(
+                "R02",
+                ERROR,
+                addresses[0],
+                f"leads to {target}, which is no state of {branch.name}",
+                others=addresses[1:],
+                remedy=partial(_lead_elsewhere, states, target, tuple(addresses)),
+            )
+
+
+def _lead_elsewhere(
+    states: NearNames, target: str, addresses: tuple[Address, ...]
+) -> tuple[str, Fix | None]:
+    """What to do about operations that lead to a state that does not exist."""
+    like = states.near(target)
+    if not like:
+        return "add that state, or lead it to another", None
+    which = "it" if len(addresses) == 1 else f"all {len(addresses):,}"
+    fix = Fix(f"Lead {which} to {like}", partial(retarget, address=addresses, target=like))
+    return f"did you mean {like}?", fix
+
+
+def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
+    """Annotations that do not fit their kind, or speak of what is not there."""
+    for document in blueprint.documents:
+        yield from _odd_hazards(blueprint, document)
+        yield from _odd_levels(blueprint, document)
+    for branch in blueprint:
+        for path, reason in branch.notes.faults:
+            words = f"{path[-1]} in {path[0]} is not understood: {reason}"
+            yield _note(blueprint.home(branch.name), (branch.name, *path), words)
+        yield from _strangers(blueprint, branch)
+
+
+def _odd_hazards(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
+    for path, reason in read_hazards(document.values.get("_hazards"))[1]:
+        yield _note(document, path, f"a hazard is not understood: {reason}")
+    for hazard in blueprint.hazards_of(document):
+        for text in hazard.facts:
+            if not _is_fact(blueprint, text):
+                words = f"{hazard.name} names {text}, which is no fact"
+                yield _note(document, ("_hazards",), words)
+
+
+def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
+    for path, reason in read_levels(document.values.get("_levels"))[1]:
+        yield _note(document, path, f"{path[-1]} is not understood: {reason}")
+    for key, level in blueprint.levels_of(document).items():
+        fault = fault_of(blueprint, key, level)
+        if fault is not None:
+            yield _note(document, ("_levels", key), f"_levels: {fault.sentence}")
+
+
+def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Remark]:
+    """Entries whose key names nothing in the SB, and ``requires`` of unknown facts."""
+    notes, home = branch.notes, blueprint.home(branch.name)
+    for digit in notes.facts:
+        if digit >= branch.num_facts:
+            words = (
+                f"_facts speaks of digit {digit}, but {branch.name} has {branch.num_facts} facts"
+            )
+            yield _note(home, (branch.name, "_facts", str(digit)), words)
+    for state in notes.states:
+        if state not in branch.table:
+            words = f"_states speaks of {state}, which is no state of {branch.name}"
+            yield _note(home, (branch.name, "_states", state), words)
+    if not notes.operations:
+        return
+    known = {note_key(edge.name) for edge in branch.edges()}
+    known |= {note_key(edge.name, edge.source) for edge in branch.edges()}
+    for key, note in notes.operations.items():
+        if key not in known:
+            words = f"_operations speaks of {key}, which is no operation of {branch.name}"
+            yield _note(home, (branch.name, "_operations", key), words)
+        for text in note.requires:
+            if not _is_fact(blueprint, text):
+                words = f"{key} requires {text}, which is no fact"
+                yield _note(home, (branch.name, "_operations", key, "requires", text), words)
+
+
+def _is_fact(blueprint: Blueprint, text: str) -> bool:
+    fact = split_fact(text)
+    if fact is None or fact[0] not in blueprint.branches:
+        return False
+    return fact[1] < blueprint[fact[0]].num_facts
+
+
+def _note(home: Document, path: tuple[str, ...], message: str) -> Remark:
+    return Remark(
+        "R29",
+        WARNING,
+        Address(path[0]),
+        message,
+        "it is kept in the file, and left out of the meaning",
+        spot=(home, path),
+    )

@@ -1,0 +1,249 @@
+"""Lines between two states: straight in a row, gently curved otherwise. Pure geometry."""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_left
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, between
+
+OPPOSITE, PARALLEL = 16.0, 18.0
+START_GAP, TIP_GAP = 1.0, 2.0
+NEAR = 0.8
+"""A curve leaves and arrives at this share of its offset."""
+_SHARES = np.linspace(0.0, 1.0, 33)
+
+
+@dataclass(frozen=True, slots=True)
+class Between:
+    """What joins two states: edges by number, in order, from ``a`` to ``b`` and back."""
+
+    a: int
+    b: int
+    there: tuple[int, ...]
+    back: tuple[int, ...]
+
+    def __len__(self) -> int:
+        return len(self.there) + len(self.back)
+
+
+@dataclass(frozen=True, slots=True)
+class LineStyle:
+    """How lines are drawn: the scene's units in a mark's pixel, and whether nodes are compact."""
+
+    unit: float = 1.0
+    compact: bool = False
+
+
+def joined(
+    pair: Between,
+    source: NodeBox,
+    target: NodeBox,
+    style: LineStyle,
+    outward: Point,
+    clear: bool = True,
+    only: int | None = None,
+) -> dict[int, EdgeShape]:
+    """The lines of all edges between two states, side by side; or that of the ``only`` one.
+
+    ``outward`` is the direction away from the middle of the picture: a lone curve bends there.
+    ``clear`` says whether the straight way is free of other nodes.
+    """
+    straight = clear and not style.compact and in_row(source, target)
+    normal = _normal(source, target)
+    shapes: dict[int, EdgeShape] = {}
+    for edge, there, offset in _side_by_side(pair, source, target, style, only):
+        ends = (source, target) if there else (target, source)
+        if straight:
+            shapes[edge] = _straight(*ends, offset, normal, style)
+        else:
+            bow = 0.0
+            if len(pair) == 1 and clear and not style.compact:
+                bow = _gentle(source, target, normal, outward)
+            shapes[edge] = curve(*ends, offset, bow, normal, style)
+    return shapes
+
+
+def is_forward(source: NodeBox, target: NodeBox) -> bool:
+    """Whether the way runs to the right, or straight down."""
+    dx, dy = target.x - source.x, target.y - source.y
+    return dx > 1.0 or (abs(dx) <= 1.0 and dy > 0.0)
+
+
+def in_row(source: NodeBox, target: NodeBox) -> bool:
+    """Whether two nodes stand in one row or one column."""
+    return abs(source.y - target.y) <= 1.0 or abs(source.x - target.x) <= 1.0
+
+
+def _normal(source: NodeBox, target: NodeBox) -> Point:
+    """The direction across the way in which offsets count: down, or right for columns."""
+    dx, dy = target.x - source.x, target.y - source.y
+    size = math.hypot(dx, dy) or 1.0
+    nx, ny = -dy / size, dx / size
+    upward = ny < -0.05 or (abs(ny) <= 0.05 and nx < 0.0)
+    return (-nx, -ny) if upward else (nx, ny)
+
+
+def _side_by_side(
+    pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, only: int | None = None
+) -> Iterator[tuple[int, bool, float]]:
+    """Each edge, or the ``only`` one, whether it leads there, and how far beside the middle.
+
+    In full, what runs forward is on top and at the left. Compact edges keep to the right, as
+    traffic does.
+    """
+    ways = [(pair.there, True), (pair.back, False)]
+    if is_forward(source, target) == style.compact:
+        ways.reverse()
+    step, first = _step(pair, source, target, style), -(len(pair) - 1) / 2
+    for edges, there in ways:
+        if only is None:
+            for at, edge in enumerate(edges):
+                yield edge, there, (first + at) * step
+        else:
+            at = bisect_left(edges, only)
+            if edges[at : at + 1] == (only,):
+                yield only, there, (first + at) * step
+        first += len(edges)
+
+
+def _step(pair: Between, source: NodeBox, target: NodeBox, style: LineStyle) -> float:
+    """How far the lines of a pair lie apart; all of them begin at their node."""
+    step = OPPOSITE if len(pair.there) == len(pair.back) == 1 else PARALLEL
+    if not style.compact:
+        share = 1.0 if in_row(source, target) else NEAR
+        room = 2 * _reach(source, target) / share / max(len(pair) - 1, 1)
+        step = min(step, max(room, 7.0))
+    return step * style.unit
+
+
+def _reach(source: NodeBox, target: NodeBox) -> float:
+    """How far beside the middle a line may begin across the way, at both nodes."""
+    nx, ny = (max(abs(part), 1e-6) for part in _normal(source, target))
+    if in_row(source, target):
+        return min(source.h, target.h) - 6.0
+    return min(min((box.w - 6.0) / nx, (box.h - 6.0) / ny) for box in (source, target))
+
+
+def _straight(
+    source: NodeBox, target: NodeBox, offset: float, normal: Point, style: LineStyle
+) -> EdgeShape:
+    dx, dy = normal[0] * offset, normal[1] * offset
+    ends = np.array([[source.x + dx, source.y + dy], [target.x + dx, target.y + dy]])
+    line = ends[0] + (ends[1] - ends[0]) * _SHARES[:, None]
+    cut = between(line, source, target, START_GAP * style.unit, TIP_GAP * style.unit)
+    out = _outer_side(ends, offset, normal)
+    return EdgeShape(cut[[0, -1]], "line", _label_side(ends, offset, normal), out)
+
+
+def curve(
+    source: NodeBox, target: NodeBox, offset: float, bow: float, normal: Point, style: LineStyle
+) -> EdgeShape:
+    """A line that leaves beside the middle, bends by ``bow`` and arrives beside the middle."""
+    near = offset * (0.5 if style.compact else NEAR)
+    start = (source.x + normal[0] * near, source.y + normal[1] * near)
+    end = (target.x + normal[0] * near, target.y + normal[1] * near)
+    # The control point of a quadratic curve bends its middle by half.
+    bend = 2.0 * (offset - near + bow)
+    middle = (
+        (start[0] + end[0]) / 2 + normal[0] * bend,
+        (start[1] + end[1]) / 2 + normal[1] * bend,
+    )
+    line = _quadratic(start, middle, end)
+    cut = between(line, source, target, START_GAP * style.unit, TIP_GAP * style.unit)
+    out = _outer_side(cut, offset or bow, normal)
+    return EdgeShape(cut, "curve", _label_side(cut, offset, normal), out)
+
+
+def _quadratic(a: Point, b: Point, c: Point) -> Floats:
+    t = _SHARES[:, None]
+    points: Floats = (1 - t) ** 2 * np.array(a) + 2 * t * (1 - t) * np.array(b) + t**2 * np.array(c)
+    return points
+
+
+def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> float:
+    """The bend of a lone edge that is in no row: slight, away from the middle of the picture."""
+    if in_row(source, target):
+        return 0.0
+    length = math.hypot(target.x - source.x, target.y - source.y)
+    away = normal[0] * outward[0] + normal[1] * outward[1]
+    return math.copysign(min(0.05 * length, 14.0), away)
+
+
+def _label_side(line: Floats, offset: float, normal: Point) -> int:
+    """On which side of a steep line its label stands: away from the line beside it."""
+    dx, dy = line[-1] - line[0]
+    if abs(dx) > 0.35 * abs(dy) or offset == 0.0:
+        return 0
+    return _outer_side(line, offset, normal)
+
+
+def _outer_side(line: Floats, offset: float, normal: Point) -> int:
+    """The side of a line (1 right, -1 left as it runs) on which its offset lies."""
+    dx, dy = line[-1] - line[0]
+    right = -dy * normal[0] + dx * normal[1]
+    return 1 if right * offset >= 0.0 else -1
+
+
+def is_clear(
+    source: NodeBox, target: NodeBox, boxes: Floats, skip: Sequence[int], gap: float
+) -> bool:
+    """Whether the straight way between two nodes meets no other node.
+
+    ``boxes`` is an (n, 4) array of centres and half sizes; ``skip`` are rows left out.
+    """
+    line = np.array([[source.x, source.y], [target.x, target.y]])
+    return not meets(line, boxes, skip, gap)
+
+
+def meets(line: Floats, boxes: Floats, skip: Sequence[int], gap: float) -> bool:
+    """Whether a line of points runs through one of the boxes."""
+    low = line.min(axis=0) - gap
+    high = line.max(axis=0) + gap
+    reach_low, reach_high = boxes[:, :2] - boxes[:, 2:], boxes[:, :2] + boxes[:, 2:]
+    near = ((reach_high >= low) & (reach_low <= high)).all(axis=1)
+    near[list(skip)] = False
+    rows = np.nonzero(near)[0]
+    if not len(rows):
+        return False
+    a, b = line[:-1, None, :], line[1:, None, :]
+    corner = reach_low[rows] - gap, reach_high[rows] + gap
+    step = b - a
+    step = np.where(np.abs(step) < 1e-9, 1e-9, step)
+    t1, t2 = (corner[0] - a) / step, (corner[1] - a) / step
+    enter = np.minimum(t1, t2).max(axis=2)
+    leave = np.maximum(t1, t2).min(axis=2)
+    return bool(((enter < leave) & (leave > 0.0) & (enter < 1.0)).any())
+
+
+def around(
+    pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, boxes: Floats, outward: Point
+) -> dict[int, EdgeShape]:
+    """Curves that bend around the nodes in the way, the slightest bend that is free.
+
+    Where none is free the edges run straight, as if nothing stood there.
+    """
+    normal = _normal(source, target)
+    length = math.hypot(target.x - source.x, target.y - source.y)
+    first = 1.0 if normal[0] * outward[0] + normal[1] * outward[1] >= 0 else -1.0
+    for share in (0.08, 0.16, 0.26, 0.38):
+        for side in (first, -first):
+            bend = side * share * length
+            trial = curve(source, target, 0.0, bend, normal, style)
+            if not meets(trial.points, boxes, (pair.a, pair.b), 8.0 * style.unit):
+                return _bent(pair, source, target, style, normal, bend)
+    return joined(pair, source, target, style, outward, clear=False)
+
+
+def _bent(
+    pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, normal: Point, bend: float
+) -> dict[int, EdgeShape]:
+    shapes: dict[int, EdgeShape] = {}
+    for edge, there, offset in _side_by_side(pair, source, target, style):
+        ends = (source, target) if there else (target, source)
+        shapes[edge] = curve(*ends, offset, bend, normal, style)
+    return shapes

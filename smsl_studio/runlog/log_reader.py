@@ -1,0 +1,309 @@
+"""Reading a run log line by line, and saying whether it is the one that was written.
+
+A log is a foreign file: whatever it holds, the answer is its events, a ReadError with a place, or
+a doubt. A doubt is the first reason why the log does not verify: its chain does not hold, its
+events are no story that a run can tell (see ``grammar``), or it does not end. Its events can be
+read all the same, up to the last whole line.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from smsl_studio.errors import Place, ReadError
+from smsl_studio.runlog.decoder import event_of
+from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.grammar.automaton import Grammar
+from smsl_studio.runlog.log import FORMAT, FORMER, LONGEST, VERSION
+from smsl_studio.seal.chain import Chain, unlinked
+from smsl_studio.smsl.inputs import open_ordinary
+
+Json = Any
+Going = Callable[[float], None]
+_FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
+_HEAD = re.compile(rb'\{"head":\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{64})"\}\}\n')
+OFTEN = 256
+"""Who waits for a long log hears after so many events how far it is read."""
+_LOOKED_AT = 100
+"""So many lines are enough to tell a log without its header from any other file."""
+
+_DAMAGED = "The log was damaged or changed; take another copy of it."
+_NO_LOG = "Choose a file of run --log."
+_NO_HEAD = "the log has no head: it was cut, or its run did not come to an end"
+_UNWRITTEN = "the line holds what no run has written"
+
+
+@dataclass(frozen=True, slots=True)
+class LogHead:
+    """The last line: how many events there are, and the SHA-256 of all bytes before it."""
+
+    count: int
+    hash: str
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """Why a log is not verified, and where that shows first."""
+
+    place: Place
+    sentence: str
+
+    def __str__(self) -> str:
+        return f"{self.place}: not verified: {self.sentence}"
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """An event, and the text a run printed for it."""
+
+    line: int
+    text: str
+    event: Event
+
+
+class LogReader:
+    """One reading of a log, whose name in messages is ``file``.
+
+    ``header``, ``count``, ``head`` and ``doubt`` say what was found so far; when ``records`` has
+    ended, a log without ``doubt`` is verified.
+    """
+
+    def __init__(self, stream: BinaryIO, file: str) -> None:
+        self.header: Mapping[str, Json] = {}
+        self.count = 0
+        self.head: LogHead | None = None
+        self.doubt: Doubt | None = None
+        self._stream, self._file = stream, file
+        self._chain = Chain()
+        self._grammar = Grammar(self.header)
+        self._number = 0
+        self._seems_log = self._lost = False
+
+    @property
+    def version(self) -> int:
+        """The version of its format; 0 as long as no header was read."""
+        return int(self.header.get("version", 0))
+
+    def records(self) -> Iterator[Record]:
+        """The header, then every event; ReadError where a line is none."""
+        first = self._next()
+        self._seems_log = _FIRST.startswith(first) or _is_of_log(first)
+        self.header = self._header(first)
+        self._grammar = Grammar(self.header)
+        while (line := self._next()).endswith(b"\n"):
+            if self.head is not None:
+                raise self._wrong("something stands behind the head, which is the last line")
+            if line.startswith(b'{"head"'):
+                self._end(line)
+            else:
+                yield self._record(line)
+        if line:
+            self._doubts("the last line is cut short; it is left out")
+        elif self.head is None:
+            self._doubts(_NO_HEAD)
+
+    def remains_of_log(self) -> bool:
+        """Whether what did not read is a log that was changed, and no file of another kind."""
+        with suppress(ReadError):
+            for _ in range(_LOOKED_AT):
+                if self._seems_log or not (line := self._next()):
+                    break
+                self._seems_log = _is_of_log(line)
+        return self._seems_log and not self._lost
+
+    def _next(self) -> bytes:
+        """The next line with its end; empty at the end of the log."""
+        self._number += 1
+        try:
+            line = self._stream.readline(LONGEST + 1)
+        except (OSError, ValueError) as error:
+            self._lost = True
+            raise _unreadable(error, Place(self._file, self._number, 1)) from None
+        if len(line) > LONGEST:
+            raise self._wrong(f"the line is longer than {LONGEST >> 20} MB")
+        return line
+
+    def _header(self, line: bytes) -> Mapping[str, Json]:
+        values = self._values(line) if line.startswith(_FIRST) else {}
+        if values.get("log") != FORMAT:
+            raise self._wrong("this is no run log", advice=_NO_LOG)
+        if values.get("version") not in (FORMER, VERSION):
+            raise self._wrong(
+                f"this is a run log of another version than {FORMER} and {VERSION}",
+                advice="Read it with the program that wrote it.",
+            )
+        return values
+
+    def _record(self, line: bytes) -> Record:
+        values = self._values(line)
+        try:
+            event = event_of(values)
+        except ValueError as error:
+            raise self._wrong(str(error)) from None
+        self.count += 1
+        self._judge(self._grammar.follow(event))
+        split = unlinked(line)
+        assert split is not None, "a line that was read carries a link"
+        return Record(self._number, split[0].decode("utf-8"), event)
+
+    def _values(self, line: bytes) -> dict[str, Json]:
+        """What a line says; that its link is wrong is a doubt."""
+        if not line.endswith(b"\n"):
+            raise self._wrong("the line is cut short", len(line) + 1)
+        split = unlinked(line)
+        if split is None:
+            raise self._wrong("the line does not end in a link of the chain")
+        if not self._chain.holds(line):
+            self._doubts("the chain does not hold: this line, or one before it, was changed")
+        try:
+            values = json.loads(
+                split[0].decode("utf-8"), parse_constant=_no_number, object_pairs_hook=_once
+            )
+        except UnicodeDecodeError as error:
+            column = len(split[0][: error.start].decode("utf-8")) + 1
+            raise self._wrong("the line is not UTF-8", column) from None
+        except json.JSONDecodeError as error:
+            raise self._wrong("the line is no JSON object", error.colno) from None
+        except _TwiceError as error:
+            raise self._wrong(f"{_UNWRITTEN}: {error}") from None
+        except (ValueError, RecursionError):
+            raise self._wrong(_UNWRITTEN) from None
+        if not isinstance(values, dict):
+            raise self._wrong("the line is no JSON object")
+        return values
+
+    def _end(self, line: bytes) -> None:
+        found = _HEAD.fullmatch(line)
+        if found is None:
+            raise self._wrong("the head is not as it was written")
+        self.head = LogHead(int(found[1]), found[2].decode("ascii"))
+        if self.head.count != self.count:
+            self._doubts(f"the head counts {self.head.count} events; there are {self.count}")
+        elif self.head.hash != self._chain.digest:
+            self._doubts("the head does not fit: it, or a line before it, was changed")
+        self._judge(self._grammar.end())
+
+    def _judge(self, why: str) -> None:
+        """What the grammar says of the line; empty: it is possible."""
+        if why:
+            self._doubts(f"the story is impossible: {why}")
+
+    def _doubts(self, sentence: str) -> None:
+        if self.doubt is None:
+            self.doubt = Doubt(Place(self._file, self._number, 1), sentence)
+
+    def _wrong(self, sentence: str, column: int = 1, advice: str = _DAMAGED) -> ReadError:
+        return ReadError(sentence, Place(self._file, self._number, column), advice)
+
+
+@dataclass(frozen=True)
+class LoggedRun:
+    """A whole log: its header, its events, its head and why it is not verified, if it is not."""
+
+    header: Mapping[str, Json]
+    records: tuple[Record, ...]
+    head: LogHead | None
+    doubt: Doubt | None
+
+    @property
+    def events(self) -> tuple[Event, ...]:
+        return tuple(one.event for one in self.records)
+
+
+@dataclass(frozen=True, slots=True)
+class LogVerdict:
+    """The answer to whether a log is the one that was written; ``events`` is how many it has,
+    ``version`` that of its format, 0 where it has no header."""
+
+    events: int
+    head: LogHead | None
+    doubt: Doubt | None
+    version: int = 0
+
+
+def open_log(path: Path) -> BinaryIO:
+    """The bytes of a log in an ordinary file; ReadError where there are none."""
+    try:
+        return os.fdopen(open_ordinary(path), "rb")
+    except (OSError, ValueError) as error:
+        raise _unreadable(error, Place(str(path), 1, 1)) from None
+
+
+def read_log(path: Path, going: Going | None = None) -> LoggedRun:
+    """A run log from a file; ReadError with the place of what is no log.
+
+    ``going`` hears now and then which share of its bytes is read (0 to 1); what it raises is
+    raised here, so that a long log can be given up.
+    """
+    with open_log(path) as stream:
+        size = max(os.fstat(stream.fileno()).st_size, 1)
+        if going is None or not stream.seekable():
+            return read_records(stream, str(path))
+        tell = going
+        return read_records(stream, str(path), lambda: tell(min(stream.tell() / size, 1.0)))
+
+
+def read_records(stream: BinaryIO, file: str, going: Callable[[], None] | None = None) -> LoggedRun:
+    """A run log from a stream; ReadError with the place of what is no log.
+
+    ``going`` is called now and then, and may raise.
+    """
+    reader = LogReader(stream, file)
+    records = []
+    for record in reader.records():
+        records.append(record)
+        if going is not None and len(records) % OFTEN == 0:
+            going()
+    return LoggedRun(reader.header, tuple(records), reader.head, reader.doubt)
+
+
+def verify(stream: BinaryIO, file: str) -> LogVerdict:
+    """Whether the chain holds over the raw bytes, and the head with it.
+
+    ReadError where there is no log to verify: its bytes cannot be had, or it is another file.
+    """
+    reader = LogReader(stream, file)
+    try:
+        for _ in reader.records():
+            pass
+    except ReadError as error:
+        if not reader.remains_of_log():
+            raise
+        doubt = Doubt(error.place or Place(file, 1, 1), error.sentence)
+        return LogVerdict(reader.count, None, reader.doubt or doubt, reader.version)
+    return LogVerdict(reader.count, reader.head, reader.doubt, reader.version)
+
+
+def _is_of_log(line: bytes) -> bool:
+    """Whether a log can have such a line, by its beginning or its end."""
+    return line.startswith((_FIRST, b'{"head":{"count":')) or unlinked(line) is not None
+
+
+def _unreadable(error: OSError | ValueError, place: Place) -> ReadError:
+    reason = getattr(error, "strerror", None) or error
+    advice = "Check the path and the right to read it."
+    return ReadError(f"the run log cannot be read: {reason}", place, advice)
+
+
+class _TwiceError(ValueError):
+    """A key that stands twice in an object: readers differ in which of the two counts."""
+
+
+def _once(pairs: list[tuple[str, Json]]) -> dict[str, Json]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        many = Counter(key for key, _ in pairs)
+        raise _TwiceError(f"{many.most_common(1)[0][0][:40]!r} stands in it twice")
+    return found
+
+
+def _no_number(word: str) -> Json:
+    raise ValueError(f"{word} is no number")

@@ -1,0 +1,164 @@
+"""Reading JSON: text to Document. Where its values stand is found later (``spans``)."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from math import isfinite
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from smsl_studio.errors import ReadError
+from smsl_studio.smsl.budget import refused_by_budget
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
+from smsl_studio.smsl.json_form.count import beyond_budget
+from smsl_studio.smsl.json_form.quick import LONG, quick_values
+from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
+from smsl_studio.smsl.json_form.style import CANONICAL, render
+from smsl_studio.smsl.limits import MAX_DEPTH, too_large
+
+if TYPE_CHECKING:
+    from smsl_studio.smsl.comments import Comments
+
+_BRACKET = re.compile(STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
+
+
+def parse(text: str, file: str) -> Document:
+    """Read a JSON text; ReadError with all its faults where it is no JSON object.
+
+    A BOM is accepted and kept. A key written twice opens: the last one wins, in the place of the
+    first, and ``Document.duplicates`` finds them all.
+    """
+    over = beyond_budget(text)
+    if over is not None:
+        raise refused_by_budget(Document(text, file, "json", {}, JsonSpans), over)
+    quick = quick_values(text.removeprefix("\ufeff"), MAX_DEPTH) if len(text) >= LONG else None
+    values, doubled = (quick, False) if quick is not None else _exact_values(text, file)
+    return Document(text, file, "json", values, JsonSpans, doubled)
+
+
+def recover(text: str, file: str) -> Document:
+    """A document with what could be read of a faulty text, written canonically.
+
+    Where the text is clearly in another form it is read as that.
+    """
+    from smsl_studio.smsl.forms import form_named
+    from smsl_studio.smsl.json_form.recovery import Recovery
+    from smsl_studio.smsl.json_form.refusals import other_form
+
+    values: Any = {}
+    if beyond_budget(text) is None:
+        form = other_form(text)
+        values = form_named(form).recover(text, file).values if form else Recovery(text).values
+    try:
+        clean = write(values)
+    except ValueError:  # YAML has numbers that JSON has not
+        values, clean = {}, write({})
+    return Document(clean, file, "json", values, JsonSpans)
+
+
+def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
+    """Values as a new text in the canonical layout: four spaces, one member a line.
+
+    JSON has no comments: those that are given are left behind.
+    """
+    return render(dict(values), CANONICAL, "", 0) + "\n"
+
+
+def comments_in(document: Document) -> Comments:
+    """None: JSON has no comments."""
+    from smsl_studio.smsl.comments import NO_COMMENTS
+
+    return NO_COMMENTS
+
+
+def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
+    """The values and whether a key is written twice, by the reader that knows every number."""
+    doubled = False
+
+    def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        nonlocal doubled
+        found = dict(pairs)
+        if len(found) != len(pairs):
+            doubled = True
+        return found
+
+    body = text.removeprefix("\ufeff")
+    try:
+        values = json.loads(
+            body,
+            object_pairs_hook=keep,
+            parse_constant=_no_number,
+            parse_float=_number,
+            parse_int=_whole_number,
+        )
+    except (ValueError, RecursionError):
+        raise _refusal(text, file) from None
+    if (
+        not isinstance(values, dict)
+        or _is_deep(values)
+        or (doubled and _hides_depth(text))
+        or _has_half_pair(text)
+    ):
+        raise _refusal(text, file)
+    return values, doubled
+
+
+def _no_number(name: str) -> NoReturn:
+    raise ValueError(name)
+
+
+def _whole_number(text: str) -> int:
+    if too_large(text):
+        raise ValueError(text)
+    return int(text)
+
+
+def _number(text: str) -> float:
+    """A float; ValueError where it is too large for one (Python would read infinity)."""
+    value = float(text)
+    if not isfinite(value):
+        raise ValueError(text)
+    return value
+
+
+def _refusal(text: str, file: str) -> ReadError:
+    from smsl_studio.smsl.json_form.refusals import refusal
+
+    return refusal(text, file)
+
+
+def _is_deep(values: Any) -> bool:
+    """Whether values are nested deeper than is allowed; far quicker than looking at the text."""
+    layer = [values]
+    for _ in range(MAX_DEPTH):
+        objects = (one.values() if isinstance(one, dict) else one for one in layer)
+        layer = [value for inner in objects for value in inner if type(value) in (dict, list)]
+        if not layer:
+            return False
+    return True
+
+
+def _hides_depth(text: str) -> bool:
+    """Whether brackets are nested too deep also where a doubled key hides it from the values."""
+    depth = 0
+    for match in _BRACKET.finditer(text):
+        if match[0] in "[{":
+            depth += 1
+            if depth > MAX_DEPTH:
+                return True
+        elif match[0] in "]}":
+            depth -= 1
+    return False
+
+
+def _has_half_pair(text: str) -> bool:
+    """Whether half a surrogate pair stands in the text: no file could hold it."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        return True
+    if not ESCAPED_HALF.search(text):
+        return False
+    return any(half_pair(text, *found.span()) is not None for found in STRING.finditer(text))

@@ -1,0 +1,61 @@
+"""Saving a blueprint under another name: in the form of the new name, its imports still found."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from smsl_studio.blueprint.relocation import relocated
+from smsl_studio.errors import ConvertError
+from smsl_studio.smsl.conversion import convert
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.forms import SUFFIXES, WORDS, form_of
+
+
+@dataclass(frozen=True)
+class Moved:
+    """The document as it is to be written. ``anew`` says that it is no longer the same text, so
+    that what stands in the history does not fit it.
+    """
+
+    document: Document
+    anew: bool
+
+
+def moved(document: Document, path: Path, whole: bool = True) -> Moved:
+    """A document under another name; ConvertError where the other form has no spelling for it.
+
+    A text that is not ``whole`` (it does not read) can only go on in its own form.
+    """
+    if not whole:
+        return _as_it_is(document, path)
+    found = relocated(document, path)
+    form = form_of(str(path), found.text)
+    if form == found.form:
+        return Moved(replace(found, file=str(path)), found is not document)
+    return Moved(convert(found, form, str(path)).document, True)
+
+
+def _as_it_is(document: Document, path: Path) -> Moved:
+    if SUFFIXES.get(path.suffix.lower(), document.form) != document.form:
+        raise ConvertError(
+            f"a text that does not read cannot be saved as {form_words(path, document)}",
+            advice="Repair the text first, or save it in its own form.",
+        )
+    return Moved(replace(document, file=str(path)), False)
+
+
+def form_words(path: Path, document: Document) -> str:
+    """What people call the form in which the document would be written there."""
+    return WORDS[form_of(str(path), document.text)]
+
+
+def leaves_comments(document: Document, path: Path) -> bool:
+    """Whether comments of the text would not come along into the form of the new name."""
+    form = form_of(str(path), document.text)
+    if form == document.form:
+        return False
+    try:
+        return convert(document, form, str(path)).comments_left > 0
+    except ConvertError:  # which is told when it is saved
+        return False
