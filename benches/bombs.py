@@ -4,7 +4,9 @@ Each of the 40 bombs of ``tests/bombs`` is made at 1 MB in JSON, YAML and native
 program gets each file with each command. What takes more than 2 CPU seconds or 600 MB of address
 space for each MB of file (one MB at least), or more than 15 s or 1.5 GB, is told as it is found.
 What an empty window takes (about 1.5 s and 490 MB; on a slow machine 4 s) counts for the latter,
-and not for each MB. A command that reads two files is measured by both.
+and not for each MB. It also tells how quick the machine is: a last row counts what would be
+beyond the promise on the machine on which it was made. A command that reads two files is measured
+by both.
 
 ``--size=8`` takes files of 8 MB; ``--bombs=sub_chain,trap``, ``--forms=json`` and
 ``--commands=run,window`` choose. Address space is read from Linux.
@@ -51,6 +53,9 @@ COMMANDS = {
 }
 NEXT = dict(zip(FORMS, (*FORMS[1:], FORMS[0]), strict=True))
 """The form to which a file of each form is converted."""
+EMPTY = 1.5
+"""CPU seconds that an empty window takes on the machine on which the promise was made."""
+
 AT_A_TIME = 2
 """So many processes at a time: what is taken is CPU time."""
 
@@ -74,6 +79,11 @@ class Taken(NamedTuple):
         if self.space > 600 or self.took.space > SPACE:
             return f"{self.space:,.0f} MB a MB, {self.took.space / MB:,.0f} MB in all"
         return ""
+
+    def is_beyond(self, pace: float) -> bool:
+        """Whether it is beyond the promise on a machine that is quicker by ``pace``."""
+        late = self.seconds / pace > 2 or self.took.seconds / pace > SECONDS
+        return bool(self.took.wrong) or late or self.space > 600 or self.took.space > SPACE
 
     @property
     def seconds(self) -> float:
@@ -119,12 +129,23 @@ def rows() -> Iterator[Row]:
         )
     beyond = sum(bool(one.wrong) for one in taken)
     yield Row(f"{len(taken)} commands on bombs: beyond the promise", beyond, "", (), "0")
+    empty = _empty([one for one in taken if one.command == "window"])
+    if empty:
+        pace = empty[0][1] / EMPTY
+        scaled = sum(one.is_beyond(pace) for one in taken)
+        yield Row(
+            f"the same, in seconds of a machine on which an empty window takes {EMPTY} CPU s",
+            scaled,
+            "",
+            (("this machine is slower by", pace),),
+            "0",
+        )
 
 
 def _empty(taken: list[Taken]) -> tuple[tuple[str, float], ...]:
     """What the window took before it looked at a file: it tells how quick the machine is."""
     begun = [one.took.begun[0] for one in taken]
-    return (("empty window", median(begun)),) if all(begun) else ()
+    return (("empty window", median(begun)),) if begun and all(begun) else ()
 
 
 def _blasts(name: str, form: str, size: float, commands: tuple[str, ...]) -> Iterator[Taken]:

@@ -17,7 +17,7 @@ MAX_VALUES = 500_000
 """So many names and values a file may hold: members of maps and elements of lists, of any depth."""
 
 FREE_VALUES = 20_000
-CHARACTERS_A_VALUE = 8
+CHARACTERS_A_VALUE = 10
 """Beyond the free ones, a text needs so many characters for each name or value that it holds.
 
 What people draw has 15 to 40, with the indentation. What costs time is the number of values, so a

@@ -70,10 +70,20 @@ class Tree:
         self.faults: list[YamlFault] = []
         self.roots: list[YamlNode] = []
         self.count = 0
-        self.most = most_values(text)
+        self._most = most_values(text)
         self._anchors: dict[str, YamlNode] = {}
         self._repeated = 0
         self._read()
+
+    @property
+    def is_beyond_budget(self) -> bool:
+        """Whether the text holds more names and values than it may; the rest was not read."""
+        return self.count > self._most
+
+    def add(self) -> bool:
+        """Count one more member or element; whether it is the first beyond the budget."""
+        self.count += 1
+        return self.count == self._most + 1
 
     def _read(self) -> None:
         text = self.text
@@ -84,7 +94,7 @@ class Tree:
             text = text[:at] + _ODD.sub("\ufffd", text[at:])
         for _ in range(_RESUMES):
             stopped = self._read_from(text, at)
-            if stopped is None or self.count > self.most:
+            if stopped is None or self.is_beyond_budget:
                 return
             following = _NAME_AT_MARGIN.search(text, _next_line(text, max(stopped - 1, at)))
             if following is None:
@@ -284,8 +294,7 @@ class _Building:
 
     def _count(self, node: YamlNode) -> None:
         """Count one more member or element; reading stops where there are too many."""
-        self._tree.count += 1
-        if self._tree.count == self._tree.most + 1:
+        if self._tree.add():
             self._stop(node.start, *too_many_values(self._tree.text))
 
 

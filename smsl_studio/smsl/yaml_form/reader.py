@@ -29,7 +29,7 @@ def parse(text: str, file: str) -> Document:
 
     A key written twice opens: the last one wins, in the place of the first.
     """
-    document, faults = _read(text, file)
+    document, faults = _read(text, file, recovers=False)
     if faults:
         raise as_error(faults, document)
     return document
@@ -37,17 +37,17 @@ def parse(text: str, file: str) -> Document:
 
 def recover(text: str, file: str) -> Document:
     """What can be read of a faulty text: up to a fault, and on from the next name at the margin."""
-    return _read(text, file)[0]
+    return _read(text, file, recovers=True)[0]
 
 
-def _read(text: str, file: str) -> tuple[Document, list[YamlFault]]:
+def _read(text: str, file: str, recovers: bool) -> tuple[Document, list[YamlFault]]:
     if len(text) > MAX_CHARACTERS:
         fault = YamlFault(0, 1, *TOO_LONG)
         return Document(text, file, "yaml", {}, lambda _: YamlSpans(Tree(""))), [fault]
     tree = Tree(text)
     reading = _Reading(tree.faults)
     values: dict[str, Json] = {}
-    for root in tree.roots:
+    for root in tree.roots if recovers or not tree.is_beyond_budget else ():
         if is_map(root, FILE) and not _is_nothing(root):
             reading.fill(values, root, FILE)
         elif not tree.faults:

@@ -32,7 +32,8 @@ class YamlSpans:
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
         """See ``Spans``."""
-        return self._doubles((), FILE, self.listed(()))
+        listed = [(member.key, member.key_start, node) for member, node in self.listed(())]
+        return _doubles((), FILE, listed)
 
     def listed(self, path: Path) -> tuple[tuple[Member, YamlNode], ...]:
         """The members of the map or list at ``path``, each with the node of its value."""
@@ -53,19 +54,32 @@ class YamlSpans:
             raise KeyError(path)
         return tuple(entries(node, level))
 
-    def _doubles(
-        self, path: Path, level: int, listed: tuple[tuple[Member, YamlNode], ...]
-    ) -> Iterator[tuple[Path, tuple[int, ...]]]:
+
+def _doubles(
+    path: Path, level: int, listed: list[tuple[str, int, YamlNode]]
+) -> Iterator[tuple[Path, tuple[int, ...]]]:
+    """The doubled keys of one map and of what is below it; ``listed`` are key, offset, value.
+
+    No spans are made on the way: a file of nothing but doubled keys has very many of them.
+    """
+    if len({key for key, _, _ in listed}) < len(listed):
         places: dict[str, list[int]] = {}
-        for member, _ in listed:
-            places.setdefault(member.key, []).append(member.key_start)
+        for key, start, _ in listed:
+            places.setdefault(key, []).append(start)
         for key, found in places.items():
             if len(found) > 1:
                 yield (*path, key), tuple(found)
-        for member, node in listed:
-            under = below(level, member.key)
-            if _holds_members(node, under):
-                yield from self._doubles((*path, member.key), under, tuple(entries(node, under)))
+    for key, _, node in listed:
+        under = below(level, key)
+        if is_map(node, under):
+            pairs = ((name.real, name.start, value) for name, value in members(node, under))
+            inside = [(name.value, at, value) for name, at, value in pairs if name.kind == "text"]
+        elif node.real.kind == "list":
+            inside = [(str(at), item.start, item) for at, item in enumerate(node.real.value)]
+        else:
+            continue
+        if inside:
+            yield from _doubles((*path, key), under, inside)
 
 
 def entries(node: YamlNode, level: int) -> Iterator[tuple[Member, YamlNode]]:
