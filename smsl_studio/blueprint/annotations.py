@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 from annotated_types import Ge, Gt, Le
 
 from smsl_studio.blueprint.address import note_key
-from smsl_studio.blueprint.levels import LEVELS
+from smsl_studio.blueprint.continuum import LEVELS
 
 if TYPE_CHECKING:
     from pydantic import TypeAdapter

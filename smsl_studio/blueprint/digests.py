@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from smsl_studio.blueprint.behaviour import behaviour_of
 from smsl_studio.blueprint.meaning import (
     hazards_meaning,
     levels_meaning,
@@ -21,7 +22,6 @@ from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.seal.digest import digest_of
 
 Json = Any
-_RUNS = ("initial", "activating", "facts", "sub_sbs", "states")
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,11 +57,6 @@ def digests(blueprint: Blueprint) -> Digests:
         "missing": sorted(map(_as_written, blueprint.import_faults)),
     }
     return Digests(behaviour, meaning, digest_of(closure))
-
-
-def behaviour_of(branches: Iterable[StateBranch]) -> str:
-    """SHA-256 of what runs in some SBs: states, operations, headers."""
-    return digest_of([[one.name, {key: one.meaning[key] for key in _RUNS}] for one in branches])
 
 
 def _notes(branches: Iterable[StateBranch]) -> Json:

@@ -17,16 +17,15 @@ from dataclasses import dataclass, replace
 from pathlib import PurePath
 from typing import Any
 
+from smsl_studio.blueprint.imported_files import KEY, Import, ImportFailure, Imports
 from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.blueprint.project import project_of, real_path, refusal_of_name, refusal_of_place
-from smsl_studio.blueprint.reading import fields_of
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.smsl.budget import share_of_budget
 from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.files import content_of, document_of
 from smsl_studio.smsl.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_BRANCHES
 
-KEY = "_imports"
 MOST = 500
 """So many files are imported in all; who needs more has made a mistake, or a trap."""
 
@@ -37,58 +36,6 @@ SHOWN = 200
 """Characters of a name that are shown where it leads to nothing."""
 
 Branches = dict[str, StateBranch]
-
-
-@dataclass(frozen=True)
-class Import:
-    """A file that was reached: by which files (real paths, its own last), and where the last but
-    one of them names it.
-    """
-
-    document: Document
-    chain: tuple[str, ...]
-    path: Path
-
-
-@dataclass(frozen=True)
-class ImportFailure:
-    """An import that led to no document; the chain ends with what it leads to.
-
-    ``wanted`` is the real path of a file that would be imported if it could be read.
-    """
-
-    sentence: str
-    home: str
-    path: Path
-    chain: tuple[str, ...]
-    advice: str
-    wanted: str = ""
-
-
-@dataclass(frozen=True)
-class Imports:
-    """What the imports of one file lead to, in the order in which SBs come; ``root`` is its own
-    real path.
-    """
-
-    root: str
-    files: tuple[Import, ...] = ()
-    failures: tuple[ImportFailure, ...] = ()
-
-    @property
-    def known(self) -> dict[str, Document]:
-        """The documents by their real paths."""
-        return {item.chain[-1]: item.document for item in self.files}
-
-    def swapped(self, documents: Mapping[Document, Document]) -> Imports:
-        """The same files with other texts: the former document to the one that it is now."""
-        if not any(item.document in documents for item in self.files):
-            return self
-        files = (
-            replace(item, document=documents.get(item.document, item.document))
-            for item in self.files
-        )
-        return replace(self, files=tuple(files))
 
 
 def follow(document: Document, known: Mapping[str, Document]) -> Imports:
@@ -161,7 +108,7 @@ def gather(document: Document, imports: Imports, own: Callable[[Document], Branc
             else:
                 branches[name] = branch
                 homes[name] = item.document
-    return Blueprint(branches, document, fields_of(document), homes, tuple(faults), imports)
+    return Blueprint(branches, document, document.fields, homes, tuple(faults), imports)
 
 
 class _Refused(Exception):  # noqa: N818

@@ -9,23 +9,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
+from smsl_studio.blueprint.continuum import (
+    AUTOMATIC,
+    DEFAULTS,
+    HUMAN,
+    INSPECTION,
+    LEVELS,
+    NOTHING,
+    OF_ACTOR,
+    SUPERVISION,
+)
 from smsl_studio.errors import UsageError, did_you_mean
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.model import Blueprint, StateBranch
-
-HUMAN, SHARED, AUTOMATIC = LEVELS = ("human", "shared", "automatic")
-INSPECTION, SUPERVISION = "inspection", "supervision"
-
-DEFAULTS: Mapping[str, str] = MappingProxyType({INSPECTION: AUTOMATIC, SUPERVISION: SHARED})
-"""Where nothing is said: rules alone inspect, and a person may step in at any tick."""
-
-OF_ACTOR = {"human": HUMAN, "shared": SHARED}
-NOTHING: Mapping[str, str] = MappingProxyType({})
 
 
 class Levels:

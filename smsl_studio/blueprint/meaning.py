@@ -7,15 +7,16 @@ that does not fit its table means what is written, word for word; so do argument
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import MISSING, asdict, fields, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
-from smsl_studio.blueprint.levels import DEFAULTS
+from smsl_studio.blueprint.continuum import DEFAULTS
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Notes, OperationNote
-    from smsl_studio.blueprint.model import Blueprint, StateBranch
+    from smsl_studio.blueprint.elements import Header
+    from smsl_studio.blueprint.facts import FactShape
     from smsl_studio.smsl.document import Document
 
 Json = Any
@@ -29,7 +30,41 @@ _COST = 1.0
 _EXACT = 2**53
 
 
-def blueprint_meaning(blueprint: Blueprint) -> dict[str, Json]:
+class MeantBranch(Protocol):
+    """What a State Branch (``model.StateBranch``) says of its meaning."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def header(self) -> Header: ...
+    @property
+    def table(self) -> Mapping[str, Mapping[str, str]]: ...
+    @property
+    def fields(self) -> Mapping[str, Json]: ...
+    @property
+    def initial(self) -> str: ...
+    @property
+    def activating(self) -> str: ...
+    @property
+    def shape(self) -> FactShape: ...
+    @property
+    def notes(self) -> Notes: ...
+    @property
+    def meaning(self) -> Json: ...
+    def default_on_value(self, digit: int) -> str: ...
+
+
+class MeantBlueprint(Protocol):
+    """What a blueprint (``model.Blueprint``) says of its meaning."""
+
+    @property
+    def fields(self) -> Mapping[str, Json]: ...
+    @property
+    def documents(self) -> tuple[Document, ...]: ...
+    def __iter__(self) -> Iterator[MeantBranch]: ...
+
+
+def blueprint_meaning(blueprint: MeantBlueprint) -> dict[str, Json]:
     """See ``Blueprint.meaning``."""
     return {
         "branches": [[branch.name, branch.meaning] for branch in blueprint],
@@ -39,7 +74,7 @@ def blueprint_meaning(blueprint: Blueprint) -> dict[str, Json]:
     }
 
 
-def branch_meaning(branch: StateBranch) -> dict[str, Json]:
+def branch_meaning(branch: MeantBranch) -> dict[str, Json]:
     """See ``StateBranch.meaning``.
 
     NUM_STATES only checks the number of states, so it means nothing. How the names are cut into
@@ -56,7 +91,7 @@ def branch_meaning(branch: StateBranch) -> dict[str, Json]:
     }
 
 
-def _hazards_written(blueprint: Blueprint) -> Json:
+def _hazards_written(blueprint: MeantBlueprint) -> Json:
     """What stands in ``_hazards``: of the file, or one behind the other of all its files."""
     written = [one.values.get("_hazards") for one in blueprint.documents]
     if not any(written[1:]):
@@ -65,7 +100,7 @@ def _hazards_written(blueprint: Blueprint) -> Json:
     return [hazard for items in listed for hazard in items]
 
 
-def notes_meaning(branch: StateBranch) -> dict[str, Json]:
+def notes_meaning(branch: MeantBranch) -> dict[str, Json]:
     """What is said of an SB's facts, states and operations; nothing where only defaults are."""
     if not any(branch.fields.get(key) for key in MEANING_FIELDS):
         return {}
@@ -124,7 +159,7 @@ def word_for_word(value: Json) -> str:
     return json.dumps(value, ensure_ascii=False, sort_keys=True, default=dict)
 
 
-def _fact(branch: StateBranch, digit: int, note: FactNote) -> dict[str, Json]:
+def _fact(branch: MeantBranch, digit: int, note: FactNote) -> dict[str, Json]:
     said = _said(note)
     if note.on is not None and note.on == branch.default_on_value(digit):
         del said["on"]

@@ -23,7 +23,7 @@ from smsl_studio.errors import AddressError, Place, did_you_mean
 
 if TYPE_CHECKING:
     from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
-    from smsl_studio.blueprint.imports import Imports
+    from smsl_studio.blueprint.imported_files import Imports
     from smsl_studio.smsl.document import Document
 
 Json = Any
@@ -338,7 +338,7 @@ class Blueprint:
     @cached_property
     def behaviour(self) -> str:
         """SHA-256 of what runs: SBs (imported ones too), states, operations, headers."""
-        from smsl_studio.blueprint.digests import behaviour_of
+        from smsl_studio.blueprint.behaviour import behaviour_of
 
         return behaviour_of(self)
 

@@ -33,7 +33,7 @@ def read_blueprint(
     that are among the ``opened``, count as they are in memory. See ``imports``.
     """
     own = partial(branches_of, former=former)
-    fields = fields_of(document)
+    fields = document.fields
     if "_imports" not in fields:
         return Blueprint(own(document), document, fields)
     from smsl_studio.blueprint.imports import follow, gather
@@ -53,16 +53,12 @@ def read_gathered(documents: Sequence[Document]) -> Blueprint:
     They are ``Blueprint.documents``: no name in them is followed and no file is read, so that a
     process to which they were sent has what the sender has looked at.
     """
-    from smsl_studio.blueprint.imports import KEY, Import, Imports, gather
+    from smsl_studio.blueprint.imported_files import KEY, Import, Imports
+    from smsl_studio.blueprint.imports import gather
 
     root, *others = documents
     files = tuple(Import(one, (root.file, one.file), (KEY,)) for one in others)
     return gather(root, Imports(root.file, files), branches_of)
-
-
-def fields_of(document: Document) -> dict[str, Json]:
-    """The ``_`` fields of a file."""
-    return {key: value for key, value in document.values.items() if key.startswith("_")}
 
 
 def salvage(document: Document) -> Blueprint:
@@ -72,7 +68,7 @@ def salvage(document: Document) -> Blueprint:
     def own(one: Document) -> dict[str, StateBranch]:
         return _read(one, None)[0]
 
-    fields = fields_of(document)
+    fields = document.fields
     if "_imports" not in fields:
         return Blueprint(own(document), document, fields)
     return gather(document, follow(document, {}), own)

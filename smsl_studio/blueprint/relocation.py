@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any
 
-from smsl_studio.blueprint.imports import KEY
+from smsl_studio.blueprint.imported_files import KEY
 from smsl_studio.blueprint.project import (
     project_of,
     real_path,

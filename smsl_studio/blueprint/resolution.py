@@ -2,16 +2,34 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Iterator, Mapping
+from typing import Protocol
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import AddressError, did_you_mean
 
-if TYPE_CHECKING:
-    from smsl_studio.blueprint.model import Blueprint
+
+class NamedBranch(Protocol):
+    """A State Branch (``model.StateBranch``) by the names in it."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def table(self) -> Mapping[str, Mapping[str, str]]: ...
 
 
-def resolved(blueprint: Blueprint, text: str | Address) -> Address:
+class NamedElements(Protocol):
+    """A blueprint (``model.Blueprint``) by its State Branches."""
+
+    @property
+    def branches(self) -> Mapping[str, NamedBranch]: ...
+    @property
+    def roots(self) -> tuple[str, ...]: ...
+    def __getitem__(self, branch: str) -> NamedBranch: ...
+    def __iter__(self) -> Iterator[NamedBranch]: ...
+
+
+def resolved(blueprint: NamedElements, text: str | Address) -> Address:
     """See ``Blueprint.resolve``."""
     parts = text.path if isinstance(text, Address) else Address.split(text)
     if parts and parts[0] not in blueprint.branches and len(blueprint.roots) == 1:
@@ -44,7 +62,7 @@ def resolved(blueprint: Blueprint, text: str | Address) -> Address:
     return Address(*parts)
 
 
-def _homes(blueprint: Blueprint, parts: tuple[str, ...]) -> str:
+def _homes(blueprint: NamedElements, parts: tuple[str, ...]) -> str:
     """An advice to put the SB before a state that some SBs have, or the empty text."""
     found = [Address(one.name, *parts[:2]) for one in blueprint if parts[0] in one.table]
     return f"Write {' or '.join(map(str, found[:3]))}." if found and len(parts) < 3 else ""

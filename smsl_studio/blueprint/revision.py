@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from smsl_studio.blueprint.imports import KEY, Imports, follow, gather
+from smsl_studio.blueprint.imported_files import KEY, Imports
+from smsl_studio.blueprint.imports import follow, gather
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.project import real_path
-from smsl_studio.blueprint.reading import branches_of, fields_of
+from smsl_studio.blueprint.reading import branches_of
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.likeness import same
@@ -49,7 +50,7 @@ def revised(former: Blueprint, changed: Mapping[Document, Document]) -> Blueprin
 
     document = changed.get(former.document, former.document)
     if KEY not in document.values:
-        return Blueprint(own(document), document, fields_of(document))
+        return Blueprint(own(document), document, document.fields)
     imports = former.imports.swapped(changed) if former.imports else None
     if imports is None or any(_leads_elsewhere(*pair) for pair in changed.items()):
         imports = follow(document, imports.known if imports else {})

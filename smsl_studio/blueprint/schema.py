@@ -10,7 +10,7 @@ import json
 from typing import Any
 
 from smsl_studio.blueprint.annotations import Binding, FactNote, Hazard, OperationNote, StateNote
-from smsl_studio.blueprint.levels import LEVELS
+from smsl_studio.blueprint.continuum import LEVELS
 from smsl_studio.smsl.limits import MAX_NAME
 
 Json = Any

@@ -15,8 +15,9 @@ from smsl_studio.blueprint.check import (
     state_check,
 )
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.continuum import HUMAN
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, Levels
+from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.inputs import inspect
 from smsl_studio.inspection.finding import Severity

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from smsl_studio.blueprint.configuration import Hierarchy
+from smsl_studio.blueprint.continuum import HUMAN
 from smsl_studio.blueprint.edges import Edges
-from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
 from smsl_studio.host.plugin_offers import describe

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from smsl_studio.blueprint.levels import AUTOMATIC, Levels
+from smsl_studio.blueprint.continuum import AUTOMATIC
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.dispatch.agents import RiskLimit
 from smsl_studio.dispatch.supervisor import Supervisor
 

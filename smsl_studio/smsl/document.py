@@ -76,6 +76,11 @@ class Document:
         """Where things stand; worked out now if nobody asked before."""
         return self.spans_of(self.text)
 
+    @property
+    def fields(self) -> dict[str, Json]:
+        """The ``_`` fields of the file."""
+        return {key: value for key, value in self.values.items() if key.startswith("_")}
+
     def members(self, path: Path = ()) -> tuple[Member, ...]:
         """The members of the map at ``path``, in order, doubles included.
 

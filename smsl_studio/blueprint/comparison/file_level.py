@@ -10,7 +10,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.comparison.difference import Change, ChangeKind, Path
 from smsl_studio.blueprint.comparison.sides import Sides
 from smsl_studio.blueprint.comparison.values import alike, fields_that_differ, merged, said
-from smsl_studio.blueprint.levels import DEFAULTS
+from smsl_studio.blueprint.continuum import DEFAULTS
 from smsl_studio.blueprint.meaning import levels_written, word_for_word
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.project import real_path

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from smsl_studio.blueprint.editing.draft import Draft, document_named
-from smsl_studio.blueprint.imports import KEY
+from smsl_studio.blueprint.imported_files import KEY
 from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint, ImportFault
 from smsl_studio.errors import EditRefused

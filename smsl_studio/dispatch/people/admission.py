@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from smsl_studio.blueprint.continuum import HUMAN, SHARED
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.levels import HUMAN, SHARED
 from smsl_studio.dispatch.guards import refusals
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.desk import no_words, who_words

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.levels import HUMAN, Levels
+from smsl_studio.blueprint.continuum import HUMAN
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.host.protocol import Bound
 from smsl_studio.library.table import TIMEOUT

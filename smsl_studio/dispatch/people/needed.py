@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.check import IN_TRANSIT, CheckResult, FactKey, Term, sub_below
+from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.blueprint.levels import AUTOMATIC, sensed_facts
+from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.guards import needs
 from smsl_studio.dispatch.people.board import Question
 from smsl_studio.dispatch.people.questions import fact_task

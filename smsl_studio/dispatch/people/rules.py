@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, SHARED, Levels, sensed_facts
+from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
+from smsl_studio.blueprint.levels import Levels, sensed_facts
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.host.protocol import OpenedWorld
 from smsl_studio.monitor.aggregate import FactRule

@@ -9,8 +9,9 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
 from smsl_studio.blueprint.annotations import FactNote
+from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.editing import change_notes
-from smsl_studio.blueprint.levels import AUTOMATIC, Levels
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.controls import label, row
 from smsl_studio.studio.panels.asking_lines import AskingLines

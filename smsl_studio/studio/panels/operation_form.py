@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.levels import AUTOMATIC, OF_ACTOR, Levels
+from smsl_studio.blueprint.continuum import AUTOMATIC, OF_ACTOR
+from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.library.loading import Loaded
 from smsl_studio.picture.sub_marks import sub_mark

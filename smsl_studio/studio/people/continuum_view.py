@@ -4,15 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from smsl_studio.blueprint.levels import (
-    AUTOMATIC,
-    HUMAN,
-    SHARED,
-    Levels,
-    Share,
-    Spectrum,
-    spectrum,
-)
+from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
+from smsl_studio.blueprint.levels import Levels, Share, Spectrum, spectrum
 from smsl_studio.blueprint.model import Blueprint
 
 PLACE = {HUMAN: 0.0, SHARED: 0.5, AUTOMATIC: 1.0}

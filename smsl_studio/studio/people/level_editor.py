@@ -15,8 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.blueprint.editing import set_levels
-from smsl_studio.blueprint.levels import AUTOMATIC, HUMAN, SHARED
 from smsl_studio.studio.controls import Switch, label
 from smsl_studio.studio.panels.attempt import try_edit
 from smsl_studio.studio.panels.lines.line import Sentence

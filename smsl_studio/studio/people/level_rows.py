@@ -6,13 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key
-from smsl_studio.blueprint.levels import (
-    INSPECTION,
-    SUPERVISION,
-    Levels,
-    digit_of,
-    sensed_facts,
-)
+from smsl_studio.blueprint.continuum import INSPECTION, SUPERVISION
+from smsl_studio.blueprint.levels import Levels, digit_of, sensed_facts
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.studio.words import counted
 
