@@ -16,8 +16,8 @@ from random import Random
 
 from benches.row import Row, median_ms
 from smsl_studio.runlog.events import FactChanged
+from smsl_studio.runlog.grammar.log_reader import verify
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.runlog.log_reader import verify
 from tests.runlog.killed import kill_a_writer
 from tests.runlog.logs import OTHER, is_verified, tampered, write_log
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from random import Random
 
 from benches.row import Row
-from smsl_studio.runlog.log_reader import verify
+from smsl_studio.runlog.grammar.log_reader import verify
 from tests.runlog.impossible import OPERATORS, Story, impossible
 from tests.runlog.true_stories import log_of_a_dying_world, log_of_physics, true_log
 

@@ -22,7 +22,7 @@ from typing import Any, NoReturn
 from benches.stops.hooks import call_before
 from benches.stops.scenes import SCENES, Scene
 from smsl_studio.cli import program
-from smsl_studio.runlog.log_reader import verify
+from smsl_studio.runlog.grammar.log_reader import verify
 
 LIMIT = 20.0
 """Wall seconds after which a program that was to stop is killed."""

@@ -21,10 +21,10 @@ from smsl_studio.blueprint.imported_files import KEY, Import, ImportFailure, Imp
 from smsl_studio.blueprint.model import Blueprint, ImportFault, StateBranch
 from smsl_studio.blueprint.project import project_of, real_path, refusal_of_name, refusal_of_place
 from smsl_studio.errors import Place, ReadError
-from smsl_studio.smsl.budget import share_of_budget
 from smsl_studio.smsl.document import Document, Path
+from smsl_studio.smsl.document.budget import share_of_budget
+from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_BRANCHES
 from smsl_studio.smsl.files import content_of, document_of
-from smsl_studio.smsl.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_BRANCHES
 
 MOST = 500
 """So many files are imported in all; who needs more has made a mistake, or a trap."""

@@ -14,7 +14,7 @@ from typing import Any, cast
 from smsl_studio.blueprint.elements import EMPTY, Header
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.smsl.document import Document, Path
-from smsl_studio.smsl.limits import MAX_BRANCHES, MAX_NAME
+from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_NAME
 
 Json = Any
 HEADER = "HEADER"

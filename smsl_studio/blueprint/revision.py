@@ -13,7 +13,7 @@ from smsl_studio.blueprint.project import real_path
 from smsl_studio.blueprint.reading import branches_of
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.likeness import same
+from smsl_studio.smsl.document.likeness import same
 
 
 def with_document(blueprint: Blueprint, document: Document) -> Blueprint:

@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.blueprint.annotations import Binding, FactNote, Hazard, OperationNote, StateNote
 from smsl_studio.blueprint.continuum import LEVELS
-from smsl_studio.smsl.limits import MAX_NAME
+from smsl_studio.smsl.document.limits import MAX_NAME
 
 Json = Any
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.smsl.document import Document, Member, Path
-from smsl_studio.smsl.limits import MAX_FAULTS, MAX_NAME, TOO_MANY_BRANCHES
+from smsl_studio.smsl.document.limits import MAX_FAULTS, MAX_NAME, TOO_MANY_BRANCHES
 
 Json = Any
 ONE_TOO_MANY = "one of fewer State Branches"

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli.output import note, report
 from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.inputs import read, read_bytes
-from smsl_studio.smsl.limits import LARGEST_FILE
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 
 STDIN = "<stdin>"
 

@@ -10,7 +10,7 @@ from smsl_studio.cli.arguments import ArgumentParser, add_format, add_world
 from smsl_studio.cli.blueprint_argument import read_each
 from smsl_studio.cli.output import Output
 from smsl_studio.front.inputs import inspect
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import one_line
 
 

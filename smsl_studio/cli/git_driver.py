@@ -18,8 +18,8 @@ from smsl_studio.errors import Place, ReadError
 from smsl_studio.front.inputs import read_bytes
 from smsl_studio.legible import one_line
 from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import read_ordinary
-from smsl_studio.smsl.limits import LARGEST_FILE
 
 _MOST_LINES = 3000
 """Longer texts that cannot be read are told to differ and not compared line by line."""

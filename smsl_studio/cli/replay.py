@@ -16,8 +16,14 @@ from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.story import line_of
 from smsl_studio.errors import Place, ReadError, UsageError
 from smsl_studio.legible import json_text, one_line
+from smsl_studio.runlog.grammar.log_reader import (
+    LogReader,
+    LogVerdict,
+    open_log,
+    read_records,
+    verify,
+)
 from smsl_studio.runlog.log import FORMER
-from smsl_studio.runlog.log_reader import LogReader, LogVerdict, open_log, read_records, verify
 from smsl_studio.smsl.files import save_document
 
 BEFORE = (

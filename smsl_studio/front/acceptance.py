@@ -6,7 +6,7 @@ from smsl_studio.blueprint.continuum import AUTOMATIC, HUMAN
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.inputs import inspect
-from smsl_studio.inspection.finding import Severity
+from smsl_studio.inspection.rules.finding import Severity
 
 SHOWN = 20
 """So many findings stand in a question; the others are counted."""

@@ -7,7 +7,7 @@ from collections.abc import Collection
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.smsl.files import parse_bytes, read_document
 
 START_RULES = ("R01", "R02", "R03", "R07", "R08")

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.limits import LARGEST_FILE
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 
 MOST = 500
 """So many commits are listed at most, the latest ones."""

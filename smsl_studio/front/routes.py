@@ -8,7 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.errors import AddressError, RunRefused, did_you_mean
-from smsl_studio.front.addresses import Written, operations_at, state_at
+from smsl_studio.front.script.addresses import Written, operations_at, state_at
 from smsl_studio.graph.routing import Route, cheapest
 
 

@@ -16,13 +16,13 @@ from smsl_studio.dispatch.effort import refuse_too_large
 from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
 from smsl_studio.front.acceptance import to_accept
-from smsl_studio.front.addresses import Written, operations_at, states_at
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.inputs import refusals
 from smsl_studio.front.recorder import Recorder, start_log
 from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.fit import check_faults
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act, Script

@@ -9,9 +9,9 @@ from types import MappingProxyType
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.inspection.finding import Finding, Remark
 from smsl_studio.inspection.rules import effects, header, levels, look_alikes, reach
 from smsl_studio.inspection.rules import text as writing
+from smsl_studio.inspection.rules.finding import Finding, Remark
 from smsl_studio.inspection.selection import listed
 from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.stop import heed

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import EditRefused, StudioError
-from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.inspection.inspect import inspect
+from smsl_studio.inspection.rules.finding import Finding, Severity
 
 CERTAIN = ("R03", "R15")
 """The rules whose errors have fixes that are certain."""

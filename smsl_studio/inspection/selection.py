@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
-from smsl_studio.inspection.finding import (
+from smsl_studio.inspection.rules.finding import (
     LISTED,
     LISTED_IN_ALL,
     Finding,

@@ -15,7 +15,7 @@ from smsl_studio.picture.account_words import AccountLine, Causes, told, vanishe
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
-from smsl_studio.runlog.log_reader import LoggedRun
+from smsl_studio.runlog.grammar.log_reader import LoggedRun
 from smsl_studio.runlog.names import HeaderNames
 
 Json = Any

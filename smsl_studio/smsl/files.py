@@ -10,10 +10,10 @@ from pathlib import Path
 from smsl_studio.errors import Place, ReadError, SaveError
 from smsl_studio.smsl.disk import settle
 from smsl_studio.smsl.document import Document, decode
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.forms import form_named, form_of
 from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.smsl.inputs import NOTHING, Seen, read_ordinary
-from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.smsl.outputs import Inputs, refuse_inputs, replace_file
 from smsl_studio.smsl.pending_saves import pending_at
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from smsl_studio.smsl.document import Document, Path
 
 if TYPE_CHECKING:
-    from smsl_studio.smsl.comments import Comments
+    from smsl_studio.smsl.document.comments import Comments
 
 Json = Any
 

@@ -15,8 +15,8 @@ from typing import BinaryIO
 
 from smsl_studio.errors import FileChanged, UsageError
 from smsl_studio.smsl.disk import short, write_new
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import Seen, seen_at
-from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.smsl.traits import traits_of
 
 _APPEND = os.O_WRONLY | os.O_APPEND | os.O_CREAT

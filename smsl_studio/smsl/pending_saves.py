@@ -22,8 +22,8 @@ from typing import Any
 
 from smsl_studio.home import is_private, user_folder
 from smsl_studio.smsl.disk import short
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import open_ordinary, read_ordinary
-from smsl_studio.smsl.limits import LARGEST_FILE
 
 JOURNAL, DRAFT = ".journal", ".draft"
 _NAME = re.compile(r"(?P<token>[0-9a-f]{12})\.(?:journal|draft)")

@@ -21,9 +21,9 @@ from typing import NoReturn
 from smsl_studio.errors import FileChanged, SaveError
 from smsl_studio.smsl.disk import held, settle, write_new
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.files import bytes_to_save, save_document
 from smsl_studio.smsl.inputs import NOTHING, Seen, seen_at
-from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.smsl.outputs import put
 from smsl_studio.smsl.pending_saves import (
     DRAFT,

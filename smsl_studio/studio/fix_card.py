@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QRect, QRectF, QTimer, Signa
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout
 
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.canvas.canvas import Canvas

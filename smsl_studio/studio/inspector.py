@@ -11,8 +11,8 @@ from functools import partial
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.inspect import RULES, inspect
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.beside import Beside
 from smsl_studio.studio.session import Session
 

@@ -12,7 +12,7 @@ from typing import Protocol
 from PySide6.QtCore import QObject
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.broken import Broken
 from smsl_studio.studio.canvas.editor import CanvasEditor
 from smsl_studio.studio.frame.status_line import StatusLine

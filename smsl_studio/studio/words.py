@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.broken import Broken
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from smsl_studio.runlog.log_reader import read_log
+from smsl_studio.runlog.grammar.log_reader import read_log
 from tests.cli.shell import Answer, Shell, sample
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, write_allowed
 

@@ -19,7 +19,7 @@ from smsl_studio.cli import main
 from smsl_studio.cli import run as running
 from smsl_studio.cli.signals import heard
 from smsl_studio.front import inputs as reading
-from smsl_studio.runlog.log_reader import verify
+from smsl_studio.runlog.grammar.log_reader import verify
 from tests.cli.shell import Answer, Shell, sample
 from tests.plugin_folder import blueprint_of, write_plugin
 

@@ -22,7 +22,7 @@ from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.monitor.reception import Reception
 from smsl_studio.monitor.topics import FactTopic
 from smsl_studio.runlog.events import Event, OperationStarted
-from smsl_studio.runlog.log_reader import read_log
+from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.shipped import samples_dir
 from tests.monitor.broker import MAX_AGE, Broker, Node, Speaker, until, with_ages
 

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.hosts import known_world
 from smsl_studio.front.runs import open_run
 from smsl_studio.front.script.fit import check_faults
-from smsl_studio.inspection.finding import Severity
+from smsl_studio.inspection.rules.finding import Severity
 from smsl_studio.runlog.events import Event, OperationStarted, Relocalised, RunFinished
 from smsl_studio.shipped import samples_dir
 

@@ -17,7 +17,7 @@ import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.writing import values_of
 from smsl_studio.errors import Place, ReadError
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.smsl.forms import form_named
 from tests.cli.shell import make_shell
 

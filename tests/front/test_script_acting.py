@@ -275,7 +275,7 @@ def test_who_is_asked_and_not_answered_by_the_script_holds_the_run() -> None:
 
 
 def test_a_script_is_named_in_the_header_of_the_log(tmp_path: Any) -> None:
-    from smsl_studio.runlog.log_reader import read_log
+    from smsl_studio.runlog.grammar.log_reader import read_log
 
     _sample("hanoi-chosen", log=tmp_path / "log")
     header = read_log(tmp_path / "log").header

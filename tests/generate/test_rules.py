@@ -10,8 +10,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import UsageError
 from smsl_studio.generate.rules import hanoi, hanoi_failures, level_values
-from smsl_studio.inspection.finding import Severity
 from smsl_studio.inspection.inspect import inspect
+from smsl_studio.inspection.rules.finding import Severity
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.json_form import parse_json
 

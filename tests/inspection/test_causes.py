@@ -9,8 +9,8 @@ import pytest
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.inspection.finding import LISTED, LISTED_IN_ALL, Finding, Severity
 from smsl_studio.inspection.inspect import inspect
+from smsl_studio.inspection.rules.finding import LISTED, LISTED_IN_ALL, Finding, Severity
 from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.json_form import parse_json
 

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.inspect import inspect
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.smsl.json_form import parse_json
 
 

@@ -15,8 +15,8 @@ import pytest
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, UsageError, nearest
-from smsl_studio.inspection.finding import LISTED, Finding, Fix, Severity
 from smsl_studio.inspection.inspect import ALL, RULES, inspect
+from smsl_studio.inspection.rules.finding import LISTED, Finding, Fix, Severity
 from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json

@@ -34,7 +34,7 @@ from smsl_studio.runlog.events import (
     TaskClosed,
     TaskOpened,
 )
-from smsl_studio.runlog.log_reader import LoggedRun, LogHead, Record, read_records
+from smsl_studio.runlog.grammar.log_reader import LoggedRun, LogHead, Record, read_records
 from tests.runlog.any_event import events
 from tests.runlog.logs import EVENTS, write_log
 

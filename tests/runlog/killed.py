@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
-from smsl_studio.runlog.log_reader import LoggedRun, read_log
+from smsl_studio.runlog.grammar.log_reader import LoggedRun, read_log
 
 WRITER = """
 import os, sys

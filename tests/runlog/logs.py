@@ -26,8 +26,8 @@ from smsl_studio.runlog.events import (
     RunStarted,
     StateChecked,
 )
+from smsl_studio.runlog.grammar.log_reader import verify
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.runlog.log_reader import verify
 from smsl_studio.seal.chain import Chain, unlinked
 
 SB, FIRST, SECOND = "SB/é", "SB~1é/State_0/Op", "SB~1é/State_1/Op"

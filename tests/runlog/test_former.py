@@ -11,7 +11,7 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio.picture.account import account
 from smsl_studio.runlog.events import RunFinished
-from smsl_studio.runlog.log_reader import read_log
+from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.runlog.playback import Playback
 from tests.cli.shell import Shell, make_shell
 

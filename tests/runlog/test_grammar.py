@@ -29,10 +29,10 @@ from smsl_studio.runlog.events import (
     SweepFinished,
 )
 from smsl_studio.runlog.grammar.automaton import TABLE, Grammar
+from smsl_studio.runlog.grammar.log_reader import LogVerdict, read_log, verify
 from smsl_studio.runlog.grammar.memory import Begun
 from smsl_studio.runlog.grammar.operations import WITHOUT_FAILURE
 from smsl_studio.runlog.grammar.regulation import NEVER_IN, OWES
-from smsl_studio.runlog.log_reader import LogVerdict, read_log, verify
 from tests.plugin_folder import blueprint_of
 from tests.runlog.impossible import OPERATORS, Operator, Story, impossible
 from tests.runlog.logs import EVENTS, OTHER, chained

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import smsl_studio as smsl
+from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.runlog.grounds import grounds_of
-from smsl_studio.runlog.log_reader import read_log
 from smsl_studio.shipped import samples_dir
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
 

@@ -10,7 +10,7 @@ from random import Random
 
 import pytest
 
-from smsl_studio.runlog.log_reader import read_log
+from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.shipped import samples_dir
 from tests.runlog.killed import kill_a_writer
 

@@ -12,8 +12,8 @@ import pytest
 
 from smsl_studio.errors import ReadError, SaveError, UsageError
 from smsl_studio.runlog.events import Committed, FactChanged, Held, RunFinished
+from smsl_studio.runlog.grammar.log_reader import read_log, verify
 from smsl_studio.runlog.log import LONGEST, RunLog
-from smsl_studio.runlog.log_reader import read_log, verify
 from tests.runlog.logs import chained, is_verified
 
 GONE = "The world \udcff is gone."

@@ -9,7 +9,7 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.errors import ReadError
-from smsl_studio.runlog.log_reader import Doubt, read_log, read_records
+from smsl_studio.runlog.grammar.log_reader import Doubt, read_log, read_records
 from smsl_studio.shipped import samples_dir
 from tests.runlog.logs import CHANGES, EVENTS, OTHER, is_verified, tampered, write_log
 

@@ -8,8 +8,13 @@ import pytest
 
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import ReadError
+from smsl_studio.smsl.document.limits import (
+    CHARACTERS_A_VALUE,
+    FREE_VALUES,
+    MAX_BRANCHES,
+    most_values,
+)
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.limits import CHARACTERS_A_VALUE, FREE_VALUES, MAX_BRANCHES, most_values
 
 FORMS = ("json", "smsl", "yaml")
 

@@ -11,9 +11,9 @@ from hypothesis import given, settings
 
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import Place, ReadError
+from smsl_studio.smsl.document.limits import MAX_CHARACTERS, MAX_DEPTH
 from smsl_studio.smsl.files import parse_bytes, read_document
 from smsl_studio.smsl.json_form import parse_json, recover, write_json
-from smsl_studio.smsl.limits import MAX_CHARACTERS, MAX_DEPTH
 from tests.smsl.texts import VALUES, texts
 
 SAMPLES = sorted((Path(__file__).parents[2] / "samples").glob("*.json"))

@@ -14,9 +14,9 @@ from ruamel.yaml import YAML
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import EditRefused, ReadError
 from smsl_studio.shipped import samples_dir
+from smsl_studio.smsl.document.limits import MAX_DEPTH
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.smsl.limits import MAX_DEPTH
 from smsl_studio.smsl.yaml_form import keep_winner, parse, reconcile, recover, tidy, write
 from tests.smsl.texts import VALUES
 
@@ -156,7 +156,7 @@ def test_a_refusal_names_the_place(text: str, line: int, column: int, words: str
 
 
 def test_a_file_may_not_ask_for_too_much(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("smsl_studio.smsl.limits.MAX_VALUES", 50)
+    monkeypatch.setattr("smsl_studio.smsl.document.limits.MAX_VALUES", 50)
     error = refusal("SB: {S: {a: S}}\n_x: [" + "a," * 50 + "]\nSC: {}\n")
     assert "names and values stand in one file" in error.sentence
     assert recover("SB: {}\n_x: [" + "a," * 50 + "]", "f.yaml").values["SB"] == {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 
-from smsl_studio.inspection.finding import Severity
+from smsl_studio.inspection.rules.finding import Severity
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 

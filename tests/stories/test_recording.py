@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from smsl_studio.runlog.ends import LET_GO
-from smsl_studio.runlog.log_reader import read_log
+from smsl_studio.runlog.grammar.log_reader import read_log
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES

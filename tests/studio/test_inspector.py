@@ -11,8 +11,8 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.inspect import inspect
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio import inspector as room
 from smsl_studio.studio.files.fresh import empty_blueprint
 from smsl_studio.studio.inspector import Inspector

@@ -6,7 +6,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import Place
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.words import capital, counted, first_lines, tally, worst
 
 HERE = Address("SB1", "State0")

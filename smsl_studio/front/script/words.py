@@ -11,7 +11,7 @@ from smsl_studio.blueprint.address import split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.people.task import KINDS as TASKS
 from smsl_studio.errors import StudioError, UsageError, did_you_mean
-from smsl_studio.front.addresses import operations_at, state_at
+from smsl_studio.front.script.addresses import operations_at, state_at
 from smsl_studio.monitor.disturbance import KINDS as DISTURBANCES
 
 Json = Any

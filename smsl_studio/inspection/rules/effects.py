@@ -13,7 +13,7 @@ from smsl_studio.blueprint.editing import change_notes, rename
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
 from smsl_studio.inspection.rules.words import fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.reading import HEADER, sub_entries
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
-from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
 from smsl_studio.inspection.rules.words import NearNames, fact_words, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.inspection.finding import Remark, Severity
+from smsl_studio.inspection.rules.finding import Remark, Severity
 
 _CASE, _LOOKS = "case", "characters that look alike"
 

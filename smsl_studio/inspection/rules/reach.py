@@ -13,7 +13,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import delete
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.shape import connected, dead_ends, reachable, traps
-from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
 
 ERROR, WARNING = Severity.ERROR, Severity.WARNING
 

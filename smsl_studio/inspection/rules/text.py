@@ -12,7 +12,7 @@ from smsl_studio.blueprint.levels import fault_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
-from smsl_studio.inspection.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
 from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.document import Document
 

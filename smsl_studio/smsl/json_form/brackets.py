@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from smsl_studio.errors import TextFix
+from smsl_studio.smsl.document.limits import MAX_DEPTH, MAX_FAULTS, TOO_DEEP
 from smsl_studio.smsl.json_form.strides import BALANCE, balance_of, flat_object
 from smsl_studio.smsl.json_form.tokens import (
     END,
@@ -21,7 +22,6 @@ from smsl_studio.smsl.json_form.tokens import (
     JsonTokens,
     short,
 )
-from smsl_studio.smsl.limits import MAX_DEPTH, MAX_FAULTS, TOO_DEEP
 
 Json = Any
 NOTHING = object()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from itertools import islice
 
-from smsl_studio.smsl.limits import MAX_CHARACTERS, most_values
+from smsl_studio.smsl.document.limits import MAX_CHARACTERS, most_values
 
 _MARKS = re.compile(r'[,{\[]|"[^"\\]*+(?:\\.[^"\\]*+)*+"', re.DOTALL)
 

@@ -9,17 +9,17 @@ from math import isfinite
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.budget import refused_by_budget
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document.budget import refused_by_budget
+from smsl_studio.smsl.document.limits import MAX_DEPTH, too_large
 from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
 from smsl_studio.smsl.json_form.count import beyond_budget
 from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
 from smsl_studio.smsl.json_form.style import CANONICAL, render
-from smsl_studio.smsl.limits import MAX_DEPTH, too_large
 
 if TYPE_CHECKING:
-    from smsl_studio.smsl.comments import Comments
+    from smsl_studio.smsl.document.comments import Comments
 
 _BRACKET = re.compile(STRING.pattern + r"|[\[{]|[\]}]", re.DOTALL)
 
@@ -68,7 +68,7 @@ def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
 
 def comments_in(document: Document) -> Comments:
     """None: JSON has no comments."""
-    from smsl_studio.smsl.comments import NO_COMMENTS
+    from smsl_studio.smsl.document.comments import NO_COMMENTS
 
     return NO_COMMENTS
 

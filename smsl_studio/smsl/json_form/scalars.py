@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.errors import TextFix
+from smsl_studio.smsl.document.limits import too_large
 from smsl_studio.smsl.json_form.brackets import NOTHING
 from smsl_studio.smsl.json_form.tokens import NUMBER, TEXT, JsonFault, JsonToken, quoted, short
-from smsl_studio.smsl.limits import too_large
 
 Json = Any
 _LITERALS: dict[str, Json] = {"true": True, "false": False, "null": None}

@@ -17,12 +17,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from smsl_studio.smsl.arrangement import Placed, aligned, arranged, permuted, survivors
 from smsl_studio.smsl.document import Document, Member
+from smsl_studio.smsl.document.arrangement import Placed, aligned, arranged, permuted, survivors
+from smsl_studio.smsl.document.likeness import same
 from smsl_studio.smsl.json_form.reader import parse
 from smsl_studio.smsl.json_form.spans import JsonSpans, skip_space
 from smsl_studio.smsl.json_form.style import JsonStyle, render, scalar, style_of
-from smsl_studio.smsl.likeness import same
 
 Json = Any
 

@@ -6,8 +6,8 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterator
 
-from smsl_studio.smsl.comments import NO_COMMENTS, Comments, Holder, Leaf, comments_between
 from smsl_studio.smsl.document import Document, Path
+from smsl_studio.smsl.document.comments import NO_COMMENTS, Comments, Holder, Leaf, comments_between
 from smsl_studio.smsl.native_form.spans import Element, NativeSpans
 
 _COMMENT = re.compile(r"//([^\r\n]*)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from smsl_studio.smsl.limits import MAX_CHARACTERS, most_values
+from smsl_studio.smsl.document.limits import MAX_CHARACTERS, most_values
 from smsl_studio.smsl.native_form.tokens import QUOTED
 
 _MARKS = re.compile(rf"(->|[\[{{])|#([^\r\n]*+)|{QUOTED}|//[^\r\n]*+")

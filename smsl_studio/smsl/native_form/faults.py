@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from smsl_studio.errors import Place, ReadError, TextFix
-from smsl_studio.smsl.limits import MAX_FAULTS
+from smsl_studio.smsl.document.limits import MAX_FAULTS
 
 
 class NativeFaultLimit(Exception):  # noqa: N818

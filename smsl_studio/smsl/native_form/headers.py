@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from smsl_studio.smsl.arrangement import permuted, survivors
+from smsl_studio.smsl.document.arrangement import permuted, survivors
+from smsl_studio.smsl.document.likeness import same
 from smsl_studio.smsl.json_form.splice import spliced_value
-from smsl_studio.smsl.likeness import same
 from smsl_studio.smsl.native_form.lines import entries
 from smsl_studio.smsl.native_form.rows import Slot
 from smsl_studio.smsl.native_form.spellings import header_key, header_value

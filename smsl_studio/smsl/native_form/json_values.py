@@ -7,8 +7,8 @@ import re
 from math import isfinite
 from typing import Any, NoReturn
 
+from smsl_studio.smsl.document.limits import MAX_DEPTH, TOO_DEEP, too_large
 from smsl_studio.smsl.json_form.characters import HALF_PAIR, half_pair
-from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP, too_large
 
 Json = Any
 

@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Member
-from smsl_studio.smsl.limits import MAX_DIGITS
+from smsl_studio.smsl.document.limits import MAX_DIGITS
 from smsl_studio.smsl.native_form.json_values import BadJson, one_line, read_json
 from smsl_studio.smsl.native_form.tokens import (
     BARE,

@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.budget import over_budget
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document.budget import over_budget
 from smsl_studio.smsl.json_form.characters import HALF_PAIR
 from smsl_studio.smsl.native_form import strays
 from smsl_studio.smsl.native_form.count import beyond_budget

@@ -13,10 +13,10 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from smsl_studio.smsl.arrangement import arranged, permuted, survivors
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document.arrangement import arranged, permuted, survivors
+from smsl_studio.smsl.document.likeness import same
 from smsl_studio.smsl.json_form.splice import spliced_value
-from smsl_studio.smsl.likeness import same
 from smsl_studio.smsl.native_form.headers import respelled_header
 from smsl_studio.smsl.native_form.parser import parse
 from smsl_studio.smsl.native_form.rows import ElementRow, Slot, has_break

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from smsl_studio.smsl.comments import Comments
+from smsl_studio.smsl.document.comments import Comments
 from smsl_studio.smsl.native_form.comments import with_comments
 from smsl_studio.smsl.native_form.style import CANONICAL, values_text
 

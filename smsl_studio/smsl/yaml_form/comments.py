@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import re
 
-from smsl_studio.smsl.comments import NO_COMMENTS, Comments, Holder, Leaf, comments_between
 from smsl_studio.smsl.document import Path
+from smsl_studio.smsl.document.comments import NO_COMMENTS, Comments, Holder, Leaf, comments_between
 from smsl_studio.smsl.yaml_form.levels import FILE, below, is_map
 from smsl_studio.smsl.yaml_form.nodes import YamlNode
 from smsl_studio.smsl.yaml_form.spans import YamlSpans, entries

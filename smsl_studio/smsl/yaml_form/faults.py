@@ -9,7 +9,7 @@ import yaml
 
 from smsl_studio.errors import ReadError, TextFix
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.limits import MAX_FAULTS
+from smsl_studio.smsl.document.limits import MAX_FAULTS
 
 
 class YamlFault(NamedTuple):

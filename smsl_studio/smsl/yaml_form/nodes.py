@@ -15,7 +15,7 @@ from typing import Any
 import yaml
 
 from smsl_studio.errors import TextFix
-from smsl_studio.smsl.limits import MAX_DEPTH, TOO_DEEP, most_values, too_many_values
+from smsl_studio.smsl.document.limits import MAX_DEPTH, TOO_DEEP, most_values, too_many_values
 from smsl_studio.smsl.yaml_form.faults import YamlFault, shown, syntax_fault
 
 MAX_REPEATED = 250_000

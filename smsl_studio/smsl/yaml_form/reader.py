@@ -11,7 +11,7 @@ from typing import Any
 
 from smsl_studio.errors import TextFix
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.limits import MAX_CHARACTERS, TOO_LONG
+from smsl_studio.smsl.document.limits import MAX_CHARACTERS, TOO_LONG
 from smsl_studio.smsl.yaml_form import scalars
 from smsl_studio.smsl.yaml_form.faults import YamlFault, as_error, shown
 from smsl_studio.smsl.yaml_form.levels import FILE, FREE, NAME, below, is_map, members, strangers

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from smsl_studio.errors import EditRefused, ReadError
-from smsl_studio.smsl.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.document import Document, Path
-from smsl_studio.smsl.likeness import same
+from smsl_studio.smsl.document.comments import NO_COMMENTS, Comments
+from smsl_studio.smsl.document.likeness import same
 from smsl_studio.smsl.yaml_form.comments import comments_of
 from smsl_studio.smsl.yaml_form.faults import shown
 from smsl_studio.smsl.yaml_form.nodes import Tree

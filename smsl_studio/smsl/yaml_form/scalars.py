@@ -11,7 +11,7 @@ import re
 from math import isfinite
 from typing import Any
 
-from smsl_studio.smsl.limits import MAX_DIGITS
+from smsl_studio.smsl.document.limits import MAX_DIGITS
 
 Json = Any
 

@@ -12,8 +12,8 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from smsl_studio.smsl.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.document import Path
+from smsl_studio.smsl.document.comments import NO_COMMENTS, Comments
 from smsl_studio.smsl.yaml_form.levels import BRANCH, FILE, FREE, HEADER, NAME, STATE, below
 from smsl_studio.smsl.yaml_form.scalars import LONGEST_NAME, written
 

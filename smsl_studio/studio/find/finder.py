@@ -10,7 +10,7 @@ from typing import NamedTuple, Protocol
 from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.actions import Action, Actions, key_words
 from smsl_studio.studio.find.haystack import Haystack, Hit
 from smsl_studio.studio.find.places import PlaceIndex, Target

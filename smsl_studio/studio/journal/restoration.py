@@ -14,8 +14,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError
 from smsl_studio.picture.aligned import as_drawn
 from smsl_studio.smsl.disk import write_new
+from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import read_ordinary
-from smsl_studio.smsl.limits import LARGEST_FILE
 from smsl_studio.studio.broken import Broken, read_text
 from smsl_studio.studio.files.files import Files
 from smsl_studio.studio.files.opened_file import OpenedFile, open_file, understood

@@ -9,8 +9,8 @@ from PySide6.QtCore import QModelIndex, QObject, Qt, Signal
 from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.finding import Finding, Severity
 from smsl_studio.inspection.repair import Repair, certain_errors, mend, mend_errors
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.beside import Beside
 from smsl_studio.studio.broken import Broken
 from smsl_studio.studio.controls import Elided, label, row

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address, note_key
 from smsl_studio.blueprint.annotations import PLAIN, OperationNote
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.inspection.finding import Finding, Severity
+from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.controls import label, name_parts
 from smsl_studio.studio.icons import ACTOR_ICON, icon
 from smsl_studio.studio.panels.frame import Heading, Panel

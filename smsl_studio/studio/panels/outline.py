@@ -14,7 +14,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.names import fresh_branch_name
 from smsl_studio.errors import EditRefused
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.icons import icon
 from smsl_studio.studio.panels.fact_menu import fact_menu
 from smsl_studio.studio.panels.fact_name import fact_name_step

@@ -13,8 +13,8 @@ from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import ReadError, StudioError
 from smsl_studio.runlog.events import RunStarted
+from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
 from smsl_studio.runlog.log import FORMAT
-from smsl_studio.runlog.log_reader import Going, LoggedRun, read_log
 from smsl_studio.runlog.playback import Playback
 from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.inputs import read_ordinary

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QTextCharFormat, QTextCursor, QTextFormat
 from PySide6.QtWidgets import QTextEdit
 
 from smsl_studio.errors import Place, ReadError
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.icons import severity_colour
 from smsl_studio.studio.source.around import tokens
 from smsl_studio.studio.source.editor import Editor

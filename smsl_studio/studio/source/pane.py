@@ -13,7 +13,7 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.smsl.document import Document
 from smsl_studio.studio.broken import document_of
 from smsl_studio.studio.session import Session

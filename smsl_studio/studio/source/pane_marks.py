@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import ReadError
-from smsl_studio.inspection.finding import Finding
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source import marks
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import partial
 
 from smsl_studio.errors import ReadError, TextFix
-from smsl_studio.inspection.finding import Finding
 from smsl_studio.inspection.repair import mend
+from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.session import Session
 from smsl_studio.studio.source.marks import fault_span, offset_of
 from smsl_studio.studio.source.sheet import TextSheet

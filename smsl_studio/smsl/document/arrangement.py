@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from smsl_studio.smsl.likeness import same
+from smsl_studio.smsl.document.likeness import same
 
 Json = Any
 

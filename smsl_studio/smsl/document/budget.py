@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.limits import MAX_CHARACTERS, TOO_LONG, too_many_values
+from smsl_studio.smsl.document.limits import MAX_CHARACTERS, TOO_LONG, too_many_values
 
 
 def over_budget(text: str) -> tuple[str, str]:
