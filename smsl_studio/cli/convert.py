@@ -11,8 +11,9 @@ from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
 from smsl_studio.cli.output import Output, note, note_losses
 from smsl_studio.errors import UsageError
 from smsl_studio.smsl.conversion import convert
+from smsl_studio.smsl.document import WORDS
 from smsl_studio.smsl.files import save_document
-from smsl_studio.smsl.forms import SUFFIXES, WORDS
+from smsl_studio.smsl.forms import SUFFIXES
 
 
 def add_arguments(parser: ArgumentParser) -> None:

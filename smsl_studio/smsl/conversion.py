@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from smsl_studio.errors import ConvertError
-from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import HOLD_COMMENTS, WORDS, form_named
+from smsl_studio.smsl.document import WORDS, Document
+from smsl_studio.smsl.forms import HOLD_COMMENTS, form_named
 
 
 @dataclass(frozen=True)

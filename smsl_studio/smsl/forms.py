@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any, Protocol
 
+from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.document import Document, Path
 
 if TYPE_CHECKING:
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
 Json = Any
 
 SUFFIXES = {".json": "json", ".smsl": "smsl", ".yaml": "yaml", ".yml": "yaml"}
-WORDS = {"json": "JSON", "smsl": "SMSL", "yaml": "YAML"}
-"""What people call the forms."""
 HOLD_COMMENTS = ("smsl", "yaml")
 """The forms that have comments."""
 
@@ -32,6 +31,9 @@ class Form(Protocol):
 
     def recover(self, text: str, file: str) -> Document:
         """A document of its own with everything that could be read of a faulty text."""
+
+    def form_within(self, text: str) -> str:
+        """The other form in which a faulty text clearly is; the empty text where it is in none."""
 
     def write(self, values: Mapping[str, Json], comments: Comments | None = None) -> str:
         """Values as a new text in the canonical layout; ConvertError for what has no spelling.
@@ -73,6 +75,21 @@ def form_named(name: str) -> Form:
 
         return yaml_form
     raise KeyError(name)
+
+
+def recovered(text: str, file: str) -> Document:
+    """A document of its own with everything that could be read of a faulty text.
+
+    Where the text is clearly in another form than its name says, it is what can be read there.
+    """
+    own = form_named(form_of(file, text))
+    other = own.form_within(text)
+    if other:
+        try:
+            return own.parse(own.write(form_named(other).recover(text, file).values), file)
+        except (ConvertError, ValueError):
+            pass  # There is something in it that has no spelling here.
+    return own.recover(text, file)
 
 
 _NATIVE = re.compile(r"(?:\s|//[^\n]*(?:\n|$))*(?:,\s*)?(?:#|\{\s*(?:#|//|[^\s\"}]))")

@@ -23,7 +23,7 @@ from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.conversion import convert
 from smsl_studio.smsl.document import Document, decode
 from smsl_studio.smsl.files import parse_bytes, read_document
-from smsl_studio.smsl.forms import form_named, form_of
+from smsl_studio.smsl.forms import form_named, recovered
 from smsl_studio.smsl.splice import reconcile
 
 TOKENS = [
@@ -157,7 +157,7 @@ def _read(raw: bytes, file: str) -> bool:
         document = parse_bytes(raw, file)
     except ReadError as error:
         _must_be_told(error, text, file)
-        found = form_named(form_of(file, text)).recover(text, file)
+        found = recovered(text, file)
         _use(salvage(found))
         return False
     assert document.encoded() == raw

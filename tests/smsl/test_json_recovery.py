@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.errors import ReadError
+from smsl_studio.smsl.forms import recovered
 from smsl_studio.smsl.json_form import parse_json, recover
 from smsl_studio.smsl.json_form.strides import balance_of
 
@@ -189,7 +190,7 @@ def test_another_form_under_the_name_of_json_is_told_as_that(text: str, form: st
     assert error.sentence == f"this is {form}, not JSON"
     assert "Name it f." in error.advice
     assert error.more == ()
-    document = recover(text, "f.json")
+    document = recovered(text, "f.json")
     assert list(document.values) == ["SB1"]
     assert parse_json(document.text, "f.json").values == document.values
 

@@ -18,6 +18,9 @@ from smsl_studio.errors import Place, ReadError
 
 Json = Any
 Path = tuple[str, ...]
+WORDS = {"json": "JSON", "smsl": "SMSL", "yaml": "YAML"}
+"""What people call the forms."""
+
 _LINE_END = re.compile("\r\n?|\n")
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from smsl_studio.smsl.json_form.reader import comments_in, parse, recover, write
+from smsl_studio.smsl.json_form.reader import comments_in, form_within, parse, recover, write
 
 if TYPE_CHECKING:
     from smsl_studio.smsl.json_form.canonical import tidy
@@ -19,6 +19,7 @@ parse_json, write_json = parse, write
 
 __all__ = [
     "comments_in",
+    "form_within",
     "keep_winner",
     "parse",
     "parse_json",

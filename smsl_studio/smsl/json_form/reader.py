@@ -39,23 +39,18 @@ def parse(text: str, file: str) -> Document:
 
 
 def recover(text: str, file: str) -> Document:
-    """A document with what could be read of a faulty text, written canonically.
-
-    Where the text is clearly in another form it is read as that.
-    """
-    from smsl_studio.smsl.forms import form_named
+    """A document with what could be read of a faulty text, written canonically."""
     from smsl_studio.smsl.json_form.recovery import Recovery
+
+    values: Any = Recovery(text).values if beyond_budget(text) is None else {}
+    return Document(write(values), file, "json", values, JsonSpans)
+
+
+def form_within(text: str) -> str:
+    """The other form in which a faulty text clearly is; of one beyond the budget none is told."""
     from smsl_studio.smsl.json_form.refusals import other_form
 
-    values: Any = {}
-    if beyond_budget(text) is None:
-        form = other_form(text)
-        values = form_named(form).recover(text, file).values if form else Recovery(text).values
-    try:
-        clean = write(values)
-    except ValueError:  # YAML has numbers that JSON has not
-        values, clean = {}, write({})
-    return Document(clean, file, "json", values, JsonSpans)
+    return other_form(text) if beyond_budget(text) is None else ""
 
 
 def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:

@@ -6,8 +6,7 @@ import re
 from pathlib import PurePath
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import WORDS
+from smsl_studio.smsl.document import WORDS, Document
 from smsl_studio.smsl.json_form.recovery import Recovery
 from smsl_studio.smsl.json_form.spans import JsonSpans, skip_space
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from smsl_studio.errors import ReadError
-from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import WORDS
+from smsl_studio.smsl.document import WORDS, Document
 from smsl_studio.smsl.json_form.refusals import other_form
 from smsl_studio.smsl.native_form.spans import NativeSpans
 from smsl_studio.smsl.native_form.tokens import content_start

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint, salvage
 from smsl_studio.errors import ReadError
 from smsl_studio.smsl.files import read_content, text_of
-from smsl_studio.smsl.forms import form_named, form_of
+from smsl_studio.smsl.forms import form_named, form_of, recovered
 from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.studio.broken import Broken
 
@@ -34,7 +34,7 @@ def understood(text: str, file: str) -> OpenedFile:
         try:
             document = form.parse(text, file)
         except ReadError as error:
-            return OpenedFile(salvage(form.recover(text, file)), Broken(file, text, error))
+            return OpenedFile(salvage(recovered(text, file)), Broken(file, text, error))
         try:
             return OpenedFile(read_blueprint(document))
         except ReadError as error:

@@ -8,8 +8,8 @@ from pathlib import Path
 from smsl_studio.blueprint.relocation import relocated
 from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.conversion import convert
-from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.forms import SUFFIXES, WORDS, form_of
+from smsl_studio.smsl.document import WORDS, Document
+from smsl_studio.smsl.forms import SUFFIXES, form_of
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QSizePolicy, QStatusBar, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import plain_text
-from smsl_studio.smsl.forms import WORDS
+from smsl_studio.smsl.document import WORDS
 from smsl_studio.studio.controls import Label, row, rule
 from smsl_studio.studio.theme import STATUS_LINE
 from smsl_studio.studio.tips import tip_text
