@@ -8,7 +8,7 @@ from functools import partial
 from benches.row import Row, median_ms
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.generate.rules import hanoi
-from smsl_studio.studio.find.places import PlaceIndex
+from smsl_studio.studio.features.draw.find.places import PlaceIndex
 
 TYPED = (
     "State_abcabc",

@@ -19,8 +19,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benches.row import Row
-from smsl_studio.studio.journal.leftovers import left_behind
-from smsl_studio.studio.journal.place import folder_of
+from smsl_studio.studio.document.journal.leftovers import left_behind
+from smsl_studio.studio.document.journal.place import folder_of
 
 ROOT = Path(__file__).resolve().parents[1]
 SAMPLE = ROOT / "samples" / "hfsm.json"
@@ -31,9 +31,9 @@ import os, sys, time
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.app import make_application, make_window
-from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.shell.application import make_application, make_window
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.shell.windows import Windows
 
 application = make_application([])
 window = make_window(Windows(application, Settings()), sys.argv[1])

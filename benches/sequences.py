@@ -52,7 +52,7 @@ def _share(first: int) -> tuple[list[str], float]:
     """The findings of one share, and the CPU seconds it took."""
     import time
 
-    from smsl_studio.studio.app import make_application
+    from smsl_studio.studio.shell.application import make_application
     from tests.sequences.shares import findings
 
     application = make_application(["sequences"])

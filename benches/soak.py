@@ -43,7 +43,7 @@ def all_rows() -> Iterator[Row]:
 
 def _rows(share: int) -> Iterator[Row]:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    from smsl_studio.studio.app import make_application
+    from smsl_studio.studio.shell.application import make_application
     from tests.sequences.seat import Seat
 
     application = make_application(["soak"])

@@ -10,9 +10,9 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.pane import SourcePane
-from smsl_studio.studio.theme import LIGHT
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.source.pane import SourcePane
 
 WORD = '"Op_1"'
 

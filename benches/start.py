@@ -11,9 +11,9 @@ from benches.row import Row, process_ms
 
 SAMPLE = "samples/hanoi-corrected.json"
 WINDOW = f"""
-from smsl_studio.studio.app import make_application, make_window
-from smsl_studio.studio.windows import Windows
-from smsl_studio.studio.settings import Settings
+from smsl_studio.studio.shell.application import make_application, make_window
+from smsl_studio.studio.shell.windows import Windows
+from smsl_studio.studio.base.settings import Settings
 application = make_application([])
 window = make_window(Windows(application, Settings()), {SAMPLE!r})
 application.processEvents()

@@ -39,13 +39,13 @@ import smsl_studio as smsl  # noqa: E402
 from smsl_studio.blueprint.address import Address  # noqa: E402
 from smsl_studio.blueprint.editing import rename  # noqa: E402
 from smsl_studio.dispatch.people.task import Task  # noqa: E402
-from smsl_studio.studio.app import make_application, make_window, offer_recovery  # noqa: E402
-from smsl_studio.studio.people.persons import Person  # noqa: E402
-from smsl_studio.studio.settings import Settings  # noqa: E402
-from smsl_studio.studio.style import dress  # noqa: E402
-from smsl_studio.studio.theme import LIGHT  # noqa: E402
-from smsl_studio.studio.window import Window  # noqa: E402
-from smsl_studio.studio.windows import Windows  # noqa: E402
+from smsl_studio.studio.base.settings import Settings  # noqa: E402
+from smsl_studio.studio.base.style import dress  # noqa: E402
+from smsl_studio.studio.base.theme import LIGHT  # noqa: E402
+from smsl_studio.studio.running.persons import Person  # noqa: E402
+from smsl_studio.studio.shell.application import make_application, make_window, offer_recovery  # noqa: E402
+from smsl_studio.studio.shell.window import Window  # noqa: E402
+from smsl_studio.studio.shell.windows import Windows  # noqa: E402
 from tests.monitor.broker import Broker, Node  # noqa: E402
 
 SIZES = ((1280, 800), (1440, 900), (1920, 1080))

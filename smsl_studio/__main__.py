@@ -48,7 +48,7 @@ def _open_window(arguments: list[str]) -> int:
     if missing:
         return _no_window(missing)
     try:
-        from smsl_studio.studio.app import main as window
+        from smsl_studio.studio.shell.application import main as window
     except ImportError as error:
         if (error.name or "").startswith("smsl_studio"):
             raise  # a fault of ours, not of this machine

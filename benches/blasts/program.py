@@ -39,12 +39,12 @@ def show(file: str) -> int:
     from PySide6.QtCore import QEventLoop, QTimer
 
     from smsl_studio.library.loading import Loaded
-    from smsl_studio.studio.app import make_application, make_window
-    from smsl_studio.studio.plugins import Plugins
-    from smsl_studio.studio.settings import Settings
-    from smsl_studio.studio.style import dress
-    from smsl_studio.studio.theme import LIGHT
-    from smsl_studio.studio.windows import Windows
+    from smsl_studio.studio.base.settings import Settings
+    from smsl_studio.studio.base.style import dress
+    from smsl_studio.studio.base.theme import LIGHT
+    from smsl_studio.studio.shell.application import make_application, make_window
+    from smsl_studio.studio.shell.plugins import Plugins
+    from smsl_studio.studio.shell.windows import Windows
 
     application = make_application(sys.argv)
     dress(application, LIGHT)

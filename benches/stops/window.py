@@ -24,13 +24,13 @@ from PySide6.QtWidgets import QApplication, QComboBox
 
 from benches.stops.hooks import call_before
 from smsl_studio.host.spare import Spare
-from smsl_studio.studio.app import make_window
-from smsl_studio.studio.plugins import Plugins
-from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.style import dress
-from smsl_studio.studio.theme import LIGHT
-from smsl_studio.studio.window import Window
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import dress
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.shell.application import make_window
+from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
 
 LIMIT = 20.0
 """Wall seconds after which a moment is told as one that was never stopped."""

@@ -17,7 +17,7 @@ from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.runlog.retold import Retold
-from smsl_studio.studio.run.runner import FASTEST, Runner
+from smsl_studio.studio.running.runner import FASTEST, Runner
 from tests.front.any_run import AnyRun, any_run
 
 RUNS = 20

@@ -37,6 +37,27 @@ FLOORS: dict[str, float] = {
     "__main__": 9,
 }
 
+WHOLE = (PACKAGE, f"{PACKAGE}.studio", f"{PACKAGE}.studio.features")
+"""The packages of which the next name says which room, floor or feature is asked for."""
+
+STUDIO_FLOORS: dict[str, int] = {"base": 1, "document": 2, "running": 3, "features": 4, "shell": 5}
+"""The floors inside the window, which are folders of ``studio/``."""
+
+STILL_UPWARD: frozenset[tuple[str, str]] = frozenset(
+    {
+        ("base/words.py", "document.broken"),
+        ("features/draw/find/destinations.py", "shell.frame.docks"),
+        ("features/draw/menus/files.py", "shell.windows"),
+        ("features/draw/menus/view.py", "shell.frame.docks"),
+        ("features/draw/menus/view.py", "shell.windows"),
+        ("features/draw/tidings.py", "shell.frame.status_line"),
+        ("features/replay/actions.py", "shell.windows"),
+        ("features/run/actions.py", "shell.windows"),
+        ("features/run/pane.py", "features.monitor.opener"),
+    }
+)
+"""Imports inside the window that do not keep its floors yet; none may come to these."""
+
 BULLET = "world/bullet.py"
 HOMES: dict[str, tuple[str, ...]] = {
     "PySide6": ("studio/",),
@@ -94,8 +115,8 @@ def _names(node: ast.AST) -> Iterator[str]:
     elif isinstance(node, ast.ImportFrom):
         if node.level:
             yield "." * node.level + (node.module or "")
-        elif node.module == PACKAGE:
-            yield from (f"{PACKAGE}.{alias.name}" for alias in node.names)
+        elif node.module in WHOLE:
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
         else:
             yield node.module or ""
     elif isinstance(node, ast.Call) and node.args and _imports_by_name(node.func):
@@ -122,10 +143,27 @@ def _own(item: Import, rest: str) -> str:
     there = there if there in FLOORS else "__init__"
     if here not in FLOORS:
         return f"{here} is no room of the house"
+    if here == there == "studio":
+        return _inside_the_studio(item, rest)
     if here == there or FLOORS[there] < FLOORS[here]:
         return ""
     words = "its neighbour" if FLOORS[there] == FLOORS[here] else "upstairs to"
     return f"{here} looks {words} {there}"
+
+
+def _inside_the_studio(item: Import, rest: str) -> str:
+    file, asked = item.file.partition("/")[2], rest.partition(".")[2]
+    here, there = file.removesuffix(".py").split("/"), asked.split(".")
+    if here[0] not in STUDIO_FLOORS:
+        return f"{here[0]} is no floor of the window"
+    if (file, asked) in STILL_UPWARD:
+        return ""
+    above = STUDIO_FLOORS.get(there[0], 0) - STUDIO_FLOORS[here[0]]
+    if above > 0:
+        return f"{here[0]} looks upstairs to {asked}"
+    if above == 0 and here[0] == "features" and here[1] != "".join(there[1:2]):
+        return f"feature {here[1]} looks at its neighbour {asked}"
+    return ""
 
 
 def _foreign(item: Import, top: str) -> str:

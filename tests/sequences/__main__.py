@@ -9,7 +9,7 @@ import sys
 def main(first: int, last: int) -> int:
     """Do these sequences at one window; 1 where something does not agree."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    from smsl_studio.studio.app import make_application
+    from smsl_studio.studio.shell.application import make_application
     from tests.sequences.shares import findings
 
     application = make_application(["sequences"])

@@ -8,12 +8,12 @@ from pathlib import Path
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.layout import place_states
-from smsl_studio.studio.canvas.canvas import Canvas
-from smsl_studio.studio.panels.outline_nodes import OutlineNodes
-from smsl_studio.studio.panels.outline_tree import line_of
-from smsl_studio.studio.session import Session
-from smsl_studio.studio.source.sheet import TextSheet
-from smsl_studio.studio.window import Window
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.outline_nodes import OutlineNodes
+from smsl_studio.studio.features.draw.panels.outline_tree import line_of
+from smsl_studio.studio.features.draw.source.sheet import TextSheet
+from smsl_studio.studio.shell.window import Window
 from tests.blueprint.histories import as_read, stand
 from tests.stories.at_outline import everything
 

@@ -20,14 +20,14 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 
 from smsl_studio import front
 from smsl_studio.library.loading import Loaded
-from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
-from smsl_studio.studio.canvas.overlays.name_field import NameField
-from smsl_studio.studio.files.dialogs import Dialogs
-from smsl_studio.studio.plugins import Plugins
-from smsl_studio.studio.run.runner import FASTEST
-from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.window import Window
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.features.draw.files.dialogs import Dialogs
+from smsl_studio.studio.running.runner import FASTEST
+from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
 
 PATIENCE = 60.0
 """Wall seconds a run may take to do what it was told."""

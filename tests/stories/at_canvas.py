@@ -14,11 +14,11 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.blueprint.writing import new_blueprint
 from smsl_studio.smsl.json_form import parse_json
-from smsl_studio.studio.canvas.canvas import Canvas
-from smsl_studio.studio.canvas.editor import CanvasEditor
-from smsl_studio.studio.canvas.sheet import Sheet
-from smsl_studio.studio.session import Session
-from smsl_studio.studio.theme import LIGHT
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 LEFT = Qt.MouseButton.LeftButton

@@ -5,9 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import QModelIndex
 from PySide6.QtTest import QTest
 
-from smsl_studio.studio.panels.outline_lines import OutlineLine
-from smsl_studio.studio.panels.outline_nodes import OutlineNodes
-from smsl_studio.studio.panels.outline_tree import OutlineTree, line_of
+from smsl_studio.studio.features.draw.panels.outline_lines import OutlineLine
+from smsl_studio.studio.features.draw.panels.outline_nodes import OutlineNodes
+from smsl_studio.studio.features.draw.panels.outline_tree import OutlineTree, line_of
 from tests.stories.person import LEFT
 
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QPushButton
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog.events import Event
-from smsl_studio.studio.run.pane import RunPane
+from smsl_studio.studio.features.run.pane import RunPane
 from tests.stories.person import LEFT, Person, address
 
 PATIENCE = 120_000

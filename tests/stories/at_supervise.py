@@ -6,8 +6,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QPushButton
 
 from smsl_studio.runlog.events import Commanded, Event
-from smsl_studio.studio.run.run_session import RunSession
-from smsl_studio.studio.supervise.pane import SupervisePane
+from smsl_studio.studio.features.supervise.pane import SupervisePane
+from smsl_studio.studio.running.run_session import RunSession
 from tests.stories.person import Person
 
 PATIENCE = 30_000

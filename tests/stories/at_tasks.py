@@ -10,10 +10,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from smsl_studio.runlog.events import Event
-from smsl_studio.studio.people.card_view import CardView
-from smsl_studio.studio.people.people import People
-from smsl_studio.studio.people.persons import Person as Named
-from smsl_studio.studio.people.task_card import TaskCard
+from smsl_studio.studio.features.people.card_view import CardView
+from smsl_studio.studio.features.people.people import People
+from smsl_studio.studio.features.people.task_card import TaskCard
+from smsl_studio.studio.running.persons import Person as Named
 from tests.stories.person import LEFT, Person
 
 PATIENCE = 30_000

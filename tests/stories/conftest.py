@@ -14,13 +14,13 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.loading import Loaded
-from smsl_studio.studio.app import make_window
-from smsl_studio.studio.plugins import Plugins
-from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.style import dress
-from smsl_studio.studio.theme import LIGHT
-from smsl_studio.studio.window import Window
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import dress
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.shell.application import make_window
+from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
 from tests.stories.person import Person
 
 Sit = Callable[..., Person]

@@ -15,8 +15,8 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio.window import Window
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
 
 SAMPLES = Path(__file__).parents[2] / "samples"
 LEFT = Qt.MouseButton.LeftButton

@@ -21,16 +21,16 @@ from smsl_studio.front.revisions import Revision
 from smsl_studio.home import user_folder
 from smsl_studio.inspection.repair import Repair
 from smsl_studio.library.loading import Loaded
-from smsl_studio.studio.app import make_application, make_window, offer_recovery
-from smsl_studio.studio.compare.revision_dialog import RevisionDialog
-from smsl_studio.studio.panels.fix_list import FixList
-from smsl_studio.studio.plugin_question import PluginQuestion
-from smsl_studio.studio.plugins import Plugins
-from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.style import dress
-from smsl_studio.studio.theme import LIGHT
-from smsl_studio.studio.window import Window
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import dress
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
+from smsl_studio.studio.features.draw.panels.fix_list import FixList
+from smsl_studio.studio.shell.application import make_application, make_window, offer_recovery
+from smsl_studio.studio.shell.plugin_question import PluginQuestion
+from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
 from tests.plugin_folder import found_plugin, write_plugin
 from tests.stories.small_screen import Box, box, until
 

@@ -18,13 +18,13 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
 from smsl_studio.library.loading import Loaded
-from smsl_studio.studio.app import make_application, make_window
-from smsl_studio.studio.plugins import Plugins
-from smsl_studio.studio.settings import Settings
-from smsl_studio.studio.style import dress
-from smsl_studio.studio.theme import LIGHT
-from smsl_studio.studio.window import Window
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import dress
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.shell.application import make_application, make_window
+from smsl_studio.studio.shell.plugins import Plugins
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
 
 Box = tuple[int, int, int, int]
 

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import MOST
 from smsl_studio.picture.picture import Picture
-from smsl_studio.studio.panels import library
+from smsl_studio.studio.features.draw.panels import library
 from tests.bombs.table import BY_NAME
 from tests.bombs.test_work import steps
 from tests.stories.conftest import Sit
@@ -82,7 +82,7 @@ def test_a_file_that_is_opened_is_drawn_once(
         drawn.append(branch)
         return Picture(blueprint, branch)
 
-    monkeypatch.setattr("smsl_studio.studio.canvas.canvas.Picture", counted)
+    monkeypatch.setattr("smsl_studio.studio.base.canvas.canvas.Picture", counted)
     for name, first in (("states_in_a_ring", "B"), ("long_sbs", "0" * 9_000)):
         person.window.open_path(bomb(tmp_path, name, SIZE))
         person.until_inspected()

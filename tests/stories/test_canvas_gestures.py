@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
-from smsl_studio.studio.canvas.overlays.name_field import NameField
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.name_field import NameField
 from tests.stories.at_canvas import Drawer, sample
 
 Key, Modifier, Button = Qt.Key, Qt.KeyboardModifier, Qt.MouseButton
@@ -478,7 +478,7 @@ def test_a_double_click_on_a_fact_enters_its_sub_sb_and_the_breadcrumb_leads_bac
 
 
 def _chip(person: Drawer, state: str, digit: int) -> QPointF:
-    from smsl_studio.studio.canvas.node_paint import chip_places
+    from smsl_studio.studio.base.paint.node_paint import chip_places
 
     sheet = person.canvas.sheet
     assert sheet is not None

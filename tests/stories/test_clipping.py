@@ -9,7 +9,7 @@ from PySide6.QtCore import QMimeData, QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 
 from smsl_studio.smsl.forms import form_named
-from smsl_studio.studio.clipboard import KIND
+from smsl_studio.studio.features.draw.canvas.clipboard import KIND
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 

@@ -13,7 +13,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.window import Window
+from smsl_studio.studio.shell.window import Window
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
@@ -100,7 +100,7 @@ def begin_look(window: Window) -> None:
 def test_a_window_is_closed_while_something_goes_on(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, begin: Callable[[Window], None]
 ) -> None:
-    monkeypatch.setattr("smsl_studio.studio.source.typed_text.LARGE", 1)
+    monkeypatch.setattr("smsl_studio.studio.features.draw.source.typed_text.LARGE", 1)
     before = set(threading.enumerate())
     person = sit(copy_of("hfsm.json", tmp_path))
     told: list[object] = []

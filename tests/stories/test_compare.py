@@ -17,9 +17,9 @@ from smsl_studio.blueprint import editing as edit
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.revisions import MOST, Revision
 from smsl_studio.picture.labels import meet
-from smsl_studio.studio.compare.dialog import CompareDialog
-from smsl_studio.studio.compare.revision_dialog import RevisionDialog
-from smsl_studio.studio.theme import LIGHT
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
+from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 
@@ -288,7 +288,7 @@ def test_one_state_that_was_moved_is_one_that_was_moved(sit: Sit, tmp_path: Path
 def test_no_name_of_a_comparison_lies_on_another_one(
     sit: Sit, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("smsl_studio.studio.screens.room", lambda _: QSize(1400, 900))
+    monkeypatch.setattr("smsl_studio.studio.base.screens.room", lambda _: QSize(1400, 900))
     person = sit(at(tmp_path, "hanoi.json"))
     person.window.session.edit(
         "Rename", lambda b: edit.rename(b, Address("SB1", "State_cbb", "Op_1c"), "Op_1b")

@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.panels.outline_tree import line_of
+from smsl_studio.studio.features.draw.panels.outline_tree import line_of
 from tests.stories.at_outline import shown
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person

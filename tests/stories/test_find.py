@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 
-from smsl_studio.studio.rows import LINE
+from smsl_studio.studio.base.rows import LINE
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.fix_card import FixCard
+from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 

@@ -10,8 +10,8 @@ from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
-from smsl_studio.studio.panels.kept import KeptValues
-from smsl_studio.studio.panels.lines.fact_rows import FactRows
+from smsl_studio.studio.base.lines.fact_rows import FactRows
+from smsl_studio.studio.features.draw.panels.kept import KeptValues
 from tests.stories.at_outline import click_line
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person

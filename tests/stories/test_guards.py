@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.canvas.accessible import edge_tip, words_for
+from smsl_studio.studio.base.canvas.accessible import edge_tip, words_for
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.tips import tip_text
+from smsl_studio.studio.base.tips import tip_text
 from tests.hostile_names import BRANCH, FIRST, OPERATION, TAG, TURNS, hidden, write_hostile
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit

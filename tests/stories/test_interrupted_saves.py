@@ -14,7 +14,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.smsl import outputs, together
 from smsl_studio.smsl.pending_saves import pending_saves
 from smsl_studio.smsl.together import save_together
-from smsl_studio.studio.app import offer_recovery
+from smsl_studio.studio.shell.application import offer_recovery
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 from tests.stories.test_recovery import die, offer_to

@@ -11,8 +11,8 @@ from PySide6.QtCore import QPointF
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.editing import change_notes
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.studio.canvas import lit_labels
-from smsl_studio.studio.panels import note_form
+from smsl_studio.studio.base.canvas import lit_labels
+from smsl_studio.studio.features.draw.panels import note_form
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person, address
 

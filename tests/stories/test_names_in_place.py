@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from smsl_studio.studio.controls import Field
+from smsl_studio.studio.base.controls import Field
 from tests.stories.at_outline import click_line, texts
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

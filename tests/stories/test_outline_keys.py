@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QMenu
 
-from smsl_studio.studio.panels.outline_tree import line_of
+from smsl_studio.studio.features.draw.panels.outline_tree import line_of
 from tests.stories.at_outline import click_line, texts
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

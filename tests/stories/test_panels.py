@@ -15,10 +15,10 @@ from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.repair import Repair
 from smsl_studio.stop import Stopped, heed
-from smsl_studio.studio.frame.context_menu import context_menu
-from smsl_studio.studio.frame.popups import fill_sub_sbs
-from smsl_studio.studio.panels.finding_rows import FindingsView
-from smsl_studio.studio.panels.fix_list import FixList
+from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
+from smsl_studio.studio.features.draw.canvas.popups import fill_sub_sbs
+from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
+from smsl_studio.studio.features.draw.panels.fix_list import FixList
 from tests.stories.at_outline import click_line, texts
 from tests.stories.conftest import Sit
 from tests.stories.person import LEFT, SAMPLES, Person, sample
@@ -236,7 +236,7 @@ def test_fixes_are_worked_out_beside_the_window_and_can_be_called_off(
             raise
         return Repair((), blueprint)
 
-    monkeypatch.setattr("smsl_studio.studio.panels.findings.mend_errors", long)
+    monkeypatch.setattr("smsl_studio.studio.features.draw.panels.findings.mend_errors", long)
     person = sit(HANOI)
     person.until_inspected()
     button = person.window.findings.fix_all_button

@@ -9,8 +9,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from smsl_studio.runlog.events import Commanded, TaskAnswered
-from smsl_studio.studio.people.persons import Person as Named
-from smsl_studio.studio.people.persons_dialog import PersonsDialog
+from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
+from smsl_studio.studio.running.persons import Person as Named
 from tests.stories.at_tasks import NURSE, SURGEON, AtTasks, asking
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES

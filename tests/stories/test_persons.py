@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.runlog.events import Commanded
-from smsl_studio.studio.people.persons_dialog import PersonsDialog
+from smsl_studio.studio.features.people.persons_dialog import PersonsDialog
 from tests.stories.at_tasks import AtTasks, asking
 from tests.stories.conftest import Sit
 from tests.stories.person import Person

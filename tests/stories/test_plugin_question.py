@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel
 
 from smsl_studio.library.survey import PluginState
-from smsl_studio.studio.plugin_question import PluginQuestion
+from smsl_studio.studio.shell.plugin_question import PluginQuestion
 from tests.plugin_folder import found_plugin, write_plugin
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.host.spare import Spare
-from smsl_studio.studio.plugins import Plugins
+from smsl_studio.studio.shell.plugins import Plugins
 from tests.plugin_folder import write_plugin
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit

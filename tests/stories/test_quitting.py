@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.window import Window
+from smsl_studio.studio.shell.window import Window
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 from tests.stories.test_closing import by_hand

@@ -8,11 +8,11 @@ from pathlib import Path
 from PySide6.QtWidgets import QLabel
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.app import offer_recovery
-from smsl_studio.studio.journal.entry import JournalEntry, KeptText, encode
-from smsl_studio.studio.journal.leftovers import left_behind
-from smsl_studio.studio.journal.offer import RecoveryOffer
-from smsl_studio.studio.journal.place import JournalFile, folder_of
+from smsl_studio.studio.document.journal.entry import JournalEntry, KeptText, encode
+from smsl_studio.studio.document.journal.leftovers import left_behind
+from smsl_studio.studio.document.journal.place import JournalFile, folder_of
+from smsl_studio.studio.features.draw.safety.offer import RecoveryOffer
+from smsl_studio.studio.shell.application import offer_recovery
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 

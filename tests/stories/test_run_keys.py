@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 import smsl_studio as smsl
-from smsl_studio.studio.replay.watched import Watched
-from smsl_studio.studio.windows import Windows
+from smsl_studio.studio.features.replay.watched import Watched
+from smsl_studio.studio.shell.windows import Windows
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person
 

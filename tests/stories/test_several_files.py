@@ -15,11 +15,11 @@ from PySide6.QtWidgets import QApplication, QMessageBox
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl import together
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio import rows
-from smsl_studio.studio.files.dialogs import Dialogs
-from smsl_studio.studio.panels import outline_tree
-from smsl_studio.studio.rows import TextInk
-from smsl_studio.studio.theme import text_font
+from smsl_studio.studio.base import rows
+from smsl_studio.studio.base.rows import TextInk
+from smsl_studio.studio.base.theme import text_font
+from smsl_studio.studio.features.draw.files.dialogs import Dialogs
+from smsl_studio.studio.features.draw.panels import outline_tree
 from tests.stories.at_outline import lines
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

@@ -13,7 +13,7 @@ from smsl_studio.runlog.events import (
     RunStopped,
     TakenOver,
 )
-from smsl_studio.studio.people.persons import Person
+from smsl_studio.studio.running.persons import Person
 from tests.stories.at_supervise import AtSupervise
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES

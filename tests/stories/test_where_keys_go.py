@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QScrollArea
 
-from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from tests.stories.at_outline import shown
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit

@@ -15,10 +15,10 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.studio.app import make_application, open_window
-from smsl_studio.studio.canvas.overlays.connect_card import ConnectCard
-from smsl_studio.studio.canvas.overlays.name_field import NameField
-from smsl_studio.studio.window import Window
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.shell.application import make_application, open_window
+from smsl_studio.studio.shell.window import Window
 
 EVERY = 150
 """Milliseconds between two acts."""

@@ -1,0 +1,1 @@
+"""What every part of the window is made of: colours, controls, rows, words. No documents."""

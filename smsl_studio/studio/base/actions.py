@@ -1,0 +1,133 @@
+"""Actions: one table of everything the window can be asked to do.
+
+Menus, mode bar, command palette, the list of shortcuts and the tests read it. A new action is one
+row in one of the files of ``commands/``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtWidgets import QWidget
+from shiboken6 import isValid
+
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+
+
+def always() -> bool:
+    """The condition of actions that can be done at any time."""
+    return True
+
+
+@dataclass(frozen=True)
+class Action:
+    """One thing to ask for.
+
+    ``keys`` are shortcuts, the first one is shown. ``scope`` is ``window``, or ``canvas`` for keys
+    that the canvas itself answers while it has the focus (single letters, Del, Enter).
+    ``section`` groups the actions of a menu; a rule stands between sections.
+    """
+
+    id: str
+    words: str
+    call: Callable[[], object]
+    menu: str = ""
+    icon: str = ""
+    keys: tuple[str, ...] = ()
+    enabled: Callable[[], bool] = always
+    checked: Callable[[], bool] | None = None
+    scope: str = "window"
+    section: int = 0
+    short: str = ""
+    """The words on a button of the mode bar, where they are shorter."""
+    tip: str = ""
+
+    @property
+    def hint(self) -> str:
+        """What the tooltip says: the words, what it does, and the shortcut."""
+        said = self.tip or self.words.rstrip("….")
+        return f"{said} ({key_words(self.keys[0])})" if self.keys else said
+
+
+def key_words(keys: str) -> str:
+    """A shortcut as this platform writes it."""
+    return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
+
+
+class Actions(QObject):
+    """The table as Qt actions, which follow what is enabled and checked.
+
+    ``before`` is called ahead of every one: what is being typed is taken over, because a key or a
+    button of the bar leaves the focus where it is.
+    """
+
+    def __init__(
+        self,
+        table: Iterable[Action],
+        window: QWidget,
+        tokens: Tokens,
+        before: Callable[[], object] = always,
+    ) -> None:
+        super().__init__(window)
+        self._before = before
+        self.table: dict[str, Action] = {action.id: action for action in table}
+        self._made: dict[str, QAction] = {}
+        self._held: frozenset[str] = frozenset()
+        for action in self.table.values():
+            made = QAction(action.words, window)
+            made.setObjectName(action.id)
+            made.setCheckable(action.checked is not None)
+            made.setIconVisibleInMenu(action.checked is None)
+            if action.scope == "window":
+                made.setShortcuts([QKeySequence(key) for key in action.keys])
+            elif action.keys:
+                # The canvas answers these keys itself; a menu only says them.
+                made.setText(f"{action.words}\t{key_words(action.keys[0])}")
+            made.setIconText(f" {action.short or action.words.rstrip('…')}")
+            made.setToolTip(tip_text(action.hint))
+            made.setStatusTip(tip_text(action.tip))
+            made.triggered.connect(self._caller(action))
+            if action.scope == "window":
+                window.addAction(made)
+            self._made[action.id] = made
+        self.set_tokens(tokens)
+        self.refresh()
+
+    def __getitem__(self, name: str) -> QAction:
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[Action]:
+        return iter(self.table.values())
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for action in self:
+            if action.icon:
+                self._made[action.id].setIcon(icon(action.icon, tokens))
+
+    def refresh(self) -> None:
+        """Ask every action whether it is enabled and checked."""
+        for action in self:
+            made = self._made[action.id]
+            made.setEnabled(action.enabled())
+            if action.checked is not None:
+                made.setChecked(action.checked())
+
+    def in_menu(self, menu: str) -> list[Action]:
+        """The actions of a menu, by section, in the order of the table."""
+        return sorted((a for a in self if a.menu == menu), key=lambda a: a.section)
+
+    def _caller(self, action: Action) -> Callable[[], None]:
+        def call() -> None:
+            self._before()
+            if action.enabled():
+                action.call()
+            # The window may have been closed by it.
+            if isValid(self):
+                self.refresh()
+
+        return call

@@ -1,0 +1,73 @@
+"""The canvas for assistive tools: every state as a child with a name and a place."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.guards import needs_words
+from smsl_studio.studio.base.paint.guard_sign import WORDS
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+FINDING = {"E": "error", "W": "warning", "I": "note"}
+
+
+def edge_tip(canvas: Canvas, edge: int) -> str:
+    """An operation for the pointer: its name, where it leads, what it needs and how that stands."""
+    sheet = canvas.sheet
+    assert sheet is not None
+    picture, address = sheet.picture, sheet.picture.address(edge)
+    target = picture.branch.table[address.state][address.operation]
+    told = canvas.marks.guards.get(address, ("", ""))[1]
+    needs = told or needs_words(picture.guards(edge))
+    lines = [address.operation, f"{address.state} to {target}", needs[:1].upper() + needs[1:]]
+    return "\n".join(line for line in lines if line)
+
+
+def words_for(canvas: Canvas, address: Address) -> str:
+    """A state or operation in words: "State_1100, active, 7 operations out"."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return ""
+    edge = sheet.picture.edge(address)
+    if edge >= 0:
+        target = sheet.picture.branch.table[address.state][address.operation]
+        words = [f"{address.operation}, {address.state} to {target}"]
+        look = sheet.looks.edge(edge)
+        words += [
+            key.replace("_", " ")
+            for key in ("selected", "planned", "pruned", "held_back", "risky")
+            if getattr(look, key)
+        ]
+        if look.running is not None:
+            words.append("running")
+        if look.finding:
+            words.append(FINDING.get(look.finding, "finding"))
+        how = sheet.looks.guard(edge)
+        needs = needs_words(sheet.picture.guards(edge))
+        words += [said for said in (needs, WORDS.get(how, "")) if said]
+        return ", ".join(words)
+    state = sheet.picture.node(address)
+    if state < 0:
+        return str(address)
+    return state_words(canvas, state)
+
+
+def state_words(canvas: Canvas, state: int) -> str:
+    """A state in words."""
+    sheet = canvas.sheet
+    assert sheet is not None
+    face, look = sheet.picture.face(state), sheet.looks.node(state)
+    words = [face.name]
+    for key in ("active", "selected", "visited", "next", "goal"):
+        if getattr(look, key):
+            words.append(key)
+    words += ["initial"] if face.initial else []
+    words += ["activating"] if face.activating else []
+    if look.finding:
+        words.append(FINDING.get(look.finding, "finding"))
+    out = len(sheet.picture.branch.table[face.name])
+    words.append(f"{out} operation{'' if out == 1 else 's'} out")
+    return ", ".join(words)

@@ -1,0 +1,266 @@
+"""The accessible interfaces of a canvas: the view, its states, and the operations of each state.
+
+QGraphicsObjects have no interface of their own. States are children of the canvas by number, and
+operations are children of the state they leave, in the order of the file. Those far off are there
+too: what is read out does not depend on the zoom.
+
+No class here overrides ``interface_cast``: PySide 6.11 cannot convert a None that comes back from
+it, and the process dies. Without an override Qt's own answer (no further interface) holds.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+from weakref import ref
+
+from PySide6.QtCore import QRect
+from PySide6.QtGui import QAccessible, QAccessibleInterface
+from shiboken6 import isValid
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.canvas.accessible import state_words, words_for
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.canvas.sheet import Sheet
+
+
+class CanvasAccessible(QAccessibleInterface):
+    """The canvas: a graphic whose children are the states of the SB that is shown.
+
+    PySide never lets go of an interface it was given for Qt; the canvas is to go all the same, and
+    what it shows with it, so that nothing here holds it.
+    """
+
+    def __init__(self, canvas: Canvas) -> None:
+        super().__init__()
+        self._held = ref(canvas)
+        self._children: dict[int, StateAccessible] = {}
+
+    @property
+    def canvas(self) -> Canvas:
+        """The canvas, while it is there; Qt asks nothing of what is not valid."""
+        canvas = self._held()
+        assert canvas is not None
+        return canvas
+
+    def isValid(self) -> bool:
+        canvas = self._held()
+        return canvas is not None and isValid(canvas)
+
+    @property
+    def sheet(self) -> Sheet | None:
+        """What the canvas shows; None where it is gone."""
+        return self.canvas.sheet if self.isValid() else None
+
+    def object(self) -> Any:
+        return self.canvas if self.isValid() else None
+
+    def window(self) -> Any:
+        return self.canvas.window().windowHandle()
+
+    def parent(self) -> Any:
+        parent = self.canvas.parentWidget()
+        return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
+
+    def childCount(self) -> int:
+        sheet = self.sheet
+        return len(sheet.picture) if sheet is not None else 0
+
+    def child(self, index: int) -> Any:
+        if not 0 <= index < self.childCount():
+            return None
+        if index not in self._children:
+            self._children[index] = StateAccessible(self, index)
+        return self._children[index]
+
+    def indexOfChild(self, child: QAccessibleInterface) -> int:
+        return child.index if isinstance(child, StateAccessible) else -1
+
+    def childAt(self, x: int, y: int) -> Any:
+        sheet = self.sheet
+        if sheet is None:
+            return None
+        at = self.canvas.mapToScene(self.canvas.viewport().mapFromGlobal(QRect(x, y, 1, 1)
+                                                                           .topLeft()))  # fmt: skip
+        return self.child(sheet.state_at(at.x(), at.y()))
+
+    def focusChild(self) -> Any:
+        """The state that is selected last."""
+        sheet = self.sheet
+        for address in reversed(self.canvas.marks.selection):
+            state = sheet.picture.node(address) if sheet is not None else -1
+            if state >= 0:
+                return self.child(state)
+        return None
+
+    def text(self, kind: QAccessible.Text) -> str:
+        if kind == QAccessible.Text.Name:
+            return self.canvas.accessibleName()
+        if kind == QAccessible.Text.Description:
+            return self.canvas.accessibleDescription()
+        return ""
+
+    def setText(self, kind: QAccessible.Text, text: str) -> None:
+        """Names follow the blueprint; they are not set from outside."""
+
+    def rect(self) -> QRect:
+        canvas = self.canvas
+        return QRect(canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size())
+
+    def role(self) -> QAccessible.Role:
+        return QAccessible.Role.Graphic
+
+    def state(self) -> QAccessible.State:
+        found = QAccessible.State()
+        found.focusable = True
+        found.focused = self.canvas.hasFocus()
+        found.invisible = not self.canvas.isVisible()
+        return found
+
+
+class StateAccessible(QAccessibleInterface):
+    """One state, read as "State_1100, active, 7 operations out"."""
+
+    def __init__(self, parent: CanvasAccessible, index: int) -> None:
+        super().__init__()
+        self._parent, self.index = parent, index
+        self._children: dict[Address, OperationAccessible] = {}
+
+    @property
+    def canvas(self) -> Canvas:
+        """The canvas that shows it."""
+        return self._parent.canvas
+
+    def isValid(self) -> bool:
+        return self._parent.isValid() and self.index < self._parent.childCount()
+
+    def object(self) -> Any:
+        return None
+
+    def window(self) -> Any:
+        return self._parent.window()
+
+    def parent(self) -> QAccessibleInterface:
+        return self._parent
+
+    @property
+    def operations(self) -> tuple[Address, ...]:
+        """The operations that leave the state, in the order of the file."""
+        sheet = self._parent.sheet
+        if sheet is None or not self.isValid():
+            return ()
+        branch, state = sheet.picture.branch, sheet.picture.names[self.index]
+        return tuple(Address(branch.name, state, name) for name in branch.table[state])
+
+    def childCount(self) -> int:
+        return len(self.operations)
+
+    def child(self, index: int) -> Any:
+        operations = self.operations
+        if not 0 <= index < len(operations):
+            return None
+        address = operations[index]
+        if address not in self._children:
+            self._children[address] = OperationAccessible(self, address)
+        return self._children[address]
+
+    def indexOfChild(self, child: QAccessibleInterface) -> int:
+        operations = self.operations
+        if not isinstance(child, OperationAccessible) or child.address not in operations:
+            return -1
+        return operations.index(child.address)
+
+    def childAt(self, x: int, y: int) -> Any:
+        return None
+
+    def text(self, kind: QAccessible.Text) -> str:
+        if kind == QAccessible.Text.Name and self.isValid():
+            return state_words(self.canvas, self.index)
+        return ""
+
+    def setText(self, kind: QAccessible.Text, text: str) -> None:
+        """Names follow the blueprint; they are not set from outside."""
+
+    def rect(self) -> QRect:
+        sheet = self._parent.sheet
+        if sheet is None or not self.isValid():
+            return QRect()
+        return _on_screen(self.canvas, sheet.address_of_state(self.index))
+
+    def role(self) -> QAccessible.Role:
+        return QAccessible.Role.ListItem
+
+    def state(self) -> QAccessible.State:
+        found = QAccessible.State()
+        found.selectable = True
+        sheet = self._parent.sheet
+        if sheet is not None and self.isValid():
+            found.selected = sheet.looks.node(self.index).selected
+        return found
+
+
+class OperationAccessible(QAccessibleInterface):
+    """One operation, read as "Op_1b, State_aaa to State_baa"."""
+
+    def __init__(self, parent: StateAccessible, address: Address) -> None:
+        super().__init__()
+        self._parent, self.address = parent, address
+
+    @property
+    def canvas(self) -> Canvas:
+        """The canvas that shows it."""
+        return self._parent.canvas
+
+    def isValid(self) -> bool:
+        return self._parent.isValid() and self.address in self._parent.operations
+
+    def object(self) -> Any:
+        return None
+
+    def window(self) -> Any:
+        return self._parent.window()
+
+    def parent(self) -> QAccessibleInterface:
+        return self._parent
+
+    def childCount(self) -> int:
+        return 0
+
+    def child(self, index: int) -> Any:
+        return None
+
+    def indexOfChild(self, child: QAccessibleInterface) -> int:
+        return -1
+
+    def childAt(self, x: int, y: int) -> Any:
+        return None
+
+    def text(self, kind: QAccessible.Text) -> str:
+        if kind == QAccessible.Text.Name and self.isValid():
+            return words_for(self.canvas, self.address)
+        return ""
+
+    def setText(self, kind: QAccessible.Text, text: str) -> None:
+        """Names follow the blueprint; they are not set from outside."""
+
+    def rect(self) -> QRect:
+        return _on_screen(self.canvas, self.address) if self.isValid() else QRect()
+
+    def role(self) -> QAccessible.Role:
+        return QAccessible.Role.ListItem
+
+    def state(self) -> QAccessible.State:
+        found = QAccessible.State()
+        found.selectable = True
+        sheet = self.canvas.sheet if self.isValid() else None
+        if sheet is not None:
+            found.selected = sheet.looks.edge(sheet.picture.edge(self.address)).selected
+        return found
+
+
+def _on_screen(canvas: Canvas, address: Address) -> QRect:
+    """Where a state's node or an operation's label lies on the screen; empty for neither."""
+    rect = canvas.rect_of(address)
+    if rect is None:
+        return QRect()
+    shown = canvas.mapFromScene(rect).boundingRect()
+    return QRect(canvas.viewport().mapToGlobal(shown.topLeft()), shown.size())

@@ -1,0 +1,356 @@
+"""Canvas: the view of one SB. It draws and gestures; it never edits a blueprint itself.
+
+What somebody wants is told by signals (``CanvasEditor`` turns them into edits of a session); what
+is shown is set by ``show_branch`` and ``set_marks``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import (
+    QAccessible,
+    QAccessibleEvent,
+    QContextMenuEvent,
+    QFocusEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QResizeEvent,
+    QShowEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.graph.layout import place_states
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.picture import Picture
+from smsl_studio.studio.base.canvas.accessible import words_for
+from smsl_studio.studio.base.canvas.camera import STEP
+from smsl_studio.studio.base.canvas.frames import frame_of, opening_of
+from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
+from smsl_studio.studio.base.canvas.handles import pending_ends
+from smsl_studio.studio.base.canvas.overlays import Overlays
+from smsl_studio.studio.base.canvas.sheet import Position, Sheet
+from smsl_studio.studio.base.canvas.stage import Stage
+from smsl_studio.studio.base.canvas.tools import Hand
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.theme import Tokens
+
+
+class Canvas(Stage):
+    """The picture of one SB, with zoom, pan, selection and the gestures that edit.
+
+    ``editing`` is False in Run mode: nothing moves, and a click on an operation asks for it
+    (``edge_clicked``). Positions in signals are scene points.
+    """
+
+    selection_wanted = Signal(object)
+    """tuple[Address]: what shall be selected."""
+    add_state_wanted = Signal(QPointF)
+    """A state is wanted at this point (double click on empty canvas)."""
+    connect_wanted = Signal(object, object, QPointF)
+    """(source, target or None, point): an operation is wanted; without target, a state too."""
+    retarget_wanted = Signal(object, object)
+    """(operation, new target state): the arrowhead was dragged there."""
+    rename_wanted = Signal(object)
+    """Address whose name shall be edited in place."""
+    moved = Signal(object)
+    """dict[str, (x, y)]: states that were dragged and let go."""
+    enter_wanted = Signal(str)
+    """A sub-SB shall be shown."""
+    leave_wanted = Signal()
+    """The base SB shall be shown."""
+    edge_clicked = Signal(object)
+    """Address of an operation that was clicked while not editing."""
+    node_clicked = Signal(object)
+    """Address of a state that was clicked while not editing."""
+    context_wanted = Signal(object, object)
+    """(Address or None, global point): a context menu is wanted."""
+    quick_add_wanted = Signal()
+    """Tab or /: an operation shall be added from the selected state."""
+    pressed = Signal()
+    """A mouse button went down on the canvas."""
+    delete_wanted = Signal()
+    """Del: the selection shall go."""
+    fact_wanted = Signal(int)
+    """A fact of a selected state was clicked: its digit."""
+    verb_wanted = Signal(str)
+    """A key asks for an action of the window by its id: copy, cut, paste, duplicate, find."""
+    hover_changed = Signal(object)
+    """Address under the pointer, or None."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(tokens, parent)
+        self.editing = True
+        self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
+        """Why an operation from a state to another is impossible; the empty text if it is not."""
+        self.extended: Callable[[], tuple[Address, ...]] = lambda: self.marks.selection
+        """What a click with Shift or Ctrl adds to."""
+        self.overlays = Overlays(self, tokens)
+        self.hand = Hand(self)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.viewport().setMouseTracking(True)
+        self.setAccessibleName("Canvas")
+        self.camera.arrived.connect(self.overlays.fitted)
+        self.zoom_changed.connect(self.overlays.show_zoom)
+        self.view_moved.connect(self.overlays.view_moved)
+        self.picture_changed.connect(self.overlays.picture_changed)
+        self.set_tokens(tokens)
+
+    # What is shown
+
+    def show_branch(
+        self,
+        blueprint: Blueprint,
+        branch: str,
+        positions: Mapping[str, Position] | None = None,
+        keep_view: bool = False,
+    ) -> None:
+        """Show an SB where it opens. Without positions they are those of its layout.
+
+        ``keep_view`` leaves zoom and place alone: the same SB after an edit.
+        """
+        self.hand.reset()
+        sheet: Sheet | None = None
+        if branch in blueprint.branches:
+            picture = Picture(blueprint, branch)
+            if positions is None:
+                positions = place_states(picture.branch)
+            sheet = Sheet(picture, positions, self.ink, self.marks)
+        self.show_sheet(sheet)
+        if not keep_view:
+            self.look_at_opening()
+        self.overlays.show_branch(blueprint, branch)
+        self.hand.look_again()
+        self._describe()
+
+    def show_places(
+        self, blueprint: Blueprint, branch: str, positions: Mapping[str, Position]
+    ) -> None:
+        """Show the same states and operations at other places, after a move or its undo."""
+        sheet = self.sheet
+        if sheet is None or branch != sheet.picture.branch.name:
+            self.show_branch(blueprint, branch, positions, keep_view=True)
+            return
+        self.overlays.forget()
+        sheet.picture.blueprint = blueprint
+        sheet.picture.branch = blueprint[branch]
+        index = sheet.picture.index
+        sheet.move({index[n]: at for n, at in positions.items() if n in index})
+        # Saved under another name, the same picture stands below another file.
+        self.overlays.breadcrumb.show_branch(blueprint, branch)
+        self.settle()
+        self.hand.show_grip()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+        super().set_tokens(tokens)
+        self.overlays.set_tokens(tokens)
+
+    def set_marks(self, marks: Marks) -> None:
+        """Show other marks; only what looks different now is painted again."""
+        labelled = self.marks.dimmed
+        super().set_marks(marks)
+        if self.sheet is not None:
+            if labelled != marks.dimmed:
+                self.look_again()
+            self.overlays.show_marks(marks)
+            self.hand.show_grip()
+            self._describe()
+
+    def show_banner(self, text: str) -> None:
+        """Say something across the top, such as "The drawing has moved on"; empty hides it."""
+        self.overlays.show_banner(text)
+
+    def show_pending(
+        self, source: Address | None, target: Address | None = None, at: QPointF | None = None
+    ) -> None:
+        """Show an operation that is being named: dashed, to a state or to a new one at a point.
+
+        None takes it away.
+        """
+        rect = self.rect_of(source) if source is not None else None
+        if source is None or rect is None or at is None or source == target:
+            self.gestures.put("drawn", None)
+            return
+        assert self.sheet is not None
+        goal = self.rect_of(target) if target is not None else None
+        start, end = pending_ends(self.sheet, self.sheet.picture.node(source), at, goal)
+        self.gestures.put("drawn", DrawnOperation(start, end, ghost=target is None))
+
+    def say(self, text: str, at: QPointF | None = None) -> None:
+        """Say a short sentence at the pointer, or at a scene point."""
+        self.overlays.say(text, self.mapFromScene(at) if at is not None else None)
+
+    # Where it looks
+
+    def zoom_to(self, zoom: float) -> None:
+        """Zoom about the middle: 1.0 is 100 %."""
+        self.camera.keep("")
+        self.camera.go(self.camera.centre, zoom)
+
+    def zoom_in(self) -> None:
+        self.zoom_to(self.zoom * STEP)
+
+    def zoom_out(self) -> None:
+        self.zoom_to(self.zoom / STEP)
+
+    def fit(self, smooth: bool = True) -> None:
+        """Show everything, at 100 % at most."""
+        sheet = self.sheet
+        self.camera.keep("fit", fitted=True)
+        if sheet is None or not len(sheet.at):
+            self.camera.go(QPointF(0.0, 0.0), 1.0, smooth)
+            return
+        self._look_below_top(*frame_of(sheet, self._room), smooth)
+
+    def look_at_opening(self) -> None:
+        """Show everything; where states could not be told apart then, what is about the initial.
+
+        While nobody draws everything is shown all the same: what runs is lit and named.
+        """
+        sheet = self.sheet
+        if sheet is None or not len(sheet.at):
+            self.fit(smooth=False)
+            self.camera.keep("opening", fitted=True)
+            return
+        whole = frame_of(sheet, self._room)
+        first = opening_of(sheet, self._room, whole[1]) if self.editing else None
+        self.camera.keep("opening", fitted=first is None)
+        self._look_below_top(*(first or whole), smooth=False)
+
+    def look_again(self) -> None:
+        """There is more room or less: look at what was looked at, if nobody zoomed or panned."""
+        if self.camera.keeps == "fit":
+            self.fit(smooth=False)
+        elif self.camera.keeps == "opening":
+            self.look_at_opening()
+
+    @property
+    def _room(self) -> tuple[float, float]:
+        """The pixels a picture may fill: all but the top, which belongs to the breadcrumb."""
+        view = self.viewport()
+        return float(view.width()), float(view.height() - self.overlays.top_room())
+
+    def _look_below_top(self, middle: QPointF, zoom: float, smooth: bool) -> None:
+        top = self.overlays.top_room()
+        self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
+
+    def reveal(self, address: Address, smooth: bool = True) -> None:
+        """Bring a state or operation into view, without zooming, where it is not in view yet."""
+        rect = self.rect_of(address)
+        if rect is not None:
+            self.reveal_point(rect.center(), smooth)
+
+    def reveal_point(self, at: QPointF, smooth: bool = True) -> None:
+        """Scroll until a scene point is in view, where it is not; it is in the middle then."""
+        self.camera.finish()
+        if not self.clear_view.contains(at):
+            self.camera.keep("")
+            self.camera.go(at, self.zoom, smooth)
+
+    @property
+    def clear_view(self) -> QRectF:
+        """The part of the scene in view in which a node is whole, and below the breadcrumb."""
+        view = self.viewport().rect()
+        across, down = min(70, view.width() // 3), min(64, view.height() // 3)
+        return self.mapToScene(view.adjusted(across, down, -across, -down)).boundingRect()
+
+    def _describe(self) -> None:
+        """Tell assistive tools what is shown and what is selected."""
+        sheet = self.sheet
+        if sheet is None or not len(sheet.picture):
+            self.setAccessibleDescription("Empty. Double-click to add the first state.")
+            return
+        words = f"{sheet.picture.branch.name}, {len(sheet.picture)} states"
+        chosen = [a for a in self.marks.selection if a.branch == sheet.picture.branch.name]
+        if len(chosen) == 1:
+            words = self.describe(chosen[0])
+        elif chosen:
+            words += f", {len(chosen)} selected"
+        self.setAccessibleDescription(plain_text(words))
+        if QAccessible.isActive() and chosen:
+            event = QAccessibleEvent(self, QAccessible.Event.Focus)
+            event.setChild(sheet.picture.node(chosen[-1]))
+            QAccessible.updateAccessibility(event)
+
+    def describe(self, address: Address) -> str:
+        """A state or operation in words: "State_1100, active, 7 operations out"."""
+        return words_for(self, address)
+
+    # Qt's events
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.cover()
+        self.overlays.place()
+        if self.camera.keeps:
+            self.look_again()
+        else:
+            self.refresh_pool()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.overlays.place()
+        self.look_again()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom at the pointer; with Ctrl pan up and down, with Shift sideways."""
+        angle = event.angleDelta()
+        modifiers = event.modifiers()
+        delta = angle.y() or angle.x()
+        if modifiers & Qt.KeyboardModifier.ShiftModifier:
+            self.camera.pan(delta * 0.6, 0.0)
+        elif modifiers & Qt.KeyboardModifier.ControlModifier:
+            self.camera.pan(0.0, delta * 0.6)
+        else:
+            self.camera.zoom_at(STEP ** (delta / 120.0), event.position())
+        event.accept()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.hand.press(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self.hand.move(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self.hand.release(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self.hand.double_click(event)
+
+    def leaveEvent(self, event: object) -> None:
+        super().leaveEvent(event)  # type: ignore[arg-type]
+        self.hand.left()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        at = self.mapToScene(event.pos())
+        self.context_wanted.emit(self.address_at(at), event.globalPos())
+        event.accept()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if not self.hand.key_press(event):
+            event.ignore()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        if not self.hand.key_release(event):
+            event.ignore()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.overlays.ring.show_focus(True)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.overlays.ring.show_focus(False)
+        self.hand.lost_focus()
+
+    def focusNextPrevChild(self, forward: bool) -> bool:
+        """Tab adds an operation while a state is selected; else it goes on as everywhere."""
+        if self.editing and any(a.state for a in self.marks.selection):
+            return False
+        return super().focusNextPrevChild(forward)

@@ -1,0 +1,110 @@
+"""Framing: what of a sheet is to be seen when everything is to be seen, and at which zoom."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF
+
+from smsl_studio.picture.levels import level_at, readable_zoom, unit_at
+from smsl_studio.studio.base.canvas.camera import fit_zoom
+from smsl_studio.studio.base.canvas.sheet import Sheet
+
+Room = tuple[float, float]
+MARGIN = (28.0, 20.0)
+"""Pixels left free in all, across and down."""
+FAR_MARKS = (56.0, 64.0)
+"""What compact nodes, their dot and labels reach beyond their centres in a large picture."""
+FULL_FROM = 0.70
+
+
+def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
+    """The middle and the zoom at which a sheet fits a room of so many pixels, 100 % at most."""
+    before = sheet.zoom
+    try:
+        if not sheet.picture.small:
+            centres = _centres(sheet)
+            widest = float(sheet.compact_widths.max())
+            marks = widest + FAR_MARKS[0], FAR_MARKS[1]
+            return centres.center(), fit_zoom(centres, marks, room)
+        if sheet.roomy:
+            sheet.set_zoom(1.0)
+            whole = _bounds(sheet)
+            zoom = fit_zoom(whole, MARGIN, room)
+            if zoom >= FULL_FROM:
+                return whole.center(), zoom
+        return _compact_frame(sheet, room)
+    finally:
+        sheet.set_zoom(before)
+
+
+def opening_of(sheet: Sheet, room: Room, whole: float) -> tuple[QPointF, float] | None:
+    """Where an SB opens whose states could not be told apart at the zoom that shows the ``whole``.
+
+    The initial state is in view, and no more of the void around the drawing than must be. None
+    where everything can be read when everything is in view.
+    """
+    zoom = readable_zoom(sheet.spacing)
+    if whole >= zoom:
+        return None
+    initial = sheet.picture.index.get(sheet.picture.branch.initial, 0)
+    widest, unit = float(sheet.compact_widths.max()), unit_at(zoom, level_at(zoom, sheet.spacing))
+    across, down = (widest + FAR_MARKS[0]) / 2 * unit, FAR_MARKS[1] / 2 * unit
+    extent = _centres(sheet).adjusted(-across, -down, across, down)
+    x, y = sheet.at[initial]
+    wide, high = room[0] / zoom, room[1] / zoom
+    return QPointF(
+        _held(x, wide, extent.left(), extent.right()),
+        _held(y, high, extent.top(), extent.bottom()),
+    ), zoom
+
+
+def _held(at: float, size: float, low: float, high: float) -> float:
+    """The middle of a view of this size that looks at a point, but not beyond both ends."""
+    if size >= high - low:
+        return (low + high) / 2
+    return min(max(at, low + size / 2), high - size / 2)
+
+
+def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
+    """Marks keep their size on the screen, so the zoom is found in two steps."""
+    centres = _centres(sheet)
+    most = FULL_FROM - 0.01 if sheet.roomy else 1.0
+    zoom = fit_zoom(centres, FAR_MARKS, room, most)
+    for _ in range(2 if len(sheet.picture.operations) <= 120 else 1):
+        sheet.set_zoom(zoom)
+        whole = _bounds(sheet)
+        marks = (
+            (whole.width() - centres.width()) * zoom + MARGIN[0],
+            (whole.height() - centres.height()) * zoom + MARGIN[1],
+        )
+        zoom = fit_zoom(centres, marks, room, most)
+    middle = centres.center() + (whole.center() - centres.center()) * (sheet.zoom / zoom)
+    return middle, zoom
+
+
+def _centres(sheet: Sheet) -> QRectF:
+    low, high = sheet.at.min(axis=0), sheet.at.max(axis=0)
+    return QRectF(QPointF(*low), QPointF(*high))
+
+
+def _bounds(sheet: Sheet) -> QRectF:
+    """All that nodes, lines and labels cover at the sheet's zoom."""
+    half, unit = sheet.halves(), sheet.unit
+    low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)
+    whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(-4 * unit, -4 * unit, 4 * unit, 4 * unit)
+    initial = sheet.picture.index.get(sheet.picture.branch.initial, -1)
+    if initial >= 0:
+        x, y = sheet.at[initial] - half[initial]
+        whole = whole.united(QRectF(x - 28.0 * unit, y, 28.0 * unit, 10.0 * unit))
+    for goal in sheet.looks.marks.goals & sheet.picture.index.keys():
+        # "goal" stands below the node.
+        x, y = sheet.at[sheet.picture.index[goal]]
+        below = y + half[sheet.picture.index[goal]][1]
+        whole = whole.united(QRectF(x, below, 1.0, 24.0 * unit))
+    geometry = sheet.geometry
+    for edge in range(len(sheet.picture.operations)):
+        # Also during a run, in which each of them may come to be lit.
+        for rect in (geometry.shape(edge).bounds, geometry.label(edge)):
+            if rect is not None:
+                left, top, right, bottom = rect
+                whole = whole.united(QRectF(left, top, right - left, bottom - top))
+    return whole

@@ -1,0 +1,138 @@
+"""What a gesture shows while it lasts: the band, the line being drawn, the handle, the grip."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPainterPath
+from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
+
+from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, Ink, faded, pen
+
+HANDLE_RADIUS = 8.0
+
+
+@dataclass
+class DrawnOperation:
+    """An operation that is being drawn: from a point on the source's border to the pointer."""
+
+    start: QPointF
+    end: QPointF
+    refused: bool = False
+    ghost: bool = False
+    """Whether a new state would arise at the end."""
+
+
+class GestureLayer(QGraphicsItem):
+    """The topmost layer; lengths are pixels of the screen at every zoom."""
+
+    def __init__(self, view: QGraphicsView) -> None:
+        super().__init__()
+        self._view = view
+        self._rect = QRectF()
+        self.ink: Ink | None = None
+        self.band: QRectF | None = None
+        self.drawn: DrawnOperation | None = None
+        self.handle: QPointF | None = None
+        self.grip: QPointF | None = None
+        self.setZValue(40.0)
+        self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
+
+    def cover(self, rect: QRectF) -> None:
+        if rect != self._rect:
+            self.prepareGeometryChange()
+            self._rect = rect
+
+    def clear(self) -> None:
+        """Show nothing."""
+        for name in ("band", "drawn", "handle", "grip"):
+            self.put(name, None)
+
+    def put(self, name: str, value: object) -> None:
+        """Show another band, line, handle or grip; only what it covers is painted again."""
+        before = self._area()
+        setattr(self, name, value)
+        dirty = before.united(self._area())
+        if not dirty.isEmpty() and self.scene() is not None:
+            self.scene().update(dirty)
+
+    def _area(self) -> QRectF:
+        pixel = 1.0 / (self._view.transform().m11() or 1.0)
+        rect = QRectF()
+        if self.band is not None:
+            rect = rect.united(self.band.normalized())
+        ends = (self.drawn.start, self.drawn.end) if self.drawn is not None else ()
+        for point in (self.handle, self.grip, *ends):
+            if point is not None:
+                rect = rect.united(QRectF(point.x(), point.y(), pixel, pixel))
+        pad = 16.0 * pixel
+        if self.drawn is not None:
+            pad = 80.0 * max(pixel, 1.0)
+        return rect.adjusted(-pad, -pad, pad, pad) if not rect.isNull() else rect
+
+    def boundingRect(self) -> QRectF:
+        return self._rect
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
+    ) -> None:
+        ink = self.ink
+        if ink is None:
+            return
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        pixel = 1.0 / (self._view.transform().m11() or 1.0)
+        if self.band is not None:
+            painter.setPen(pen(ink.tokens.acc, pixel))
+            painter.setBrush(faded(ink.tokens.acc, 0.08))
+            painter.drawRect(self.band)
+        if self.drawn is not None:
+            self._paint_drawn(painter, self.drawn, ink, pixel)
+        if self.handle is not None:
+            _paint_plus(painter, self.handle, ink, pixel)
+        if self.grip is not None:
+            painter.setPen(pen(ink.tokens.acc, 2.0 * pixel))
+            painter.setBrush(ink.tokens.surf)
+            painter.drawEllipse(self.grip, 4.5 * pixel, 4.5 * pixel)
+
+    def _paint_drawn(
+        self, painter: QPainter, drawn: DrawnOperation, ink: Ink, pixel: float
+    ) -> None:
+        colour = ink.tokens.bad if drawn.refused else ink.tokens.acc
+        step = drawn.end - drawn.start
+        size = (step.x() ** 2 + step.y() ** 2) ** 0.5 or 1.0
+        unit = step / size
+        tip = drawn.end
+        line = pen(colour, 2.0 * pixel, (4.0 * pixel, 3.0 * pixel))
+        if drawn.ghost:
+            box = QRectF(tip.x() - 54.0, tip.y() - 27.0, 108.0, 54.0)
+            painter.setPen(pen(colour, 1.6 * pixel, (4.0 * pixel, 3.0 * pixel)))
+            painter.setBrush(ink.tokens.surf)
+            painter.drawRoundedRect(box, 8.0, 8.0)
+            painter.save()
+            ink.name.draw(painter, tip.x(), tip.y(), "New state", ink.tokens.tx)
+            painter.restore()
+            reach = min(54.0 / max(abs(unit.x()), 1e-6), 27.0 / max(abs(unit.y()), 1e-6))
+            tip = tip - unit * min(reach + 2.0, size)
+        painter.setPen(line)
+        painter.setBrush(NO_BRUSH)
+        painter.drawLine(drawn.start, tip - unit * 7.0 * pixel)
+        head = QPainterPath(tip)
+        across = QPointF(-unit.y(), unit.x()) * 4.2 * pixel
+        base = tip - unit * 9.0 * pixel
+        head.lineTo(base + across)
+        head.lineTo(base - across)
+        head.closeSubpath()
+        painter.setPen(NO_PEN)
+        painter.setBrush(colour)
+        painter.drawPath(head)
+        _paint_plus(painter, drawn.start, ink, pixel)
+
+
+def _paint_plus(painter: QPainter, at: QPointF, ink: Ink, pixel: float) -> None:
+    painter.setPen(pen(ink.tokens.acc, 1.6 * pixel))
+    painter.setBrush(ink.tokens.surf)
+    painter.drawEllipse(at, 7.0 * pixel, 7.0 * pixel)
+    k = 3.6 * pixel
+    painter.drawLine(at - QPointF(k, 0), at + QPointF(k, 0))
+    painter.drawLine(at - QPointF(0, k), at + QPointF(0, k))

@@ -1,0 +1,276 @@
+"""Gestures: small objects that live from a press to its release."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+GRID = 8.0
+Modifier = Qt.KeyboardModifier
+
+
+class Gesture(Protocol):
+    """What follows a press of a mouse button."""
+
+    def move(self, event: QMouseEvent) -> None: ...
+    def release(self, event: QMouseEvent) -> None: ...
+    def cancel(self) -> None: ...
+
+
+def _is_far(a: QPoint, b: QPoint) -> bool:
+    return (a - b).manhattanLength() >= QApplication.startDragDistance() // 2 + 1
+
+
+class Pan:
+    """Moves the picture with the pointer."""
+
+    def __init__(self, canvas: Canvas, event: QMouseEvent) -> None:
+        self._canvas, self._last = canvas, event.position()
+        canvas.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def move(self, event: QMouseEvent) -> None:
+        step = event.position() - self._last
+        self._last = event.position()
+        self._canvas.camera.pan(step.x(), step.y())
+
+    def release(self, event: QMouseEvent) -> None:
+        self.cancel()
+
+    def cancel(self) -> None:
+        self._canvas.viewport().unsetCursor()
+
+
+class Band:
+    """Selects the states (and the operations between them) in a rectangle."""
+
+    def __init__(self, canvas: Canvas, event: QMouseEvent) -> None:
+        self._canvas = canvas
+        self._start = event.position().toPoint()
+        self._before = canvas.marks.selection
+        self._modifiers = event.modifiers()
+        self._begun = False
+
+    def move(self, event: QMouseEvent) -> None:
+        here = event.position().toPoint()
+        if not self._begun and not _is_far(self._start, here):
+            return
+        self._begun = True
+        rect = QRectF(self._canvas.mapToScene(self._start), self._canvas.mapToScene(here))
+        self._canvas.gestures.put("band", rect)
+        self._canvas.selection_wanted.emit(self._selected(rect.normalized()))
+
+    def release(self, event: QMouseEvent) -> None:
+        self._canvas.gestures.put("band", None)
+        kept = self._modifiers & (Modifier.ShiftModifier | Modifier.ControlModifier)
+        if not self._begun and not kept:
+            self._canvas.selection_wanted.emit(())
+
+    def cancel(self) -> None:
+        self._canvas.gestures.put("band", None)
+        self._canvas.selection_wanted.emit(self._before)
+
+    def _selected(self, rect: QRectF) -> tuple[Address, ...]:
+        sheet = self._canvas.sheet
+        if sheet is None:
+            return ()
+        half = sheet.halves()
+        at = sheet.at
+        inside = (
+            (at[:, 0] - half[:, 0] < rect.right())
+            & (at[:, 0] + half[:, 0] > rect.left())
+            & (at[:, 1] - half[:, 1] < rect.bottom())
+            & (at[:, 1] + half[:, 1] > rect.top())
+        )
+        found = tuple(sheet.address_of_state(int(i)) for i in inside.nonzero()[0])
+        if self._modifiers & Modifier.ControlModifier:
+            stays = tuple(a for a in self._before if a not in found)
+            return stays + tuple(a for a in found if a not in self._before)
+        if self._modifiers & Modifier.ShiftModifier:
+            return tuple(dict.fromkeys(self._before + found))
+        return found
+
+
+class DragStates:
+    """A press on a state: a click selects it, a drag moves it with all that are selected."""
+
+    def __init__(self, canvas: Canvas, event: QMouseEvent, state: int) -> None:
+        sheet = canvas.sheet
+        assert sheet is not None
+        self._canvas, self._state = canvas, state
+        self._start = event.position().toPoint()
+        self._begun = False
+        address = sheet.address_of_state(state)
+        selection = canvas.marks.selection
+        self._only = selection_after(canvas.extended(), address, event.modifiers())
+        self._late = address in selection and self._only == (address,)
+        self._alone = selection == (address,)
+        if not self._late:
+            canvas.selection_wanted.emit(self._only)
+        chosen = canvas.marks.selection if address in canvas.marks.selection else (address,)
+        picture = sheet.picture
+        states = dict.fromkeys([state, *(i for a in chosen if (i := picture.node(a)) >= 0)])
+        self._places = {i: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in states}
+
+    def move(self, event: QMouseEvent) -> None:
+        here = event.position().toPoint()
+        if not self._canvas.editing or (not self._begun and not _is_far(self._start, here)):
+            return
+        self._begun = True
+        step = self._canvas.mapToScene(here) - self._canvas.mapToScene(self._start)
+        x, y = self._places[self._state]
+        dx, dy = step.x(), step.y()
+        if not event.modifiers() & Modifier.AltModifier:
+            # The state under the pointer comes to lie on the grid, the others keep with it.
+            dx = round((x + dx) / GRID) * GRID - x
+            dy = round((y + dy) / GRID) * GRID - y
+        self._canvas.drag_states({i: (px + dx, py + dy) for i, (px, py) in self._places.items()})
+
+    def release(self, event: QMouseEvent) -> None:
+        sheet = self._canvas.sheet
+        if not self._begun or sheet is None:
+            if self._late:
+                self._canvas.selection_wanted.emit(self._only)
+                if self._alone:
+                    self._want_fact()
+            return
+        names = sheet.picture.names
+        places = {names[i]: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in self._places}
+        before = {names[i]: place for i, place in self._places.items()}
+        self._canvas.settle()
+        if places != before:
+            self._canvas.moved.emit(places)
+
+    def _want_fact(self) -> None:
+        """A click on a fact of the one state that was selected before asks for the fact."""
+        canvas = self._canvas
+        digit = canvas.hand.fact_at(self._state, canvas.mapToScene(self._start))
+        if digit >= 0:
+            canvas.fact_wanted.emit(digit)
+
+    def cancel(self) -> None:
+        if self._begun:
+            self._canvas.drag_states(self._places)
+            self._canvas.settle()
+
+
+class Connect:
+    """Draws an operation from a state's handle; lets go over a state or over empty canvas."""
+
+    def __init__(
+        self, canvas: Canvas, event: QMouseEvent | None, state: int, start: QPointF
+    ) -> None:
+        """``event`` is the press it begins with; None where it follows the pointer unpressed."""
+        sheet = canvas.sheet
+        assert sheet is not None
+        self._canvas, self._state, self._start = canvas, state, start
+        self._source = sheet.address_of_state(state)
+        self._pressed = event.position().toPoint() if event is not None else QPoint()
+        self._begun = event is None
+        canvas.gestures.put("handle", None)
+        canvas.gestures.put("drawn", DrawnOperation(start, start))
+
+    def move(self, event: QMouseEvent) -> None:
+        here = event.position().toPoint()
+        self._begun = self._begun or _is_far(self._pressed, here)
+        at = self._canvas.mapToScene(here)
+        target = _state_at(self._canvas, at)
+        reason = self._canvas.why_not(self._source, target) if target is not None else ""
+        ghost = target is None and self._begun and not self._over_source(at)
+        self._canvas.gestures.put(
+            "drawn", DrawnOperation(self._start, at, refused=bool(reason), ghost=ghost)
+        )
+        self._canvas.hand.hover_target(target)
+        if reason:
+            self._canvas.say(reason)
+        else:
+            self._canvas.overlays.hush()
+
+    def release(self, event: QMouseEvent) -> None:
+        at = self._canvas.mapToScene(event.position().toPoint())
+        target = _state_at(self._canvas, at)
+        self.cancel()
+        if not self._begun or (target is None and self._over_source(at)):
+            return
+        reason = self._canvas.why_not(self._source, target) if target is not None else ""
+        if reason:
+            self._canvas.say(reason)
+        else:
+            self._canvas.connect_wanted.emit(self._source, target, at)
+
+    def cancel(self) -> None:
+        self._canvas.gestures.put("drawn", None)
+        self._canvas.hand.hover_target(None)
+        self._canvas.overlays.hush()
+
+    def _over_source(self, at: QPointF) -> bool:
+        rect = self._canvas.rect_of(self._source)
+        return rect is not None and rect.adjusted(-20, -20, 20, 20).contains(at)
+
+
+class Retarget:
+    """Drags the arrowhead of a selected operation to another state."""
+
+    def __init__(self, canvas: Canvas, event: QMouseEvent, edge: int) -> None:
+        sheet = canvas.sheet
+        assert sheet is not None
+        self._canvas = canvas
+        self._address = sheet.picture.address(edge)
+        self._pressed = event.position().toPoint()
+        self._start = QPointF(*sheet.geometry.shape(edge).at(0.0))
+        self._begun = False
+
+    def move(self, event: QMouseEvent) -> None:
+        here = event.position().toPoint()
+        if not self._begun and not _is_far(self._pressed, here):
+            return
+        self._begun = True
+        at = self._canvas.mapToScene(here)
+        target = _state_at(self._canvas, at)
+        self._canvas.gestures.put("grip", None)
+        self._canvas.gestures.put("drawn", DrawnOperation(self._start, at, refused=target is None))
+        self._canvas.hand.hover_target(target)
+        if target is None:
+            self._canvas.say("An operation needs a target. Let go over a state.")
+        else:
+            self._canvas.overlays.hush()
+
+    def release(self, event: QMouseEvent) -> None:
+        target = _state_at(self._canvas, self._canvas.mapToScene(event.position().toPoint()))
+        self.cancel()
+        if self._begun and target is not None:
+            self._canvas.retarget_wanted.emit(self._address, target)
+
+    def cancel(self) -> None:
+        self._canvas.gestures.put("drawn", None)
+        self._canvas.hand.hover_target(None)
+        self._canvas.overlays.hush()
+
+
+def selection_after(
+    selection: tuple[Address, ...], address: Address, modifiers: Qt.KeyboardModifier
+) -> tuple[Address, ...]:
+    """The selection after a click: Shift adds, Ctrl toggles, else it is this one alone."""
+    if modifiers & Modifier.ControlModifier:
+        if address in selection:
+            return tuple(a for a in selection if a != address)
+        return (*selection, address)
+    if modifiers & Modifier.ShiftModifier:
+        return tuple(dict.fromkeys((*selection, address)))
+    return (address,)
+
+
+def _state_at(canvas: Canvas, at: QPointF) -> Address | None:
+    sheet = canvas.sheet
+    if sheet is None:
+        return None
+    state = sheet.state_at(at.x(), at.y(), 3.0)
+    return sheet.address_of_state(state) if state >= 0 else None

@@ -1,0 +1,130 @@
+"""The keys of the canvas. Single keys act only while the canvas has the focus."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+
+from smsl_studio.studio.base.canvas.camera import STEP
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+Key, Modifier = Qt.Key, Qt.KeyboardModifier
+ARROWS = {
+    Key.Key_Left: (-1.0, 0.0),
+    Key.Key_Right: (1.0, 0.0),
+    Key.Key_Up: (0.0, -1.0),
+    Key.Key_Down: (0.0, 1.0),
+}
+VERBS = {
+    Key.Key_C: "copy",
+    Key.Key_X: "cut",
+    Key.Key_V: "paste",
+    Key.Key_D: "duplicate",
+    Key.Key_F: "find",
+}
+"""What Ctrl and a key ask of the window while the canvas has the focus."""
+PAN_STEP = 64.0
+
+
+def press(canvas: Canvas, event: QKeyEvent) -> bool:
+    """Act on a key; False where it means nothing here."""
+    key = Key(event.key())
+    modifiers = event.modifiers() & ~Modifier.KeypadModifier
+    if key in ARROWS and modifiers in (Modifier.NoModifier, Modifier.ShiftModifier):
+        _arrow(canvas, *ARROWS[key], extend=bool(modifiers))
+        return True
+    if _is_view_key(canvas, key, event.text(), modifiers):
+        return True
+    if modifiers == Modifier.ControlModifier and key == Key.Key_A:
+        select_all(canvas)
+        return True
+    if modifiers == Modifier.ControlModifier and key in VERBS and canvas.editing:
+        canvas.verb_wanted.emit(VERBS[key])
+        return True
+    if modifiers:
+        return False
+    return _edit_key(canvas, key, event.text())
+
+
+def _is_view_key(canvas: Canvas, key: Qt.Key, text: str, modifiers: Qt.KeyboardModifier) -> bool:
+    shift = modifiers == Modifier.ShiftModifier
+    if (not modifiers and key == Key.Key_F) or (shift and key in (Key.Key_1, Key.Key_Exclam)):
+        canvas.fit()
+    elif shift and key in (Key.Key_0, Key.Key_ParenRight, Key.Key_Equal) and text != "+":
+        canvas.zoom_to(1.0)
+    elif text in ("+", "="):
+        canvas.zoom_to(canvas.zoom * STEP)
+    elif text == "-" and not modifiers:
+        canvas.zoom_to(canvas.zoom / STEP)
+    else:
+        return False
+    return True
+
+
+def _edit_key(canvas: Canvas, key: Qt.Key, text: str) -> bool:
+    selection = canvas.marks.selection
+    if key == Key.Key_Escape:
+        canvas.selection_wanted.emit(())
+    elif key in (Key.Key_Return, Key.Key_Enter):
+        return enter_sub(canvas)
+    elif key == Key.Key_Backspace and not selection:
+        canvas.leave_wanted.emit()
+    elif not canvas.editing:
+        return False
+    elif key in (Key.Key_Delete, Key.Key_Backspace):
+        canvas.delete_wanted.emit()
+    elif key == Key.Key_F2 and len(selection) == 1:
+        canvas.rename_wanted.emit(selection[0])
+    elif key == Key.Key_Tab or text == "/":
+        canvas.quick_add_wanted.emit()
+    else:
+        return False
+    return True
+
+
+def enter_sub(canvas: Canvas) -> bool:
+    """Enter the one sub-SB of this SB; where there are several, a chip must be chosen."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return False
+    subs = list(dict.fromkeys(sheet.picture.branch.subs.values()))
+    if len(subs) == 1:
+        canvas.enter_wanted.emit(subs[0])
+    elif subs:
+        canvas.say("Several facts have a sub-SB. Double-click the fact to enter its own.")
+    return bool(subs)
+
+
+def select_all(canvas: Canvas) -> None:
+    """Select every state that is shown."""
+    sheet = canvas.sheet
+    if sheet is not None:
+        count = len(sheet.picture)
+        canvas.selection_wanted.emit(tuple(sheet.address_of_state(i) for i in range(count)))
+
+
+def _arrow(canvas: Canvas, dx: float, dy: float, extend: bool) -> None:
+    """Go to the next state in a direction, or pan where none is selected."""
+    sheet = canvas.sheet
+    selection = canvas.marks.selection
+    states = [s for a in selection if sheet and (s := sheet.picture.node(a)) >= 0]
+    if sheet is None or not states:
+        canvas.camera.pan(-dx * PAN_STEP, -dy * PAN_STEP)
+        return
+    step = sheet.at - sheet.at[states[-1]]
+    along = step[:, 0] * dx + step[:, 1] * dy
+    across = np.abs(step[:, 0] * dy + step[:, 1] * dx)
+    # What lies sideways counts double, so that the way stays in its row.
+    cost = np.where(along > 1.0, along + 2.0 * across, np.inf)
+    best = int(cost.argmin())
+    if not np.isfinite(cost[best]):
+        return
+    address = sheet.address_of_state(best)
+    chosen = (*selection, address) if extend else (address,)
+    canvas.selection_wanted.emit(tuple(dict.fromkeys(chosen)))
+    canvas.reveal(address)

@@ -1,0 +1,299 @@
+"""Where the labels of lit edges stand: beside short lines, clear of nodes and of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from smsl_studio.picture import labels
+from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.levels import COMPACT_SIZE, Level
+from smsl_studio.picture.shape import EdgeShape
+from smsl_studio.studio.base.canvas.sheet import Sheet
+from smsl_studio.studio.base.paint.edge_paint import (
+    EdgeLook,
+    EdgeText,
+    boxed_width,
+    label_size,
+    pill_width,
+)
+
+MOST = 400
+"""Beyond so many lit edges only those that say more than their name keep their label, so many of
+them at most: finding a place takes a millisecond, and thousands of names can be read by nobody."""
+
+
+STEPS = 24
+"""Points of a line that are looked at."""
+
+
+@dataclass(frozen=True)
+class LitLabel:
+    """A label of a lit edge; ``ground`` says whether it stands on its line and needs a ground."""
+
+    edge: int
+    text: EdgeText
+    rect: Rect
+    ground: bool = True
+    pill: str = ""
+
+
+class LitLabels:
+    """The labels of all lit edges of a sheet, worked out anew only when something changed."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+        self._found: list[LitLabel] = []
+
+    def of(self, sheet: Sheet, view: Rect) -> list[LitLabel]:
+        """The labels now; what runs and what is possible is named where it is in view."""
+        looks, marks = sheet.looks, sheet.looks.marks
+        seen = view if marks.running or marks.possible or marks.planned or marks.trail else None
+        key = (looks.marks, looks.hovered_edge, sheet.version, sheet.level, sheet.unit, seen)
+        if key != self._key:
+            self._key = key
+            self._found = lit_labels(sheet, by_weight(sheet), view)
+        return self._found
+
+
+def by_weight(sheet: Sheet) -> list[int]:
+    """The lit edges; what is painted last lies on top."""
+    # Selecting everything in a large SB must not paint 20,000 edges one by one.
+    return sorted(sheet.looks.lit_edges[:2000], key=lambda e: _weight(sheet.edge_look(e)))
+
+
+def _weight(look: EdgeLook) -> int:
+    order = (
+        look.possible,
+        look.out,
+        look.pruned,
+        look.held_back,
+        look.risky,
+        look.planned,
+        look.selected,
+        look.trail,
+        bool(look.finding),
+        look.running is not None,
+    )
+    return max((i + 1 for i, holds in enumerate(order) if holds), default=0)
+
+
+def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]:
+    """The labels of these edges, the most important last in ``edges``; some may find no place."""
+    taken = lit_boxes(sheet)
+    found: list[LitLabel] = []
+    named = list(edges)[::-1]
+    if len(named) > MOST:
+        named = [edge for edge in named if _says_more(sheet.edge_look(edge))][:MOST]
+    for edge in named:
+        label = _label(sheet, edge, taken, view)
+        if label is not None:
+            taken.append(label.rect)
+            found.append(label)
+    found.reverse()
+    return [*_guards(sheet, taken), *found]
+
+
+def _guards(sheet: Sheet, taken: list[Rect]) -> Iterator[LitLabel]:
+    """In a run the rest has no names; what it needs is told all the same, where there is room."""
+    looks = sheet.looks
+    if not looks.marks.dimmed or sheet.level < Level.COMPACT:
+        return
+    for edge in looks.guarded_edges[:MOST]:
+        rect = None if looks.is_lit(edge) else sheet.geometry.label(edge)
+        if rect is not None and not any(labels.meet(rect, other) for other in taken):
+            taken.append(rect)
+            yield LitLabel(edge, sheet.text(edge), rect)
+
+
+def _says_more(look: EdgeLook) -> bool:
+    """Whether a label tells more than that its edge is selected, possible or on a way."""
+    marked = look.pruned or look.held_back or look.risky or look.hovered
+    return marked or bool(look.finding or look.change) or look.running is not None
+
+
+def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel | None:
+    look, shape, text = sheet.edge_look(edge), sheet.geometry.shape(edge), sheet.text(edge)
+    if look.finding:
+        w, h = boxed_width(text, sheet.ink) * sheet.unit, 18.0 * sheet.unit
+        rect = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)
+        x, y = (rect[0] + rect[2]) / 2, (rect[1] + rect[3]) / 2
+        rects = [
+            (x - w / 2, y + off - h / 2, x + w / 2, y + off + h / 2)
+            for off in (step * sheet.unit for step in (0.0, -14.0, 14.0, -24.0, 24.0))
+        ]
+        return _first(sheet, edge, text, rects, taken, True, must=True)
+    if look.running is not None:
+        return _pill(sheet, edge, shape, taken, view)
+    if look.pruned or look.held_back or look.risky:
+        if look.pruned:
+            text = replace(text, text=f"{text.text} pruned")
+        return _first(sheet, edge, text, _near_sign(sheet, edge, text, shape), taken, False)
+    if sheet.compact and look.change:
+        rects = _clear_of_names(sheet, edge, text, shape)
+        return _first(sheet, edge, text, rects, taken, True, must=True)
+    if sheet.compact and (look.trail or look.planned or look.possible):
+        # Short lines would vanish below their label: it stands beside them.
+        size = _size(sheet, text)
+        gap = (4.0 if look.trail else 2.0) * sheet.unit
+        rects = [
+            labels.outside(shape, shape.length * share, size, gap, side)
+            for shares in ((0.5, 0.35, 0.65), (0.2, 0.8))
+            for side in (1, -1)
+            for share in shares
+        ]
+        covered = sheet.geometry.covered(edge, rects)
+        rects = [rects[at] for at in sorted(range(len(rects)), key=lambda at: covered[at])]
+        if not (look.trail or look.planned or look.hovered):
+            # What is only possible is named where there is room; its row in the list says the rest.
+            rects = [
+                r
+                for r in rects
+                if _lies_in(r, view) and _is_free(sheet, r, taken) and not _on_a_way(sheet, edge, r)
+            ]
+        if sheet.level < Level.COMPACT and not look.hovered:
+            rects = [rect for rect in rects if _is_free(sheet, rect, taken)]
+        return _first(sheet, edge, text, rects, taken, False) if rects else None
+    return _plain(sheet, edge, taken)
+
+
+def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
+    """Places beside a line, those that cover no name of an edge that is not lit first."""
+    size = _size(sheet, text)
+    rects = [
+        labels.outside(shape, shape.length * share, size, gap * sheet.unit, side)
+        for gap in (2.0, 12.0)
+        for side in (1, -1)
+        for share in (0.5, 0.3, 0.7)
+    ]
+    if sheet.level < Level.COMPACT:
+        return rects
+    near = sheet.edges_in(*_all_of(rects)).tolist()
+    names = [sheet.geometry.label(e) for e in near if e != edge and not sheet.looks.is_lit(e)]
+    return sorted(rects, key=lambda rect: sum(labels.meet(rect, n) for n in names if n))
+
+
+def _all_of(rects: list[Rect]) -> Rect:
+    """What all of these rectangles cover together."""
+    left, top, right, bottom = zip(*rects, strict=True)
+    return min(left), min(top), max(right), max(bottom)
+
+
+def lit_boxes(sheet: Sheet) -> list[Rect]:
+    """Where lit nodes stand that are larger than the rest of a far picture."""
+    states = sheet.looks.lit_states
+    if sheet.level >= Level.COMPACT or len(states) > 60:
+        return []
+    high = COMPACT_SIZE[1] / 2 * sheet.unit
+    boxes: list[Rect] = []
+    for state in states:
+        x, y = (float(value) for value in sheet.at[state])
+        wide = float(sheet.compact_widths[state]) / 2 * sheet.unit
+        boxes.append((x - wide, y - high, x + wide, y + high))
+    return boxes
+
+
+def _plain(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
+    """A label on its line, also one that hides while its edge is not lit."""
+    look, rect = sheet.edge_look(edge), sheet.geometry.label(edge)
+    hidden = rect is None or any(labels.meet(rect, other) for other in taken)
+    if hidden and not (look.selected or look.hovered or look.change):
+        return None
+    return LitLabel(edge, sheet.text(edge), rect or sheet.geometry.fallback(edge))
+
+
+def _size(sheet: Sheet, text: EdgeText) -> tuple[float, float]:
+    w, h = label_size(text, sheet.ink)
+    return (w - 5.0) * sheet.unit, h * sheet.unit
+
+
+def _first(
+    sheet: Sheet,
+    edge: int,
+    text: EdgeText,
+    rects: list[Rect],
+    taken: list[Rect],
+    ground: bool,
+    must: bool = False,
+) -> LitLabel | None:
+    """At the first of these places that covers neither a node nor a label.
+
+    Where there is none it hides until it is pointed at, unless it ``must`` be read.
+    """
+    must = must or sheet.edge_look(edge).hovered
+    free = (r for r in rects if _is_free(sheet, r, taken))
+    rect = next(free, rects[0] if must else None)
+    return LitLabel(edge, text, rect, ground) if rect is not None else None
+
+
+def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
+    left, top, right, bottom = rect
+    if sheet.states_in(left, top, right, bottom):
+        return False
+    return not any(labels.meet(rect, other) for other in taken)
+
+
+def _on_a_way(sheet: Sheet, edge: int, rect: Rect) -> bool:
+    """Whether a way that was gone or is planned passes through a rectangle."""
+    left, top, right, bottom = rect
+    for other in sheet.edges_in(left, top, right, bottom).tolist():
+        look = sheet.edge_look(other)
+        if other == edge or not (look.trail or look.planned or look.running is not None):
+            continue
+        shape = sheet.geometry.shape(other)
+        for at in range(STEPS + 1):
+            x, y = shape.at(shape.length * at / STEPS)
+            if left <= x <= right and top <= y <= bottom:
+                return True
+    return False
+
+
+def _lies_in(rect: Rect, view: Rect) -> bool:
+    return rect[0] >= view[0] and rect[1] >= view[1] and rect[2] <= view[2] and rect[3] <= view[3]
+
+
+def _near_sign(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
+    """Places around the sign in the middle of a line, those that cover nothing else first."""
+    unit = sheet.unit
+    x, y = shape.at(shape.length / 2)
+    w, h = (value / 2 for value in _size(sheet, text))
+    apart = 10.0 * unit
+    middles = [
+        (x, y + h + apart),
+        (x, y + h + apart + 5.0 * unit),
+        (x, y + h + apart + 11.0 * unit),
+        (x, y - h - apart),
+        (x + w + apart, y),
+        (x - w - apart, y),
+        (x, y - h - apart - 11.0 * unit),
+        *((x + sx * (w + apart), y + sy * (h + 3.0 * unit)) for sy in (1, -1) for sx in (1, -1)),
+    ]
+    rects = [(a - w, b - h, a + w, b + h) for a, b in middles]
+    others = (sheet.geometry.label(one) for one in sheet.looks.lit_edges[:MOST] if one != edge)
+    names = [name for name in others if name]
+    covered = sheet.geometry.covered(edge, rects)
+    cost = [n + sum(labels.meet(r, m) for m in names) for r, n in zip(rects, covered, strict=True)]
+    return [rects[at] for at in sorted(range(len(rects)), key=lambda at: cost[at])]
+
+
+def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Rect) -> LitLabel:
+    """What runs and for how long, beside the line."""
+    unit = sheet.unit
+    name = sheet.picture.operations[edge]
+    words = sheet.looks.marks.running_words.removeprefix(name).strip()
+    width, half = pill_width(name, words, sheet.ink) * unit, 13.0 * unit
+    x, y = shape.at(shape.length / 2)
+    gap = 20.0 * unit
+    corners = [
+        (x + gap, y - 6.0 * unit),
+        (x - gap - width, y - 6.0 * unit),
+        (x + gap, y + 26.0 * unit),
+        (x + gap, y - 36.0 * unit),
+        (x - gap - width, y + 26.0 * unit),
+    ]
+    # Between two nodes side by side there is only room above the line, or above the nodes.
+    corners += [(x - width / 2, y + apart * unit) for apart in (-26.0, 26.0, -50.0, 50.0)]
+    rects = [(a, b - half, a + width, b + half) for a, b in corners]
+    inside = [r for r in rects if _lies_in(r, view)] or rects
+    rect = next((r for r in inside if _is_free(sheet, r, taken)), inside[0])
+    return LitLabel(edge, EdgeText(name), rect, False, words or " ")

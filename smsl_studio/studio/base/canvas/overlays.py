@@ -1,0 +1,267 @@
+"""What floats on the canvas: breadcrumb, zoom control, legends, banner, names being edited.
+
+These widgets are children of the view, not of its viewport: a viewport scrolls its children along.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint, QRect, QSize, QTimer
+from PySide6.QtGui import QCursor
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.overlays.breadcrumb import Breadcrumb
+from smsl_studio.studio.base.overlays.focus_outline import FocusRing
+from smsl_studio.studio.base.overlays.hover_pad import HoverPad
+from smsl_studio.studio.base.overlays.key import Key
+from smsl_studio.studio.base.overlays.legend import Legend, RunLegend
+from smsl_studio.studio.base.overlays.mini_map import MiniMap
+from smsl_studio.studio.base.overlays.notice import Banner, EmptyHint, PointerNote
+from smsl_studio.studio.base.overlays.zoom_control import ZoomControl
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.theme import Tokens
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+EDGE = 14
+WIDE, TALL = 720, 420
+"""The mini-map is left out of a smaller view."""
+SPOKEN = 6000
+"""How long a word at the pointer stays when nothing happens (ms)."""
+
+
+class Overlays:
+    """Owns and places the floating widgets of one canvas."""
+
+    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+        self._canvas = canvas
+        self._dimmed = False
+        self.breadcrumb = Breadcrumb(canvas, tokens)
+        self.zoom = ZoomControl(canvas, tokens)
+        self.legend = Legend(canvas, tokens)
+        self.run_legend = RunLegend(canvas, tokens)
+        self.run_legend.hide()
+        self.map = MiniMap(canvas, tokens)
+        self.key = Key(canvas, tokens)
+        self.pad = HoverPad(canvas, tokens)
+        self.banner = Banner(canvas, tokens)
+        self.word = PointerNote(canvas, tokens)
+        self.empty = EmptyHint(canvas, tokens)
+        self.ring = FocusRing(canvas, tokens)
+        self._hush = QTimer(canvas)
+        self._hush.setSingleShot(True)
+        self._hush.setInterval(SPOKEN)
+        self._hush.timeout.connect(self.hush)
+        self.breadcrumb.clicked.connect(self._crumb)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for widget in (self.zoom, self.map, self.pad, self.banner, self.word, self.empty):
+            widget.set_tokens(tokens)
+        for plain in (self.breadcrumb, self.legend, self.run_legend, self.key, self.ring):
+            plain.tokens = tokens
+            plain.update()
+
+    def show_branch(self, blueprint: Blueprint, branch: str) -> None:
+        self.breadcrumb.show_branch(blueprint, branch)
+        sheet = self._canvas.sheet
+        kinds: set[str] = set()
+        if sheet is not None and sheet.picture.branch.subs:
+            edges = range(min(len(sheet.picture.operations), 5000))
+            kinds = {sheet.picture.kind(e) for e in edges} - {""}
+        if sheet is not None and sheet.picture.guarded:
+            kinds |= {"guard"}
+        if sheet is not None:
+            self.legend.show_branch(sheet.picture.branch, kinds)
+        self.show_empty()
+        # A run has a head and buttons of its own in the breadcrumb's place.
+        self.breadcrumb.setVisible(self._canvas.editing)
+        self.zoom.setVisible(self._canvas.editing)
+        self.place()
+
+    def show_marks(self, marks: Marks) -> None:
+        sheet = self._canvas.sheet
+        guarded = sheet is not None and bool(sheet.picture.guarded)
+        anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
+        if marks.dimmed != self._dimmed or (anew and marks.dimmed):
+            self._dimmed = marks.dimmed
+            self._place_legend()
+
+    def show_zoom(self, zoom: float) -> None:
+        self.zoom.show_zoom(zoom)
+        self._explain()
+
+    def show_empty(self) -> None:
+        """Say how to begin, where there is nothing yet."""
+        sheet = self._canvas.sheet
+        nothing = sheet is None or not len(sheet.picture)
+        # A banner tells why nothing can be drawn at present.
+        self.empty.setVisible(nothing and self._canvas.editing and not self.banner.text)
+
+    def _explain(self) -> None:
+        """Say what compact nodes and labels stand for, while they are shown."""
+        sheet = self._canvas.sheet
+        compact = sheet is not None and sheet.level is Level.COMPACT and self._canvas.editing
+        self.key.show_picture(sheet.picture if sheet is not None else None, compact)
+        self.key.move(self._canvas.width() - self.key.width() - EDGE, 12)
+
+    def fitted(self) -> None:
+        """A movement has ended, most often at a view of everything."""
+        self._count_outside()
+        self._place_zoom()
+        self._place_legend()
+
+    def _place_legend(self) -> None:
+        """What explains the marks, in a corner where it covers nothing of a fitted picture."""
+        legend: Legend | RunLegend = self.run_legend if self._dimmed else self.legend
+        (self.legend if self._dimmed else self.run_legend).hide()
+        legend.resize(legend.sizeHint())
+        canvas, size = self._canvas, legend.sizeHint()
+        left, top = EDGE + 3, 48 + (self.banner.height() + 4 if self.banner.text else 0)
+        right = canvas.width() - size.width() - EDGE
+        bottom = canvas.height() - size.height() - EDGE
+        corners = [QPoint(left, bottom), QPoint(right, top), QPoint(left, top)]
+        if self._dimmed:
+            corners = [*reversed(corners), QPoint(right, bottom)]
+        free = (c for c in corners if not self._hides(c, size) and not self._taken(c, size))
+        place = next(free, None)
+        legend.setVisible(place is not None and not legend.empty)
+        if place is not None:
+            legend.move(place)
+
+    def _taken(self, corner: QPoint, size: QSize) -> bool:
+        """Whether another floating part stands there."""
+        area = QRect(corner, size)
+        others = (self.zoom, self.map, self.key)
+        return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
+
+    def floats_in(self, area: QRect) -> bool:
+        """Whether anything that stands over the picture for long stands in this area."""
+        parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend)
+        return any(not part.isHidden() and part.geometry().intersects(area) for part in parts)
+
+    def show_banner(self, text: str) -> None:
+        if text == self.banner.text:
+            return
+        self.banner.show_text(text)
+        self.show_empty()
+        self.place()
+        self._canvas.look_again()
+
+    def top_room(self) -> int:
+        """The height at the top that belongs to the breadcrumb, or to the head of a run."""
+        return 40 + (self.banner.height() + 8 if self.banner.text else 0)
+
+    def say(self, text: str, at: QPoint | None = None) -> None:
+        """Say something beside the pointer, or beside a point of the viewport."""
+        canvas = self._canvas
+        if at is None:
+            at = canvas.mapFromGlobal(QCursor.pos())
+            if not canvas.rect().contains(at):
+                at = canvas.rect().center()
+        self.word.say(text)
+        x = min(max(at.x() + 16, 8), max(canvas.width() - self.word.width() - 8, 8))
+        y = min(max(at.y() + 18, 8), max(canvas.height() - self.word.height() - 8, 8))
+        self.word.move(x, y)
+        self._hush.start()
+
+    def hush(self) -> None:
+        self.word.hide()
+
+    def forget(self) -> None:
+        """What was said and offered was about states that may have gone or stand elsewhere now."""
+        self.hush()
+        self.pad.go()
+
+    def hover(self, address: Address | None) -> None:
+        """The pointer is on something else now."""
+        self.pad.hover(address)
+
+    def view_moved(self) -> None:
+        """The picture moved under the floating widgets."""
+        self.pad.go()
+        self._count_outside()
+        if not self._canvas.camera.fitted:
+            self._place_legend()
+        if not self.map.isHidden():
+            self.map.update()
+        elif self._canvas.editing and not self._canvas.camera.fitted:
+            self._place_zoom()
+
+    def picture_changed(self) -> None:
+        """States stand elsewhere or look different."""
+        self._count_outside()
+        if not self.map.isHidden():
+            self.map.update()
+
+    def _count_outside(self) -> None:
+        """Say what is not in view; the zoom control is wider then."""
+        self.zoom.show_outside(self._canvas.outside)
+        if self.zoom.size() != self.zoom.sizeHint():
+            self.zoom.resize(self.zoom.sizeHint())
+            self._place_zoom()
+
+    def _place_zoom(self) -> None:
+        """At the bottom right, or below the breadcrumb where it would cover a node of a fit."""
+        canvas, zoom, map_ = self._canvas, self.zoom, self.map
+        right, bottom = canvas.width() - EDGE, canvas.height() - EDGE
+        several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
+        roomy = canvas.width() >= WIDE and canvas.height() >= TALL
+        at = QPoint(right - map_.width(), bottom - map_.height())
+        shown = canvas.editing and several and roomy and not self._covers(at, map_.size())
+        map_.move(at)
+        map_.setVisible(shown)
+        if shown:
+            right = at.x() - 12
+        place = QPoint(right - zoom.width(), bottom - zoom.height())
+        # Where it would cover the picture: below the breadcrumb, or in its line at the right.
+        beside = QPoint(canvas.width() - EDGE - zoom.width(), 7)
+        clear = not self.key.rows and self.breadcrumb.geometry().right() < beside.x()
+        below = QPoint(EDGE - 2, 44 + (self.banner.height() + 6 if self.banner.text else 0))
+        places = [place, below, *([beside] if clear else []), place]
+        free = (p for p in places if not self._covers(p, zoom.size()))
+        zoom.move(next(free, places[-2] if clear else place))
+
+    def _hides(self, corner: QPoint, size: QSize) -> bool:
+        """Whether what stands at this corner covers the drawing of a fit, or states of any view."""
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if sheet is None or canvas.camera.fitted:
+            return self._covers(corner, size)
+        near = canvas.mapToScene(corner - QPoint(6, 6))
+        far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
+        return bool(sheet.states_in(near.x(), near.y(), far.x(), far.y()))
+
+    def _covers(self, corner: QPoint, size: QSize) -> bool:
+        """Whether what stands at this corner covers nodes or lines of a fitted picture."""
+        canvas = self._canvas
+        sheet = canvas.sheet
+        if sheet is None or not canvas.camera.fitted:
+            return False
+        near = canvas.mapToScene(corner - QPoint(6, 6))
+        far = canvas.mapToScene(corner + QPoint(size.width() + 6, size.height() + 6))
+        return sheet.is_drawn_on(near.x(), near.y(), far.x(), far.y())
+
+    def place(self) -> None:
+        """Put everything where it belongs in the view's size."""
+        canvas = self._canvas
+        width, height = canvas.width(), canvas.height()
+        self.ring.place(width, height)
+        self.breadcrumb.move(EDGE, 10)
+        self.breadcrumb.resize(self.breadcrumb.sizeHint())
+        self.zoom.show_outside(canvas.outside)
+        self.zoom.resize(self.zoom.sizeHint())
+        self.map.resize(self.map.sizeHint())
+        self.banner.fit(width - 2 * EDGE)
+        self.banner.move((width - self.banner.width()) // 2, 44)
+        self._explain()
+        self._place_zoom()
+        self._place_legend()
+        self.empty.resize(self.empty.sizeHint())
+        self.empty.move((width - self.empty.width()) // 2, (height - self.empty.height()) // 2)
+
+    def _crumb(self, branch: str) -> None:
+        roots = self._canvas.sheet.picture.blueprint.roots if self._canvas.sheet else ()
+        self._canvas.enter_wanted.emit(branch or next(iter(roots), ""))

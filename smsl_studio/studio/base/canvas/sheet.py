@@ -1,0 +1,284 @@
+"""Sheet: what the layers paint from. Picture, positions, level of detail, geometry and looks.
+
+Changing marks, hovering or dragging changes looks and a few shapes; nothing is rebuilt. All
+lengths are scene units; ``unit`` is the size of a mark's pixel in them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.curves import LineStyle, meets
+from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.levels import (
+    BOX_SIZE,
+    COMPACT_SIZE,
+    DOT_SIZE,
+    FULL_SIZE,
+    Level,
+    level_at,
+    spacing_of,
+    unit_at,
+)
+from smsl_studio.picture.picture import SMALL_STATES, Picture
+from smsl_studio.picture.shape import Floats
+from smsl_studio.studio.base.paint import edge_paint, node_paint
+from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, label_size
+from smsl_studio.studio.base.paint.guard_sign import DECLARED
+from smsl_studio.studio.base.paint.ink import Ink
+from smsl_studio.studio.base.paint.looks import Looks
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
+
+Position = tuple[float, float]
+Numbers = NDArray[np.intp]
+
+
+class Sheet:
+    """One SB as it is shown now."""
+
+    def __init__(
+        self, picture: Picture, positions: Mapping[str, Position], ink: Ink, marks: Marks
+    ) -> None:
+        self.picture, self.ink = picture, ink
+        self.at: Floats = np.array(
+            [positions.get(name, (0.0, 0.0)) for name in picture.names], dtype=np.float64
+        ).reshape(-1, 2)
+        self.looks = Looks(picture, marks)
+        self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
+        self.version = 0
+        """Grows whenever lines or labels lie elsewhere."""
+        self._measure()
+        self._geometry: dict[tuple[bool, float], Geometry] = {}
+        self._texts: dict[int, EdgeText] = {}
+        self.set_zoom(1.0)
+
+    def _measure(self) -> None:
+        """The widths of all nodes; in a large SB all are as wide as the widest of a sample."""
+        count = len(self.picture)
+        few = count <= SMALL_STATES
+        sample = range(count) if few else range(0, count, count // 50)
+        faces = [self.picture.face(i) for i in sample]
+        full = np.array([full_width(f, self.ink) for f in faces])
+        compact = np.array([compact_width(f, self.ink) for f in faces])
+        if not few:
+            full, compact = np.full(count, full.max()), np.full(count, compact.max())
+        self.full_widths, self.compact_widths = full, compact
+        self.spacing = spacing_of(self.at, full, compact)
+
+    @property
+    def roomy(self) -> bool:
+        """Whether full nodes have room in this layout."""
+        return self.spacing.roomy
+
+    @property
+    def compact(self) -> bool:
+        return self.level is not Level.FULL
+
+    def set_zoom(self, zoom: float) -> None:
+        self.zoom = zoom
+        self.level = level_at(zoom, self.spacing)
+        self.unit = unit_at(zoom, self.level)
+
+    def move(self, places: Mapping[int, Position]) -> list[int]:
+        """Put states elsewhere while they are dragged; returns the edges that changed."""
+        self.version += 1
+        for state, place in places.items():
+            self.at[state] = place
+        edges: dict[int, None] = {}
+        for geometry in self._geometry.values():
+            for state in places:
+                geometry.boxes[state, :2] = self.at[state]
+            edges.update(dict.fromkeys(geometry.forget(places)))
+        return list(edges)
+
+    def settle(self) -> None:
+        """Route and label anew: states have come to rest elsewhere."""
+        self.version += 1
+        self._geometry.clear()
+        self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
+        self.set_zoom(self.zoom)
+
+    def change_marks(self, marks: Marks) -> tuple[set[int], set[int]]:
+        """Take other marks; returns the states and edges that look different now.
+
+        Other findings make labels wider or narrower: small pictures are labelled anew.
+        """
+        relabel = marks.findings != self.looks.marks.findings and self.picture.small
+        changed = self.looks.change(marks)
+        if relabel:
+            self.version += 1
+            self._geometry.clear()
+            return changed[0], set(range(len(self.picture.operations)))
+        return changed
+
+    # Nodes
+
+    def width(self, state: int) -> float:
+        """The width of a state's node in mark pixels."""
+        return float((self.compact_widths if self.compact else self.full_widths)[state])
+
+    @property
+    def height(self) -> float:
+        """The height of near nodes in mark pixels."""
+        return COMPACT_SIZE[1] if self.compact else FULL_SIZE[1]
+
+    def halves(self) -> Floats:
+        """Half the size of every node at this level, (n, 2), in scene units."""
+        if self.level is Level.DOT:
+            size = np.broadcast_to(np.array(DOT_SIZE), self.at.shape)
+        elif self.level is Level.BOX:
+            size = np.broadcast_to(np.array(BOX_SIZE), self.at.shape)
+        else:
+            widths = self.compact_widths if self.compact else self.full_widths
+            size = np.column_stack([widths, np.full(len(widths), self.height)])
+        return size / 2 * self.unit
+
+    def states_in(self, left: float, top: float, right: float, bottom: float) -> list[int]:
+        """The states whose nodes meet a rectangle."""
+        half = self.halves()
+        x, y = self.at[:, 0], self.at[:, 1]
+        inside = (
+            (x + half[:, 0] >= left)
+            & (x - half[:, 0] <= right)
+            & (y + half[:, 1] >= top)
+            & (y - half[:, 1] <= bottom)
+        )
+        found: list[int] = np.nonzero(inside)[0].tolist()
+        return found
+
+    def state_at(self, x: float, y: float, reach: float = 0.0) -> int:
+        """The state whose node is at a point, -1 for none; ``reach`` widens nodes (pixels)."""
+        if not len(self.at):
+            return -1
+        half = self.halves() + reach * self.unit
+        # Lit nodes never fall below compact, so they are found in that size.
+        if self.level < Level.COMPACT:
+            for state in self.looks.lit_states:
+                half[state] = (
+                    self.compact_widths[state] / 2 * self.unit,
+                    COMPACT_SIZE[1] / 2 * self.unit,
+                )
+        off = np.abs(self.at - (x, y))
+        inside = np.nonzero((off <= half).all(axis=1))[0]
+        if not len(inside):
+            return -1
+        near = (off[inside] ** 2).sum(axis=1)
+        return int(inside[near.argmin()])
+
+    # Edges
+
+    @property
+    def geometry(self) -> Geometry:
+        """Lines and labels at this size of marks, made when first asked for."""
+        unit = _in_steps(self.unit)
+        key = (self.compact, unit)
+        found = self._geometry.get(key)
+        if found is None:
+            self._geometry = {k: g for k, g in self._geometry.items() if not k[0]}
+            found = self._geometry[key] = Geometry(
+                self.picture,
+                self._boxes(unit),
+                LineStyle(unit, self.compact),
+                lambda edge: self._label_size(edge, unit),
+            )
+        return found
+
+    def _boxes(self, unit: float) -> Floats:
+        widths = self.compact_widths if self.compact else self.full_widths
+        half = np.column_stack([widths, np.full(len(widths), self.height)]) / 2 * unit
+        return np.hstack([self.at, half.reshape(-1, 2)])
+
+    def text(self, edge: int) -> EdgeText:
+        """An edge's label."""
+        found = self._texts.get(edge)
+        if found is None:
+            label = self.picture.label(edge)
+            guard = DECLARED if self.picture.guards(edge) else ""
+            found = EdgeText(label, self.picture.kind(edge), guard=guard)
+            self._texts[edge] = found
+        sign = self.looks.edge(edge).change
+        mono = self.compact and len(found.text) <= 4
+        # How a guard stands makes its sign no wider: labels stay where they are.
+        guard = self.looks.guard(edge) if found.guard else ""
+        if mono or sign or guard:
+            return replace(found, mono=mono, sign=sign, guard=guard or found.guard)
+        return found
+
+    def _label_size(self, edge: int, unit: float) -> tuple[float, float]:
+        text = self.text(edge)
+        w, h = label_size(text, self.ink)
+        if self.looks.edge(edge).finding:
+            w, h = boxed_width(text, self.ink), 18.0
+        return w * unit, h * unit
+
+    def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
+        """The numbers of edges whose straight way (with room for bends) meets a rectangle."""
+        source, target = self.picture.source, self.picture.target
+        if not len(source):
+            return np.zeros(0, dtype=np.intp)
+        a, b = self.at[source], self.at[np.where(target < 0, source, target)]
+        low, high = np.minimum(a, b), np.maximum(a, b)
+        # Lanes and loops reach out of the way between two states.
+        room = (170.0 if self.picture.small else 60.0) * self.unit
+        inside = (
+            (high[:, 0] >= left - room)
+            & (low[:, 0] <= right + room)
+            & (high[:, 1] >= top - room)
+            & (low[:, 1] <= bottom + room)
+        )
+        return np.nonzero(inside)[0]
+
+    def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:
+        """The edge whose label or line is at a point, -1 for none."""
+        if self.level < Level.COMPACT:
+            near: Iterable[int] = self.looks.lit_edges
+        else:
+            r = reach * self.unit
+            near = self.edges_in(x - r, y - r, x + r, y + r).tolist()
+        geometry = self.geometry
+        best, distance = -1, reach * self.unit
+        for edge in near:
+            rect = geometry.label(edge)
+            if rect and rect[0] <= x <= rect[2] and rect[1] <= y <= rect[3]:
+                return edge
+            shape = geometry.shape(edge)
+            left, top, right, bottom = shape.bounds
+            r = distance
+            if left - r <= x <= right + r and top - r <= y <= bottom + r:
+                away = shape.distance(x, y)
+                if away < distance:
+                    best, distance = edge, away
+        return best
+
+    def is_drawn_on(self, left: float, top: float, right: float, bottom: float) -> bool:
+        """Whether nodes, or lines of a small picture, lie in a rectangle."""
+        if self.states_in(left, top, right, bottom):
+            return True
+        if not self.picture.small or self.level < Level.COMPACT:
+            return False
+        box = np.array([[left + right, top + bottom, right - left, bottom - top]]) / 2
+        near = self.edges_in(left, top, right, bottom).tolist()
+        return any(meets(self.geometry.shape(edge).points, box, (), 0.0) for edge in near)
+
+    # Looks
+
+    def address_of_state(self, state: int) -> Address:
+        return Address(self.picture.branch.name, self.picture.names[state])
+
+    def node_look(self, state: int) -> node_paint.NodeLook:
+        return self.looks.node(state)
+
+    def edge_look(self, edge: int) -> edge_paint.EdgeLook:
+        return self.looks.edge(edge)
+
+
+def _in_steps(unit: float) -> float:
+    """The unit in steps of 4 %: while somebody zooms, lines are not made anew for every frame."""
+    return 1.0 if unit == 1.0 else round(1.04 ** round(math.log(unit) / math.log(1.04)), 6)

@@ -1,0 +1,339 @@
+"""Stage: the scene side of a canvas. It shows an SB from a sheet and repaints what changed.
+
+It knows no gesture and nothing that floats; ``Canvas`` adds these.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.canvas.camera import Camera
+from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
+from smsl_studio.studio.base.canvas.layers import EdgeLayer, FarNodeLayer, LitLayer
+from smsl_studio.studio.base.canvas.lit_labels import LitLabel
+from smsl_studio.studio.base.canvas.node_item import NodePool
+from smsl_studio.studio.base.canvas.sheet import Position, Sheet
+from smsl_studio.studio.base.paint import batch
+from smsl_studio.studio.base.paint.ink import Ink
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.theme import Tokens
+
+POOL = 320
+"""So many near nodes are items of their own; more are painted by a layer."""
+DOT_STEP, DOT = 16.0, 1.5
+
+
+class Stage(QGraphicsView):
+    """A view with three layers and a pool of node items, painted from one sheet."""
+
+    picture_changed = Signal()
+    """States stand elsewhere or look different."""
+    view_moved = Signal()
+    """Another part of the picture is in view."""
+    zoom_changed = Signal(float)
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._ink = Ink(tokens)
+        self._marks = Marks()
+        self._sheet: Sheet | None = None
+        self._ready = False
+        self.camera = Camera(self)
+        self.pool = NodePool()
+        scene = QGraphicsScene(self)
+        self._layers = EdgeLayer(0.0), FarNodeLayer(5.0), LitLayer(20.0)
+        self.edge_layer, self.far_layer, self.lit_layer = self._layers
+        self.edge_layer.over = self.lit_layer
+        self.gestures = GestureLayer(self)
+        for layer in (*self._layers, self.gestures):
+            scene.addItem(layer)
+        self.setScene(scene)
+        self._set_up()
+        self._ready = True
+
+    def _set_up(self) -> None:
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.MinimalViewportUpdate)
+        self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
+        self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState)
+        self.camera.zoom_changed.connect(self._zoomed)
+
+    # What is shown
+
+    @property
+    def sheet(self) -> Sheet | None:
+        """What is shown now, None for nothing."""
+        return self._sheet
+
+    def show_sheet(self, sheet: Sheet | None) -> None:
+        """Show another sheet; where the view looks stays as it is."""
+        self.pool.clear()
+        self._sheet = sheet
+        if sheet is not None:
+            sheet.set_zoom(self.camera.zoom)
+        for layer in self._layers:
+            layer.sheet = sheet
+        self.gestures.clear()
+        self.cover()
+        self.refresh_pool()
+        self.scene().update()
+
+    @property
+    def positions(self) -> dict[str, Position]:
+        """Where the states stand now."""
+        if self._sheet is None:
+            return {}
+        names = self._sheet.picture.names
+        return {n: (x, y) for n, (x, y) in zip(names, self._sheet.at.tolist(), strict=True)}
+
+    @property
+    def ink(self) -> Ink:
+        """The fonts and colours everything is painted with."""
+        return self._ink
+
+    @property
+    def tokens(self) -> Tokens:
+        return self._ink.tokens
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+        self._ink = self.gestures.ink = Ink(tokens)
+        if self._sheet is not None:
+            self._sheet.ink = self._ink
+        self.setBackgroundBrush(tokens.canvas)
+        self.scene().update()
+        self.viewport().update()
+
+    @property
+    def marks(self) -> Marks:
+        return self._marks
+
+    def set_marks(self, marks: Marks) -> None:
+        """Show other marks; only what looks different now is painted again."""
+        self._marks = marks
+        sheet = self._sheet
+        if sheet is None:
+            return
+        labels = self.lit_layer.shown()
+        states, edges = sheet.change_marks(marks)
+        self.refresh_pool()
+        if len(states) > POOL or len(edges) > POOL:
+            self.pool.refresh(sheet)
+            self.scene().update()
+        else:
+            for state in states:
+                self.update_node(state)
+            self.update_edges(edges)
+            self.update_lit(labels)
+        self.picture_changed.emit()
+
+    @property
+    def zoom(self) -> float:
+        """1.0 is 100 %."""
+        return self.camera.zoom
+
+    @property
+    def seen(self) -> QRectF:
+        """The part of the scene that is in view."""
+        return self.mapToScene(self.viewport().rect()).boundingRect()
+
+    @property
+    def outside(self) -> int:
+        """How many states have their middle outside the view."""
+        if self._sheet is None:
+            return 0
+        view, (x, y) = self.seen, self._sheet.at.T
+        across, down = abs(x - view.center().x()), abs(y - view.center().y())
+        return int(((across > view.width() / 2) | (down > view.height() / 2)).sum())
+
+    # Where things are
+
+    def rect_of(self, address: Address) -> QRectF | None:
+        """Where a state's node, or an operation's label, lies (scene); None for neither."""
+        sheet = self._sheet
+        if sheet is None:
+            return None
+        edge = sheet.picture.edge(address)
+        if edge >= 0:
+            left, top, right, bottom = sheet.geometry.label(edge) or sheet.geometry.fallback(edge)
+            return QRectF(left, top, right - left, bottom - top)
+        state = sheet.picture.node(address)
+        if state < 0:
+            return None
+        x, y = sheet.at[state]
+        w, h = sheet.halves()[state]
+        return QRectF(x - w, y - h, 2 * w, 2 * h)
+
+    def address_at(self, at: QPointF) -> Address | None:
+        """What lies at a scene point: a state before an operation."""
+        sheet = self._sheet
+        if sheet is None:
+            return None
+        state = sheet.state_at(at.x(), at.y())
+        if state >= 0:
+            return sheet.address_of_state(state)
+        edge = sheet.edge_at(at.x(), at.y())
+        return sheet.picture.address(edge) if edge >= 0 else None
+
+    # Moving without rebuilding
+
+    def drag_states(self, places: Mapping[int, Position]) -> None:
+        """Show states elsewhere while they are dragged."""
+        sheet = self._sheet
+        if sheet is None:
+            return
+        before = self._dirty(list(places))
+        edges = sheet.move(places)
+        for state in places:
+            item = self.pool.used.get(state)
+            if item is not None:
+                item.show_state(sheet, state)
+        self.scene().update(before.united(self._dirty(list(places), edges)))
+        self.picture_changed.emit()
+
+    def _dirty(self, states: list[int], edges: list[int] | None = None) -> QRectF:
+        """The part of the scene that states and their edges cover."""
+        sheet = self._sheet
+        assert sheet is not None
+        if len(states) > POOL or sheet.level < Level.COMPACT:
+            return self.seen
+        rect = QRectF()
+        geometry = sheet.geometry
+        half = sheet.halves()
+        pad = 34.0 * sheet.unit
+        if edges is None:
+            edges = [e for s in states for e in sheet.picture.edges_of(s)]
+        for state in states:
+            (x, y), (w, h) = sheet.at[state], half[state]
+            rect = rect.united(QRectF(x - w, y - h, 2 * w, 2 * h))
+        for edge in edges:
+            left, top, right, bottom = geometry.shape(edge).bounds
+            rect = rect.united(QRectF(left, top, right - left, bottom - top))
+            place = geometry.label(edge) or geometry.fallback(edge)
+            rect = rect.united(QRectF(place[0], place[1], place[2] - place[0], place[3] - place[1]))
+        return rect.adjusted(-pad, -pad, pad, pad)
+
+    def settle(self) -> None:
+        """States have come to rest: route and label anew."""
+        if self._sheet is not None:
+            self._sheet.settle()
+            self.cover()
+            self.refresh_pool()
+            self.pool.refresh(self._sheet)
+            self.scene().update()
+
+    def update_edges(self, edges: Iterable[int]) -> None:
+        """Paint these edges again."""
+        numbers = list(edges)
+        if numbers and self._sheet is not None:
+            self.scene().update(self._dirty([], numbers))
+
+    def update_lit(self, before: Mapping[int, LitLabel]) -> None:
+        """Paint again the labels of lit edges that are not what they were."""
+        sheet = self._sheet
+        if sheet is None:
+            return
+        after = self.lit_layer.shown()
+        for edge in before.keys() | after.keys():
+            old, new = before.get(edge), after.get(edge)
+            if old == new:
+                continue
+            for label in (old, new):
+                if label is not None:
+                    left, top, right, bottom = label.rect
+                    rect = QRectF(left, top, right - left, bottom - top)
+                    # What the label of a change covers hides, and comes back when that moves.
+                    pad = (160.0 if sheet.looks.marks.changes else 4.0) * sheet.unit
+                    self.scene().update(rect.adjusted(-pad, -pad, pad, pad))
+
+    def update_node(self, state: int) -> None:
+        """Paint this node again."""
+        item = self.pool.used.get(state)
+        if item is not None and self._sheet is not None:
+            item.show_state(self._sheet, state)
+
+    # Inside
+
+    def cover(self) -> None:
+        """Let scene and layers reach far beyond the states, so that one can pan freely."""
+        rect = QRectF(-600.0, -400.0, 1200.0, 800.0)
+        if self._sheet is not None and len(self._sheet.at):
+            low, high = self._sheet.at.min(axis=0), self._sheet.at.max(axis=0)
+            rect = rect.united(QRectF(QPointF(*low), QPointF(*high)))
+        zoom = self.zoom
+        wide = max(self.viewport().width(), 400) / zoom + 300.0
+        high_ = max(self.viewport().height(), 300) / zoom + 300.0
+        rect = rect.adjusted(-wide, -high_, wide, high_)
+        for layer in (*self._layers, self.gestures):
+            layer.cover(rect)
+        if rect != self.sceneRect():
+            self.scene().setSceneRect(rect)
+            self.setSceneRect(rect)
+
+    def _zoomed(self, zoom: float) -> None:
+        sheet = self._sheet
+        self.cover()
+        if sheet is not None:
+            sheet.set_zoom(zoom)
+            self.refresh_pool()
+            self.pool.refresh(sheet)
+        self.scene().update()
+        self.zoom_changed.emit(zoom)
+
+    def refresh_pool(self) -> None:
+        """Give near nodes and lit ones an item, take it from those that left the view.
+
+        While the view zooms out it scrolls before the sheet knows its zoom: all states would be
+        taken for near ones. ``zoom_changed`` comes right after.
+        """
+        sheet = self._sheet
+        if sheet is None or sheet.zoom != self.zoom:
+            return
+        states: list[int] = []
+        view = self.seen
+        labels = self.lit_layer.shown() if self._marks.running is not None else {}
+        self.lit_layer.view = view.left(), view.top(), view.right(), view.bottom()
+        self.update_lit(labels)
+        pad = 40.0 * sheet.unit
+        view.adjust(-pad, -pad, pad, pad)
+        seen = sheet.states_in(view.left(), view.top(), view.right(), view.bottom())
+        if sheet.level is Level.FULL or (sheet.level is Level.COMPACT and len(seen) <= POOL):
+            states = seen
+        lit = sheet.looks.lit_states
+        if len(lit) <= 2 * POOL:
+            states = list(dict.fromkeys([*states, *lit]))
+        for item in self.pool.show(sheet, states):
+            self.scene().addItem(item)
+        near = frozenset(self.pool.used)
+        if near != self.far_layer.near:
+            self.far_layer.near = near
+            if sheet.level is not Level.FULL:
+                self.far_layer.update()
+
+    def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
+        """Canvas colour and a dot every 16 pixels (or the next power of two of the scene)."""
+        area = QRectF(rect)  # type: ignore[arg-type]
+        tokens = self._ink.tokens
+        painter.fillRect(area, tokens.canvas)
+        step = DOT_STEP
+        while step * self.zoom < 11.0:
+            step *= 2.0
+        while step * self.zoom > 23.0:
+            step /= 2.0
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        batch.draw_grid(painter, area, step, DOT / self.zoom, tokens.dot)
+
+    def scrollContentsBy(self, dx: int, dy: int) -> None:
+        super().scrollContentsBy(dx, dy)
+        if self._ready:
+            self.refresh_pool()
+            self.view_moved.emit()

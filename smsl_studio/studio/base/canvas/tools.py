@@ -1,0 +1,323 @@
+"""Hand: turns mouse and keys into gestures, and knows what lies under the pointer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.canvas import keys
+from smsl_studio.studio.base.canvas.accessible import edge_tip
+from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
+from smsl_studio.studio.base.canvas.gestures import (
+    Band,
+    Connect,
+    DragStates,
+    Gesture,
+    Pan,
+    Retarget,
+    selection_after,
+)
+from smsl_studio.studio.base.canvas.handles import handles, nearest
+from smsl_studio.studio.base.paint.node_paint import chip_places
+from smsl_studio.studio.base.tips import tip_text
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+REACH = 15.0
+"""How far around a node the pointer still counts as being at it, so that its handle is reached."""
+GRIP = 10.0
+"""How near to the grip a press takes it (pixels)."""
+CLEAR = 32.0
+"""No handle is shown nearer to the grip than this, from middle to middle (pixels)."""
+
+
+class Hand:
+    """The gesture under way, the hovered state or edge, and the Space key."""
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas = canvas
+        self._gesture: Gesture | None = None
+        self._space = self._sticky = False
+
+    @property
+    def busy(self) -> bool:
+        return self._gesture is not None
+
+    def reset(self) -> None:
+        """Forget what is under way, and what floats beside it: another picture is shown."""
+        self._gesture, self._sticky = None, False
+        self._canvas.gestures.clear()
+        self._canvas.overlays.forget()
+
+    # Mouse
+
+    def press(self, event: QMouseEvent) -> None:
+        canvas = self._canvas
+        canvas.setFocus(Qt.FocusReason.MouseFocusReason)
+        canvas.overlays.hush()
+        canvas.overlays.pad.go()
+        canvas.pressed.emit()
+        if self._gesture is not None:
+            if self._sticky:
+                self._sticky = False
+                self.release(event)
+            return
+        left = event.button() is Qt.MouseButton.LeftButton
+        if event.button() is Qt.MouseButton.MiddleButton or (left and self._space):
+            self._gesture = Pan(canvas, event)
+        elif left and canvas.sheet is not None:
+            self._gesture = self._left_press(event)
+        elif event.button() is Qt.MouseButton.RightButton:
+            self._select_for_menu(event)
+
+    def _left_press(self, event: QMouseEvent) -> Gesture | None:
+        canvas, sheet = self._canvas, self._canvas.sheet
+        assert sheet is not None
+        at = canvas.mapToScene(event.position().toPoint())
+        if canvas.editing:
+            edge = self._grip_edge()
+            if edge >= 0 and self._near(at, canvas.gestures.grip, GRIP):
+                return Retarget(canvas, event, edge)
+            handle = canvas.gestures.handle
+            if handle is not None and self._near(at, handle, HANDLE_RADIUS + 1.0):
+                return Connect(canvas, event, sheet.looks.hovered_state, handle)
+        state = sheet.state_at(at.x(), at.y())
+        if state >= 0:
+            if not canvas.editing:
+                canvas.node_clicked.emit(sheet.address_of_state(state))
+            return DragStates(canvas, event, state)
+        edge = sheet.edge_at(at.x(), at.y())
+        if edge >= 0:
+            address = sheet.picture.address(edge)
+            chosen = selection_after(canvas.extended(), address, event.modifiers())
+            canvas.selection_wanted.emit(chosen)
+            if not canvas.editing:
+                canvas.edge_clicked.emit(address)
+            self.show_grip()
+            return None
+        return Band(canvas, event) if canvas.editing else Pan(canvas, event)
+
+    def begin_connect(self, address: Address) -> None:
+        """Draw an operation from a state to where the next click lies; Esc leaves it."""
+        sheet = self._canvas.sheet
+        state = sheet.picture.node(address) if sheet is not None else -1
+        if state >= 0:
+            self._gesture = Connect(self._canvas, None, state, self.handles(state)["right"])
+            self._sticky = True
+            self._canvas.setFocus()
+            self._canvas.say("Click the target state, or empty canvas for a new one.")
+
+    def move(self, event: QMouseEvent) -> None:
+        if self._gesture is not None:
+            self._gesture.move(event)
+        else:
+            self._hover(event.position())
+
+    def release(self, event: QMouseEvent) -> None:
+        gesture, self._gesture = self._gesture, None
+        if gesture is not None:
+            gesture.release(event)
+            self._cursor()
+            self._hover(event.position())
+
+    def double_click(self, event: QMouseEvent) -> None:
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if event.button() is not Qt.MouseButton.LeftButton:
+            return
+        self._gesture = None
+        at = canvas.mapToScene(event.position().toPoint())
+        if sheet is None:
+            if canvas.editing:
+                canvas.add_state_wanted.emit(at)
+            return
+        state = sheet.state_at(at.x(), at.y())
+        if state >= 0:
+            sub = self.sub_at(state, at)
+            if sub:
+                canvas.enter_wanted.emit(sub)
+            elif canvas.editing:
+                canvas.rename_wanted.emit(sheet.address_of_state(state))
+            return
+        edge = sheet.edge_at(at.x(), at.y())
+        if not canvas.editing:
+            return
+        if edge >= 0:
+            canvas.rename_wanted.emit(sheet.picture.address(edge))
+        else:
+            canvas.add_state_wanted.emit(at)
+
+    def sub_at(self, state: int, at: QPointF) -> str:
+        """The sub-SB of the fact whose chip lies at a scene point; the empty text for none."""
+        sheet, digit = self._canvas.sheet, self.fact_at(state, at)
+        return sheet.picture.face(state).chips[digit].sub if sheet and digit >= 0 else ""
+
+    def fact_at(self, state: int, at: QPointF) -> int:
+        """The digit of the fact whose chip lies at a scene point; -1 for none."""
+        sheet = self._canvas.sheet
+        if sheet is None or sheet.level is not Level.FULL:
+            return -1
+        face = sheet.picture.face(state)
+        here = QPointF(at.x() - sheet.at[state, 0], at.y() - sheet.at[state, 1])
+        places = chip_places(face, sheet.ink, float(sheet.full_widths[state]))
+        for digit, (_, place) in enumerate(zip(face.chips, places, strict=False)):
+            if place.adjusted(-2, -2, 2, 5).contains(here):
+                return digit
+        return -1
+
+    def _select_for_menu(self, event: QMouseEvent) -> None:
+        """A right click selects what it is about, unless that is selected already."""
+        canvas = self._canvas
+        address = canvas.address_at(canvas.mapToScene(event.position().toPoint()))
+        if address is not None and address not in canvas.marks.selection:
+            canvas.selection_wanted.emit((address,))
+
+    def look_again(self) -> None:
+        """Another picture lies under a pointer that has not moved."""
+        viewport = self._canvas.viewport()
+        if self._gesture is None and viewport.underMouse():
+            self._hover(QPointF(viewport.mapFromGlobal(QCursor.pos())))
+
+    def left(self) -> None:
+        """The pointer has left the canvas."""
+        if self._gesture is None:
+            self._set_hover(-1, -1)
+
+    # Hover
+
+    def _hover(self, at: QPointF) -> None:
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if sheet is None:
+            return
+        point = canvas.mapToScene(at.toPoint())
+        state = sheet.state_at(point.x(), point.y())
+        if state < 0 and canvas.editing:
+            state = self._kept_hover(point)
+        edge = -1 if state >= 0 else sheet.edge_at(point.x(), point.y())
+        self._set_hover(state, edge)
+        if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
+            handle = nearest(sheet, state, point)
+            # Where the grip lies a handle would be drawn over it and take its place.
+            hidden = self._near(handle, canvas.gestures.grip, CLEAR)
+            canvas.gestures.put("handle", None if hidden else handle)
+        elif canvas.gestures.handle is not None:
+            canvas.gestures.put("handle", None)
+        self._tip(state, edge)
+        self._cursor()
+
+    def _kept_hover(self, point: QPointF) -> int:
+        """Just outside a node it is still meant while its handle is within reach."""
+        sheet = self._canvas.sheet
+        assert sheet is not None
+        near = sheet.state_at(point.x(), point.y(), REACH)
+        if near < 0:
+            return -1
+        handle = nearest(sheet, near, point)
+        kept = near == sheet.looks.hovered_state
+        return near if kept or self._near(point, handle, HANDLE_RADIUS + 2.0) else -1
+
+    def handles(self, state: int) -> dict[str, QPointF]:
+        """Where the handles of a state stand, by side (scene points)."""
+        sheet = self._canvas.sheet
+        return handles(sheet, state) if sheet is not None else {}
+
+    def _set_hover(self, state: int, edge: int) -> None:
+        canvas, sheet = self._canvas, self._canvas.sheet
+        if sheet is None:
+            return
+        looks = sheet.looks
+        before = looks.hovered_state, looks.hovered_edge
+        if before == (state, edge):
+            return
+        labels = canvas.lit_layer.shown()
+        looks.hovered_state, looks.hovered_edge = state, edge
+        canvas.update_lit(labels)
+        canvas.update_edges({e for e in (before[1], edge) if 0 <= e < len(sheet.picture.source)})
+        for node in (before[0], state):
+            canvas.update_node(node)
+        if state < 0:
+            canvas.gestures.put("handle", None)
+        address = None
+        if state >= 0:
+            address = sheet.address_of_state(state)
+        elif edge >= 0:
+            address = sheet.picture.address(edge)
+        canvas.overlays.hover(address)
+        canvas.hover_changed.emit(address)
+
+    def hover_target(self, address: Address | None) -> None:
+        """Light the state an operation would lead to while it is drawn."""
+        sheet = self._canvas.sheet
+        if sheet is not None:
+            self._set_hover(sheet.picture.node(address) if address is not None else -1, -1)
+
+    def _tip(self, state: int, edge: int) -> None:
+        """A name that is cut, or a label that hides, is told in a tooltip."""
+        sheet = self._canvas.sheet
+        assert sheet is not None
+        tip = ""
+        if state >= 0:
+            face = sheet.picture.face(state)
+            tip = face.name if not face.title else f"{face.name}\n{face.title}"
+        elif edge >= 0:
+            tip = edge_tip(self._canvas, edge)
+        if self._canvas.viewport().toolTip() != tip:
+            self._canvas.viewport().setToolTip(tip_text(tip))
+
+    def _grip_edge(self) -> int:
+        sheet = self._canvas.sheet
+        selection = self._canvas.marks.selection
+        if sheet is None or len(selection) != 1 or not selection[0].operation:
+            return -1
+        return sheet.picture.edge(selection[0])
+
+    def show_grip(self) -> None:
+        """Show the grip at the arrowhead of the one selected operation."""
+        canvas, sheet = self._canvas, self._canvas.sheet
+        edge = self._grip_edge()
+        place = None
+        if sheet is not None and edge >= 0 and canvas.editing:
+            place = QPointF(*sheet.geometry.shape(edge).tip)
+        if place != canvas.gestures.grip:
+            canvas.gestures.put("grip", place)
+            self.look_again()
+
+    def _near(self, a: QPointF, b: QPointF | None, pixels: float) -> bool:
+        if b is None:
+            return False
+        step = (a - b) * self._canvas.zoom
+        return step.x() ** 2 + step.y() ** 2 <= pixels**2
+
+    def _cursor(self) -> None:
+        if self._gesture is None:
+            shape = Qt.CursorShape.OpenHandCursor if self._space else Qt.CursorShape.ArrowCursor
+            self._canvas.viewport().setCursor(shape)
+
+    # Keys
+
+    def key_press(self, event: QKeyEvent) -> bool:
+        """Whether a key was taken."""
+        if event.key() == Qt.Key.Key_Space and not event.modifiers():
+            if not event.isAutoRepeat():
+                self._space = True
+                self._cursor()
+            return True
+        if event.key() == Qt.Key.Key_Escape and self._gesture is not None:
+            gesture, self._gesture, self._sticky = self._gesture, None, False
+            gesture.cancel()
+            return True
+        return keys.press(self._canvas, event)
+
+    def key_release(self, event: QKeyEvent) -> bool:
+        if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
+            self._space = False
+            self._cursor()
+            return True
+        return False
+
+    def lost_focus(self) -> None:
+        self._space = False

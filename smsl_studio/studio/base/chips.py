@@ -1,0 +1,108 @@
+"""Fact chips: the small boxes that show a digit, wherever panels show one."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.picture import MOST_CHIPS
+from smsl_studio.studio.base.theme import Tokens, mono_font
+from smsl_studio.studio.base.tips import tip_text
+
+CHIP, GAP = 20, 5
+ON, OFF, VALUE = "on", "off", "value"
+
+
+def kind_of(branch: StateBranch, state: str, digit: int) -> str:
+    """How a digit of a state is drawn: on (filled), off (outlined), or a value among several."""
+    values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
+    if not set(values) <= {"0", "1"} and digit not in branch.subs and len(values) != 2:
+        return VALUE
+    if not set(values) <= {"0", "1"} and branch.fact_note(digit) is None:
+        return VALUE
+    return ON if branch.is_on(state, digit) else OFF
+
+
+def paint_chip(
+    painter: QPainter, rect: QRectF, text: str, kind: str, tokens: Tokens, *, sub: bool = False
+) -> None:
+    """Paint one chip; ``sub`` adds the accent bar of a sub-SB below it."""
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    box = rect.adjusted(0.5, 0.5, -0.5, -0.5)
+    painter.setPen(QPen(tokens.line2, 1) if kind == OFF else Qt.PenStyle.NoPen)
+    painter.setBrush({ON: tokens.slate, OFF: tokens.surf}.get(kind, tokens.sunk))
+    painter.drawRoundedRect(box, 4, 4)
+    painter.setPen(tokens.onslate if kind == ON else tokens.tx2 if kind == OFF else tokens.tx)
+    painter.setFont(mono_font(12, 500))
+    middle = Qt.TextElideMode.ElideMiddle
+    shown = painter.fontMetrics().elidedText(
+        plain_text(text), middle, max(int(rect.width()) - 4, 12)
+    )
+    painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, shown)
+    if sub:
+        bar = QRectF(rect.center().x() - 6.5, rect.bottom() + 2, 13, 2)
+        painter.fillRect(bar, tokens.acc)
+    painter.restore()
+
+
+class Chips(QWidget):
+    """The facts of one state as a row of chips; a click on one is told with its digit."""
+
+    chosen = Signal(int)
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._chips: tuple[tuple[str, str, bool], ...] = ()
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setFixedHeight(CHIP + 12)
+        self._places: list[QRectF] = []
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        for digit, place in enumerate(self._places):
+            if place.contains(event.position()):
+                self.chosen.emit(digit)
+                return
+
+    def place_of(self, digit: int) -> QRectF:
+        """Where the chip of a digit is painted."""
+        return self._places[digit]
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def show_state(self, branch: StateBranch, state: str) -> None:
+        """Show the facts of ``state``."""
+        facts = branch.facts(state)
+        shown = tuple(enumerate(facts[:MOST_CHIPS]))
+        subs = branch.subs
+        self._chips = tuple((value, kind_of(branch, state, d), d in subs) for d, value in shown)
+        said = [f"{branch.fact_name(digit)}: {value}" for digit, value in shown]
+        if len(facts) > MOST_CHIPS:
+            said.append(f"and {len(facts) - MOST_CHIPS:,} more")
+        self.setToolTip(tip_text("\n".join([*said, "Click a fact to edit what it means."])))
+        self.setAccessibleName(plain_text(", ".join(said)))
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(len(self._chips) * (CHIP + GAP), CHIP + 12)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        metrics = self.fontMetrics()
+        x = 0.0
+        self._places.clear()
+        for text, kind, sub in self._chips:
+            natural = max(CHIP, metrics.horizontalAdvance(text) + 8)
+            wide = min(float(natural), self.width() - x)
+            shown = metrics.elidedText(plain_text(text), Qt.TextElideMode.ElideMiddle, int(wide))
+            self._places.append(QRectF(x, 5, wide, CHIP))
+            paint_chip(painter, self._places[-1], shown, kind, self._tokens, sub=sub)
+            x += wide + GAP
+            if x > self.width() - CHIP:
+                break

@@ -1,0 +1,114 @@
+"""A button that shows its key: what it does, and which key does the same."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QIcon, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QPushButton, QSizePolicy, QStyle, QStyleOptionButton
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens, text_font
+
+ICON, GAP, CHIP = 16, 8, 20
+
+
+class KeyButton(QPushButton):
+    """An icon, a word and a key. ``role`` is plain (empty), ``primary`` or ``stop``."""
+
+    def __init__(
+        self,
+        words: str,
+        key: str,
+        name: str,
+        role: str,
+        tokens: Tokens,
+    ) -> None:
+        super().__init__(words)
+        self._key, self._icon, self._role, self._tokens = key, name, role, tokens
+        self._short = False
+        self.setProperty("role", role)
+        self.setFixedHeight(CONTROL_DECISION)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.setAccessibleName(plain_text(words))
+
+    def set_words(self, words: str, key: str, name: str) -> None:
+        """Do something else from now on."""
+        self._key, self._icon = key, name
+        self.setText(words)
+        self.setAccessibleName(plain_text(words))
+        self.updateGeometry()
+        self.update()
+
+    def set_short(self, short: bool) -> None:
+        """Show the icon and the key alone, where there is little room."""
+        if short != self._short:
+            self._short = short
+            self.setMinimumWidth(0)
+            self.updateGeometry()
+            self.update()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(round(self._wide()) + 26, CONTROL_DECISION)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        option = QStyleOptionButton()
+        self.initStyleOption(option)
+        option.text, option.icon = "", QIcon()
+        painter = QPainter(self)
+        self.style().drawControl(QStyle.ControlElement.CE_PushButton, option, painter, self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        ink, paper = self._inks()
+        left, middle = (self.width() - self._wide()) / 2, self.height() / 2
+        draw(painter, self._icon, QRectF(left, middle - ICON / 2, ICON, ICON), ink, paper)
+        left += ICON + GAP
+        painter.setPen(ink)
+        painter.setFont(self._font())
+        if not self._short:
+            wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
+            room = QRectF(left, 0, wide + 1, self.height())
+            painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, plain_text(self.text()))
+            left += wide + GAP
+        self._paint_key(painter, QRectF(left, middle - CHIP / 2, self._chip(), CHIP))
+        painter.end()
+
+    def _paint_key(self, painter: QPainter, box: QRectF) -> None:
+        ink, _ = self._inks()
+        edge, fill = QColor(ink), QColor(ink)
+        edge.setAlphaF(0.0 if self._role == "stop" else 0.6 if self._role else 0.25)
+        fill.setAlphaF({"stop": 0.2, "primary": 0.1}.get(self._role, 0.03))
+        painter.setPen(QPen(edge, 1) if edge.alpha() else Qt.PenStyle.NoPen)
+        painter.setBrush(fill)
+        painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 4, 4)
+        painter.setPen(ink)
+        painter.setFont(text_font(11, 500))
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, plain_text(self._key))
+
+    def _inks(self) -> tuple[QColor, QColor]:
+        tokens = self._tokens
+        if self._role == "stop":
+            return QColor("white"), tokens.stop
+        return (tokens.onacc, tokens.acc) if self._role else (tokens.tx, tokens.surf)
+
+    def _font(self) -> QFont:
+        return (
+            text_font(14, 700)
+            if self._role == "stop"
+            else text_font(13, 600 if self._role else 500)
+        )
+
+    def _chip(self) -> float:
+        return QFontMetricsF(text_font(11, 500)).horizontalAdvance(self._key) + 12
+
+    def _wide(self) -> float:
+        if self._short:
+            return ICON + GAP + self._chip()
+        wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
+        return ICON + GAP + wide + GAP + self._chip()

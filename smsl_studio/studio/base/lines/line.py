@@ -1,0 +1,119 @@
+"""What every line of a form has: a name at the left, a field, and words below it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Label, label, row
+from smsl_studio.studio.base.tips import tip_text
+
+LABEL = 80
+NOT_SAID, VARIOUS = "Not said", "Various"
+
+
+@dataclass(frozen=True)
+class ShownValue:
+    """The value of one word in one entry: as written there (None: not), and what holds without.
+
+    ``origin`` says where that comes from, such as ``all Op_1b``; empty for a plain default.
+    """
+
+    written: Any = None
+    standard: Any = None
+    origin: str = ""
+
+    @property
+    def value(self) -> Any:
+        """What holds."""
+        return self.standard if self.written is None else self.written
+
+
+class Sentence(Label):
+    """A sentence in one of the style sheet's roles, which takes no room while it is empty."""
+
+    def __init__(self, role: str, left: int = 0) -> None:
+        super().__init__()
+        self.setProperty("role", role)
+        self.setWordWrap(True)
+        self.setContentsMargins(left, 0, 0, 2)
+        self.hide()
+
+    def say(self, sentence: str) -> None:
+        self.setText(sentence)
+        self.setVisible(bool(sentence))
+
+
+class FormLine(QWidget):
+    """One line. ``given`` tells a value that was meant; None: nothing shall be written."""
+
+    given = Signal(object)
+
+    def __init__(self, words: str, field: QWidget, tip: str, *beside: QWidget | None) -> None:
+        super().__init__()
+        self.words, self.field = words, field
+        field.setAccessibleName(plain_text(words))
+        field.setToolTip(tip_text(tip))
+        self.hint, self.refusal = Sentence("hint", LABEL), Sentence("refusal", LABEL)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(2)
+        line = labelled(words, field)
+        name = line.itemAt(0)
+        found = name.widget() if name is not None else None
+        assert isinstance(found, QLabel)
+        self.name: QLabel = found
+        for widget in beside:
+            line.addSpacing(8) if widget is not None else line.addStretch(1)
+            if widget is not None:
+                line.addWidget(widget)
+        column.addLayout(line)
+        column.addWidget(self.hint)
+        column.addWidget(self.refusal)
+
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Show the word in every entry; subclasses put it into their field."""
+        self.refuse("")
+        self.say(_origin_words(shown, self.said))
+
+    def said(self, value: Any) -> str:
+        """A value in words, as steps and hints name it."""
+        return f"“{value}”"
+
+    def say(self, sentence: str) -> None:
+        """A quiet sentence below the field; the empty text takes it away."""
+        self.hint.say(sentence)
+
+    def refuse(self, sentence: str) -> None:
+        """Say below the field why a value was not taken; the empty text takes it away."""
+        self.refusal.say(sentence)
+        mark = getattr(self.field, "set_refused", None)
+        if mark is not None:
+            mark(bool(sentence))
+
+
+def labelled(words: str, field: QWidget) -> QHBoxLayout:
+    """A field with its name at the left."""
+    name = label(words, "label")
+    name.setFixedWidth(LABEL)
+    name.setBuddy(field)
+    return row(name, field, spacing=0)
+
+
+def same(values: Sequence[Any]) -> bool:
+    """Whether all values are one."""
+    return all(value == values[0] for value in values[1:])
+
+
+def _origin_words(shown: Sequence[ShownValue], said: Any) -> str:
+    """Where a value comes from, where another would hold without it."""
+    if len(shown) != 1 or shown[0].written is None or not shown[0].origin:
+        return ""
+    standard = shown[0].standard
+    other = said(standard) if standard not in (None, "", ()) else "nothing"
+    return f"This edge only; {shown[0].origin}: {other}."

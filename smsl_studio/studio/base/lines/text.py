@@ -1,0 +1,145 @@
+"""Lines that are typed: a text, a number with its unit, a list."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from smsl_studio.studio.base.controls import Field
+from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, same
+
+
+class TextLine(FormLine):
+    """One line of text."""
+
+    def __init__(self, words: str, tip: str, hint: str = "") -> None:
+        self.field: Field = Field()
+        super().__init__(words, self.field, tip)
+        self._hint = hint
+        self.field.editingFinished.connect(self._typed)
+
+    def show_values(self, shown: Sequence[ShownValue]) -> None:
+        super().show_values(shown)
+        written = [one.written for one in shown]
+        alike = bool(shown) and same(written) and written[0] is not None
+        self.field.settle(self.text_of(written[0]) if alike else "")
+        self.field.setPlaceholderText(self._placeholder(shown))
+
+    def text_of(self, value: Any) -> str:
+        """A value as it is typed."""
+        return str(value)
+
+    def value_of(self, text: str) -> Any:
+        """What a text means; ValueError with a sentence where it means nothing."""
+        return text
+
+    def _placeholder(self, shown: Sequence[ShownValue]) -> str:
+        if not shown or not same([one.value for one in shown]):
+            return VARIOUS if shown else ""
+        first = shown[0]
+        if first.standard in (None, "", ()):
+            return self._hint
+        words = self.text_of(first.standard)
+        return f"{words} ({first.origin})" if first.origin else words
+
+    def _typed(self) -> None:
+        if not self.field.changed:
+            return
+        text = self.field.text().strip()
+        try:
+            value = self.value_of(text) if text else None
+        except ValueError as error:
+            self.refuse(str(error))
+            return
+        self.given.emit(value)
+
+
+@dataclass(frozen=True)
+class NumberBounds:
+    """What numbers are taken: from ``least`` (or above it) to ``most``."""
+
+    least: float = 0.0
+    open: bool = False
+    """Whether ``least`` itself is too little."""
+    most: float = 1e12
+    whole: bool = False
+
+    def sentence(self, text: str) -> str:
+        """Why a text is no such number; the empty text where it is one."""
+        kind, example = ("whole number", "2") if self.whole else ("number", "2.5")
+        try:
+            value = float(text)
+        except ValueError:
+            return f"“{text[:40]}” is no number. Write one such as {example}."
+        if not math.isfinite(value) or value > self.most:
+            return f"“{text[:40]}” is too large. Write {self.most:g} or less."
+        if self.whole and not value.is_integer():
+            return f"“{text[:40]}” is no whole number. Write one such as {example}."
+        if value < self.least or (self.open and value == self.least):
+            bound = f"a {kind} above {self.least:g}" if self.open else f"{self.least:g} or more"
+            return f"“{text[:40]}” is too small. Write {bound}."
+        return ""
+
+
+class NumberLine(TextLine):
+    """A number; its unit stands in the field."""
+
+    def __init__(
+        self, words: str, tip: str, bounds: NumberBounds, unit: str = "", hint: str = ""
+    ) -> None:
+        super().__init__(words, tip, hint)
+        self._bounds, self._unit = bounds, unit
+        self.field.set_suffix(unit)
+
+    def text_of(self, value: Any) -> str:
+        return number_text(value)
+
+    def value_of(self, text: str) -> Any:
+        text = text.replace(",", ".")
+        sentence = self._bounds.sentence(text)
+        if sentence:
+            raise ValueError(sentence)
+        value = float(text)
+        return int(value) if value.is_integer() else value
+
+    def said(self, value: Any) -> str:
+        return f"{number_text(value)} {self._unit}".strip()
+
+
+class ListLine(TextLine):
+    """Several texts, with commas between them; one that holds a comma stands in quotes.
+
+    ``once`` drops what is typed twice; where the place of each text matters, it is kept.
+    """
+
+    def __init__(self, words: str, tip: str, hint: str = "", once: bool = True) -> None:
+        super().__init__(words, tip, hint)
+        self._once = once
+
+    def text_of(self, value: Any) -> str:
+        out = io.StringIO()
+        csv.writer(out, lineterminator="").writerow(value)
+        return out.getvalue().replace(",", ", ") if _plain(value) else out.getvalue()
+
+    def value_of(self, text: str) -> Any:
+        cells = next(csv.reader([text.replace("\n", " ")], skipinitialspace=True), [])
+        texts = [cell.strip() for cell in cells if cell.strip()]
+        return (list(dict.fromkeys(texts)) if self._once else texts) or None
+
+    def said(self, value: Any) -> str:
+        return self.text_of(value)
+
+
+def _plain(value: Sequence[str]) -> bool:
+    return not any("," in text or '"' in text for text in value)
+
+
+def number_text(value: float | None) -> str:
+    """A number as it is typed; the empty text for none."""
+    if value is None:
+        return ""
+    return str(int(value)) if float(value).is_integer() and abs(value) < 1e15 else repr(value)

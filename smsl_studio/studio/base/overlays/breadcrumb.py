@@ -1,0 +1,175 @@
+"""The breadcrumb: file, base SBs, the SB that is shown; each but the last can be clicked."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFontMetricsF,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.graph.layout import is_grid
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+
+EDGE, NARROWEST, VEIL = 14, 72.0, 235
+"""Pixels beside it in the view, and to which a name is shortened at most where room is short;
+how little is seen through it."""
+
+
+def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
+    """The SBs from a root down to ``branch``, by the first base each names."""
+    found = [branch]
+    while blueprint.bases.get(found[0]):
+        base = blueprint.bases[found[0]][0][0]
+        if base in found:
+            break
+        found.insert(0, base)
+    return tuple(found)
+
+
+class Breadcrumb(QWidget):
+    """Stands at the top left; ``clicked`` names the SB to show, empty for the file."""
+
+    clicked = Signal(str)
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._file = ""
+        self._chain: tuple[str, ...] = ()
+        self._note = ""
+        self._under = -1
+        self.setMouseTracking(True)
+        self.setAccessibleName("Path")
+
+    def show_branch(self, blueprint: Blueprint, branch: str) -> None:
+        """Show where an SB stands."""
+        self._file = blueprint.file.replace("\\", "/").rpartition("/")[2]
+        self._chain = chain(blueprint, branch) if branch in blueprint.branches else ()
+        self._note = ""
+        if self._chain:
+            shown = blueprint[branch]
+            states, operations = len(shown.table), shown.edge_count
+            home = blueprint.imported.get(branch)
+            where = f"in {PurePath(home.file).name}, " if home is not None else ""
+            self.setToolTip(tip_text(home.file if home is not None else blueprint.file))
+            self._note = (
+                f"{where}{states:,} state{'' if states == 1 else 's'}, "
+                f"{operations:,} operation{'' if operations == 1 else 's'}"
+            )
+            if is_grid(shown):
+                self._note += f", too many for distances: in columns from {shown.initial}"
+        self.setAccessibleDescription(plain_text(" > ".join((self._file, *self._chain))))
+        self.resize(self.sizeHint())
+        self.update()
+
+    @property
+    def note(self) -> str:
+        """What is said of the SB behind its name."""
+        return self._note
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What is shown, from the file on."""
+        return (self._file, *self._chain)
+
+    def place_of(self, part: int) -> QRectF:
+        """Where a part stands in the widget; part 0 is the file."""
+        return self._places()[part]
+
+    def _places(self) -> list[QRectF]:
+        x, places = 22.0, []
+        for width in self._widths():
+            places.append(QRectF(x, 0.0, width, 26.0))
+            x += width + 22.0
+        return places
+
+    def _widths(self) -> list[float]:
+        """How wide each name is shown: shortened from the file on, where the view is narrow."""
+        widths = [_width(text, i == len(self._chain) and i > 0)
+                  for i, text in enumerate(self.words)]  # fmt: skip
+        beside = 22.0 * len(widths) + 20 + _width(self._note, False)
+        parent = self.parentWidget()
+        room = (parent.width() if parent is not None else 0) - 2 * EDGE - beside
+        for i, width in enumerate(widths):
+            over = sum(widths) - room
+            if over > 0:
+                widths[i] = max(min(width, NARROWEST), width - over)
+        return widths
+
+    def sizeHint(self) -> QSize:
+        last = self._places()[-1].right()
+        return QSize(int(last + 12 + _width(self._note, False) + 8), 26)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        at = event.position()
+        found = (i for i, rect in enumerate(self._places()) if rect.contains(at))
+        under = next(found, -1)
+        under = under if under < len(self._chain) else -1
+        if under != self._under:
+            self._under = under
+            if under >= 0:
+                self.setCursor(Qt.CursorShape.PointingHandCursor)
+            else:
+                self.unsetCursor()
+            self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._under = -1
+        self.update()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        for i, rect in enumerate(self._places()):
+            if rect.contains(event.position()) and i < len(self._chain):
+                self.clicked.emit(self._chain[i - 1] if i else "")
+                return
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens = self.tokens
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        # A large graph lies below it, and is not to be seen through the names.
+        behind = QColor(tokens.canvas)
+        behind.setAlpha(VEIL)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(behind)
+        painter.drawRoundedRect(self.rect(), RADIUS_CHIP, RADIUS_CHIP)
+        draw(painter, "file", QRectF(0, 5.5, 15, 15), tokens.tx2, tokens.canvas)
+        places = self._places()
+        for i, (text, rect) in enumerate(zip(self.words, places, strict=True)):
+            last = i == len(self._chain) and bool(self._chain)
+            font = text_font(13, 600 if last else 400)
+            font.setUnderline(i == self._under)
+            painter.setFont(font)
+            painter.setPen(tokens.tx if last else tokens.acc if i == self._under else tokens.tx2)
+            baseline = QPointF(rect.left(), 13.0 + QFontMetricsF(font).capHeight() / 2)
+            shown = QFontMetricsF(font).elidedText(
+                plain_text(text), Qt.TextElideMode.ElideMiddle, rect.width() + 0.5
+            )
+            painter.drawText(baseline, shown)
+            if not last and i < len(places) - 1:
+                box = QRectF(rect.right() + 5.0, 8.0, 11.0, 11.0)
+                draw(painter, "chevron-right", box, tokens.tx3, tokens.canvas)
+        if self._note:
+            painter.setFont(text_font(13))
+            painter.setPen(tokens.tx3)
+            base = 13.0 + QFontMetricsF(text_font(13)).capHeight() / 2
+            painter.drawText(QPointF(places[-1].right() + 12.0, base), plain_text(self._note))
+        painter.end()
+
+
+def _width(text: str, bold: bool) -> float:
+    return QFontMetricsF(text_font(13, 600 if bold else 400)).horizontalAdvance(text)

@@ -1,0 +1,133 @@
+"""Card and IconButton: the ground and the buttons of what floats on the canvas."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QGraphicsDropShadowEffect,
+    QLabel,
+    QWidget,
+)
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN, faded
+from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+
+
+class Card(QWidget):
+    """A floating ground with a thin line and rounded corners."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens, radius: float = RADIUS_CONTROL) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self.radius = radius
+        self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def float_up(self) -> None:
+        """Cast a soft shadow, as what floats over the picture does."""
+        shadow = QGraphicsDropShadowEffect(self)
+        shadow.setBlurRadius(22.0)
+        shadow.setOffset(0.0, 4.0)
+        shadow.setColor(QColor(10, 16, 28, 120 if self.tokens.dark else 46))
+        self.setGraphicsEffect(shadow)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.tokens = tokens
+        for child in self.findChildren(IconButton):
+            child.tokens = tokens
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.tokens.line, 1.0))
+        painter.setBrush(self.tokens.surf)
+        rect = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
+        painter.drawRoundedRect(rect, self.radius, self.radius)
+        painter.end()
+
+
+class PassingCard(Card):
+    """A card that is there for one answer: once closed it says so and is gone for good."""
+
+    closed = Signal()
+
+    def __init__(self, parent: QWidget, tokens: Tokens, radius: float) -> None:
+        super().__init__(parent, tokens, radius)
+        self._closing = False
+        self.float_up()
+
+    def close_field(self) -> None:
+        """Go away; calling it twice is harmless.
+
+        The keys go back to what it lay on, unless somebody has taken them elsewhere already.
+        """
+        if not self._closing:
+            self._closing = True
+            focus, below = QApplication.focusWidget(), self.parentWidget()
+            if below is not None and focus is not None and self.isAncestorOf(focus):
+                below.setFocus()
+            self.hide()
+            self.closed.emit()
+            self.deleteLater()
+
+
+def tint(label: QLabel, colour: QColor) -> None:
+    """Give a label its colour, whatever the style sheet of the window says of labels."""
+    label.setStyleSheet(f"color: {colour.name()}; background: transparent;")
+
+
+class IconButton(QAbstractButton):
+    """A button with a line icon, or with words; its name is its tooltip too."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens, icon: str, name: str) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._icon = icon
+        self.accent = False
+        self._inside = False
+        self.setToolTip(tip_text(name))
+        self.setAccessibleName(plain_text(name))
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    def sizeHint(self) -> QSize:
+        return QSize(30, 30)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        self._inside = True
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        self._inside = False
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens = self.tokens
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        rect = QRectF(self.rect())
+        if self._inside or self.isDown():
+            painter.setPen(NO_PEN)
+            painter.setBrush(tokens.sunk if not self.isDown() else tokens.accs)
+            painter.drawRoundedRect(rect.adjusted(2, 2, -2, -2), 5, 5)
+        colour = tokens.acc if self.accent else tokens.tx2
+        if not self.isEnabled():
+            colour = faded(colour, 0.4)
+        painter.setBrush(NO_BRUSH)
+        if self.text():
+            painter.setFont(text_font(13, 500))
+            painter.setPen(colour)
+            painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, plain_text(self.text()))
+        else:
+            side = 16.0
+            box = QRectF(0, 0, side, side)
+            box.moveCenter(rect.center())
+            draw(painter, self._icon, box, colour, tokens.surf)
+        painter.end()

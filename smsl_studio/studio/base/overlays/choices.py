@@ -1,0 +1,63 @@
+"""The names that fit what is being typed; one is chosen by arrow keys or a click."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.base.paint.ink import NO_PEN, Type
+from smsl_studio.studio.base.theme import Tokens, text_font
+
+ROW = 28
+
+
+class Choices(QWidget):
+    """The names that fit what was typed; none is chosen until an arrow key or click does."""
+
+    chosen = Signal(str)
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._type = Type(text_font(13))
+        self._names: list[str] = []
+        self._at = -1
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+
+    @property
+    def current(self) -> str:
+        return self._names[self._at] if 0 <= self._at < len(self._names) else ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(self._names)
+
+    def show_names(self, names: list[str]) -> None:
+        self._names, self._at = names, -1
+        self.setVisible(bool(names))
+        self.setFixedHeight(len(names) * ROW)
+        self.update()
+
+    def move_choice(self, step: int) -> None:
+        if self._names:
+            self._at = (self._at + step) % len(self._names)
+            self.update()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        row = int(event.position().y() // ROW)
+        if 0 <= row < len(self._names):
+            self.chosen.emit(self._names[row])
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for i, name in enumerate(self._names):
+            rect = QRectF(0, i * ROW, self.width(), ROW - 1)
+            if i == self._at:
+                painter.setPen(NO_PEN)
+                painter.setBrush(self._tokens.accs)
+                painter.drawRoundedRect(rect, 5, 5)
+            text = self._type.elided(name, self.width() - 20)
+            self._type.draw_from(painter, 8, rect.center().y(), text, self._tokens.tx)
+        painter.end()

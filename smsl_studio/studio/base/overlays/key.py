@@ -1,0 +1,63 @@
+"""The key: what the short texts of compact nodes and labels stand for."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.picture import Picture
+from smsl_studio.studio.base.paint.ink import Type
+from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
+
+ROW = 18
+LONGEST = 46
+
+
+class Key(QWidget):
+    """Stands at the top right while nodes show their facts alone."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._code, self._words = Type(mono_font(12, 500)), Type(text_font(12))
+        self._rows: tuple[tuple[str, str], ...] = ()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    @property
+    def rows(self) -> tuple[tuple[str, str], ...]:
+        return self._rows
+
+    def show_picture(self, picture: Picture | None, compact: bool) -> None:
+        """Explain a picture; nothing is said where all names are written out."""
+        rows: list[tuple[str, str]] = []
+        if picture is not None and len(picture) and compact:
+            branch = picture.branch
+            if not branch.shape.opaque:
+                names = [branch.fact_name(d) for d in range(branch.num_facts)]
+                noted = any(branch.fact_note(d) for d in range(branch.num_facts))
+                words = ", ".join(names) if noted else ""
+                if not words or len(words) > LONGEST:
+                    words = f"short for {picture.names[0]}"
+                rows.append((picture.face(0).short, words))
+        if picture is not None and picture.prefix and compact and picture.operations:
+            rows.append((picture.label(0), f"short for {picture.operations[0]}"))
+        self._rows = tuple(rows)
+        self.setAccessibleName(plain_text("; ".join(f"{code}: {words}" for code, words in rows)))
+        self.resize(self.sizeHint())
+        self.setVisible(bool(rows))
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        widths = [self._code.width(c) + 8 + self._words.width(w) for c, w in self._rows]
+        return QSize(int(max(widths, default=0.0)) + 4, ROW * len(self._rows))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        for i, (code, words) in enumerate(self._rows):
+            y = i * ROW + ROW / 2
+            x = self.width() - self._words.width(words) - 2
+            self._words.draw_from(painter, x, y, words, self.tokens.tx2)
+            self._code.draw_from(painter, x - 8 - self._code.width(code), y, code, self.tokens.tx)
+        painter.end()

@@ -1,0 +1,157 @@
+"""Legends: the sub-SB marks of the SB that is shown, or what is lit during a run."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.guards import MEANING
+from smsl_studio.studio.base.paint.guard_sign import DECLARED, HOLDS, MISSES, UNKNOWN, draw_guard
+from smsl_studio.studio.base.paint.ink import (
+    NO_PEN,
+    Type,
+    draw_barred,
+    draw_sub_mark,
+    draw_warning,
+    faded,
+    pen,
+)
+from smsl_studio.studio.base.theme import Tokens, text_font
+
+ROW = 18
+RUN_WORDS = ("active", "running", "path so far", "planned", "pruned")
+HELD_BACK, MET, NOT_MET, RISK = "held back, unknown", "needs met", "needs not met", "risky"
+RUN_ROW = 22
+
+
+class Legend(QWidget):
+    """Explains rise, fall and mixed, with the name of the fact where there is one sub-SB, and the
+    lock of what needs other facts first."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._type = Type(text_font(12))
+        self._words: tuple[tuple[str, str], ...] = ()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def show_branch(self, branch: StateBranch, kinds: set[str]) -> None:
+        """Explain the kinds that occur; nothing is shown where there are none."""
+        subs = list(branch.subs)
+        name = ""
+        if len(subs) == 1:
+            note = branch.fact_note(subs[0])
+            name = f"“{note.name}”" if note and note.name else "the sub-SB's fact"
+        words = {
+            "rise": f"turns {name} on" if name else "turns a sub-SB's fact on",
+            "fall": "turns it off",
+            "mixed": "changes it together with others",
+        }
+        words["guard"] = MEANING
+        self._words = tuple((kind, text) for kind, text in words.items() if kind in kinds)
+        self.setAccessibleName(plain_text("; ".join(text for _, text in self._words)))
+        self.resize(self.sizeHint())
+        self.update()
+
+    @property
+    def empty(self) -> bool:
+        return not self._words
+
+    def sizeHint(self) -> QSize:
+        width = max((self._type.width(text) for _, text in self._words), default=0.0)
+        return QSize(int(width) + 24, ROW * len(self._words))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for i, (kind, text) in enumerate(self._words):
+            y = i * ROW + ROW / 2
+            if kind == "guard":
+                draw_guard(painter, 6.0, y, DECLARED, self.tokens)
+            else:
+                draw_sub_mark(painter, 6.0, y, kind, self.tokens.acc, self.tokens.canvas)
+            self._type.draw_from(painter, 18.0, y, text, self.tokens.tx2)
+        painter.end()
+
+
+class RunLegend(QWidget):
+    """Explains the marks of a run: active, running, path so far, planned, pruned; what is held
+    back and the locks where operations need other facts; risky where one is."""
+
+    empty = False
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._type = Type(text_font(12))
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.words: tuple[str, ...] = ()
+        self.show_kinds(guarded=False, risky=False)
+
+    def show_kinds(self, guarded: bool, risky: bool) -> bool:
+        """Explain what may be seen in this SB; whether that is something else than before."""
+        words: tuple[str, ...] = RUN_WORDS
+        words += (HELD_BACK, MET, NOT_MET) if guarded else ()
+        words += (RISK,) if risky else ()
+        changed = words != self.words
+        if changed:
+            self.words = words
+            self.setAccessibleName(plain_text("Legend: " + ", ".join(words)))
+            self.resize(self.sizeHint())
+            self.update()
+        return changed
+
+    def sizeHint(self) -> QSize:
+        width = max(self._type.width(text) for text in self.words)
+        return QSize(int(width) + 42, RUN_ROW * len(self.words))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.fillRect(self.rect(), faded(self.tokens.canvas, 0.88))
+        for i, text in enumerate(self.words):
+            y = i * RUN_ROW + RUN_ROW / 2
+            self._sign(painter, text, y)
+            self._type.draw_from(painter, 36.0, y, text, self.tokens.tx2)
+        painter.end()
+
+    def _sign(self, painter: QPainter, text: str, y: float) -> None:
+        tokens = self.tokens
+        start, end = QPointF(1.0, y), QPointF(27.0, y)
+        if text == "active":
+            painter.setPen(NO_PEN)
+            painter.setBrush(tokens.acc)
+            painter.drawRoundedRect(QRectF(1.0, y - 5.0, 26.0, 10.0), 3.0, 3.0)
+        elif text == "running":
+            painter.setPen(pen(tokens.accl, 5.0))
+            painter.drawLine(start, end)
+            painter.setPen(pen(tokens.acc, 5.0))
+            painter.drawLine(start, QPointF(14.0, y))
+            painter.setPen(pen(tokens.acc, 2.4))
+            painter.setBrush(tokens.surf)
+            painter.drawEllipse(QPointF(14.0, y), 4.0, 4.0)
+        elif text == "path so far":
+            painter.setPen(pen(faded(tokens.acc, 0.16), 9.0))
+            painter.drawLine(start, end)
+            painter.setPen(pen(tokens.acc, 2.4))
+            painter.drawLine(start, end)
+        elif text == "planned":
+            painter.setPen(pen(tokens.acc, 1.6, (4.0, 4.0)))
+            painter.drawLine(start, end)
+        elif text == HELD_BACK:
+            painter.setPen(pen(tokens.edge, 1.6, (6.0, 3.0)))
+            painter.drawLine(start, end)
+            draw_guard(painter, 14.0, y, UNKNOWN, tokens)
+        elif text in (MET, NOT_MET):
+            draw_guard(painter, 14.0, y, HOLDS if text == MET else MISSES, tokens)
+        elif text == RISK:
+            painter.setPen(pen(tokens.risk, 2.0))
+            painter.drawLine(start, end)
+            draw_warning(painter, 14.0, y, 12.0, tokens)
+        else:
+            painter.setPen(pen(tokens.edge, 1.6, (2.0, 4.0)))
+            painter.drawLine(start, end)
+            draw_barred(painter, 14.0, y, 5.5, tokens)

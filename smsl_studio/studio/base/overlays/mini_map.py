@@ -1,0 +1,104 @@
+"""The mini-map: all states at once and the part that is in view; a press goes there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, QSize
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
+
+from smsl_studio.studio.base.overlays.card import Card
+from smsl_studio.studio.base.paint import batch
+from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN
+from smsl_studio.studio.base.theme import Tokens
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+MARGIN = 8.0
+MANY, MANY_LINES = 400, 2000
+
+
+class MiniMap(Card):
+    """Stands at the bottom right; states are painted in one batch."""
+
+    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+        super().__init__(canvas, tokens)
+        self._canvas = canvas
+        self.setAccessibleName("Map of the State Branch")
+
+    def sizeHint(self) -> QSize:
+        return QSize(148, 92)
+
+    def _frame(self) -> tuple[float, QPointF] | None:
+        """The scale, and the scene point in the middle; None where there is nothing."""
+        sheet = self._canvas.sheet
+        if sheet is None or not len(sheet.at):
+            return None
+        low, high = sheet.at.min(axis=0), sheet.at.max(axis=0)
+        view = self._view()
+        left, top = min(low[0], view.left()), min(low[1], view.top())
+        right, bottom = max(high[0], view.right()), max(high[1], view.bottom())
+        width, height = max(right - left, 1.0), max(bottom - top, 1.0)
+        free = self.width() - 2 * MARGIN, self.height() - 2 * MARGIN
+        scale = min(free[0] / width, free[1] / height)
+        return float(scale), QPointF((left + right) / 2, (top + bottom) / 2)
+
+    def _view(self) -> QRectF:
+        canvas = self._canvas
+        return canvas.mapToScene(canvas.viewport().rect()).boundingRect()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        frame, sheet = self._frame(), self._canvas.sheet
+        if frame is None or sheet is None:
+            return
+        scale, middle = frame
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        centre = np.array([self.width() / 2, self.height() / 2])
+        at = (sheet.at - (middle.x(), middle.y())) * scale + centre
+        size = np.maximum(sheet.halves() * 2 * scale, (3.0, 2.0))
+        if len(at) > MANY:
+            size = np.full_like(at, 1.5)
+        source, target = sheet.picture.source, sheet.picture.target
+        if len(source) <= MANY_LINES:
+            keep = target >= 0
+            painter.setPen(QPen(self.tokens.line2, 1.0))
+            batch.draw_lines(painter, np.hstack([at[source[keep]], at[target[keep]]]))
+        painter.setPen(NO_PEN)
+        painter.setBrush(self.tokens.slate)
+        batch.draw_rects(painter, np.hstack([at - size / 2, size]))
+        lit = [s for s in sheet.looks.lit_states if s < len(at)]
+        if lit:
+            painter.setBrush(self.tokens.acc)
+            batch.draw_rects(painter, np.hstack([at[lit] - size[lit] / 2, size[lit]]))
+        view = self._view()
+        painter.setPen(QPen(self.tokens.acc, 1.5))
+        painter.setBrush(NO_BRUSH)
+        corner = (view.topLeft() - middle) * scale + QPointF(*centre)
+        painter.drawRoundedRect(
+            QRectF(corner.x(), corner.y(), view.width() * scale, view.height() * scale), 2, 2
+        )
+        painter.end()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._go(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        self._go(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+
+    def _go(self, event: QMouseEvent) -> None:
+        frame = self._frame()
+        if frame is None:
+            return
+        scale, middle = frame
+        off = event.position() - QPointF(self.width() / 2, self.height() / 2)
+        camera = self._canvas.camera
+        camera.keep("")
+        camera.go(middle + off / scale, camera.zoom, smooth=False)
+        self.update()

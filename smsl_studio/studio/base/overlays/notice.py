@@ -1,0 +1,118 @@
+"""What the canvas says: a banner at its top, a word at the pointer, the empty pane."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Label
+from smsl_studio.studio.base.overlays.card import Card, tint
+from smsl_studio.studio.base.theme import Tokens, text_font
+
+
+class Banner(QWidget):
+    """A line across the top, such as "The drawing has moved on since this run began"."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._text = Label("", self)
+        self._text.setFont(text_font(12, 500))
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(14, 5, 14, 5)
+        layout.addWidget(self._text)
+        self._text.setWordWrap(True)
+        self.set_tokens(tokens)
+        self.hide()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.tokens = tokens
+        tint(self._text, tokens.risk)
+        self.update()
+
+    def show_text(self, text: str) -> None:
+        self._text.setText(text)
+        self.setAccessibleName(plain_text(text))
+        self.setVisible(bool(text))
+
+    def fit(self, room: int) -> None:
+        """As wide as the words, at most ``room``; then they go on in another line."""
+        metrics = self._text.fontMetrics()
+        lines = self._text.text().split("\n")
+        wide = max(metrics.horizontalAdvance(line) for line in lines) + 32
+        wide = max(min(wide, room), 60)
+        self.resize(wide, self._text.heightForWidth(wide - 28) + 10)
+
+    @property
+    def text(self) -> str:
+        return self._text.text()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(self.tokens.risk, 1.0))
+        painter.setBrush(self.tokens.risks)
+        painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
+        painter.end()
+
+
+class PointerNote(Card):
+    """A short sentence beside the pointer; it goes with the next press or move."""
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent, tokens)
+        self.float_up()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._label = Label("", self)
+        self._label.setFont(text_font(12))
+        self._label.setWordWrap(False)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(10, 5, 10, 5)
+        layout.addWidget(self._label)
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """What is said now; the empty text while nothing is."""
+        return self._label.text() if not self.isHidden() else ""
+
+    def say(self, text: str) -> None:
+        self._label.setText(text)
+        tint(self._label, self.tokens.tx)
+        self.setAccessibleName(plain_text(text))
+        self.adjustSize()
+        self.setVisible(True)
+        self.raise_()
+
+
+class EmptyHint(QWidget):
+    """What an SB without states says."""
+
+    sample_wanted = Signal()
+
+    def __init__(self, parent: QWidget, tokens: Tokens) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self._label = Label("Double-click to add the first state", self)
+        self._label.setFont(text_font(14))
+        self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        # A double click on the words is meant for the canvas below them.
+        self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.sample = QPushButton("Open sample", self)
+        self.sample.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.sample.clicked.connect(self.sample_wanted)
+        layout = QVBoxLayout(self)
+        layout.setSpacing(12)
+        layout.addWidget(self._label)
+        layout.addWidget(self.sample, 0, Qt.AlignmentFlag.AlignHCenter)
+        self.set_tokens(tokens)
+        self.hide()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.tokens = tokens
+        tint(self._label, tokens.tx2)
+
+    def sizeHint(self) -> QSize:
+        return QSize(320, 96)

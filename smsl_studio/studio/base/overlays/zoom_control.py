@@ -1,0 +1,77 @@
+"""The zoom control: less, the zoom in percent (a click goes to 100 %), more, fit.
+
+Where states are outside the view it says how many, and a click brings them all in.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QHBoxLayout
+
+from smsl_studio.studio.base.overlays.card import Card, IconButton
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import counted
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+OUTSIDE = 92
+
+
+class ZoomControl(Card):
+    """Stands at the bottom right of the canvas."""
+
+    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+        super().__init__(canvas, tokens)
+        self.less = IconButton(self, tokens, "minus", "Zoom out")
+        self.value = IconButton(self, tokens, "", "Zoom to 100 % (Shift+0)")
+        self.more = IconButton(self, tokens, "plus", "Zoom in")
+        self.fit = IconButton(self, tokens, "fit", "Fit (F)")
+        self.value.setFixedWidth(52)
+        self.outside = IconButton(self, tokens, "", "Fit (F)")
+        self.outside.accent = True
+        self.outside.setFixedWidth(OUTSIDE)
+        self.outside.hide()
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(3, 1, 3, 1)
+        layout.setSpacing(0)
+        for button in (self.less, self.value, self.more):
+            layout.addWidget(button)
+        layout.addSpacing(8)
+        layout.addWidget(self.fit)
+        layout.addWidget(self.outside)
+        self.less.clicked.connect(canvas.zoom_out)
+        self.more.clicked.connect(canvas.zoom_in)
+        self.value.clicked.connect(lambda: canvas.zoom_to(1.0))
+        for all_ in (self.fit, self.outside):
+            all_.clicked.connect(lambda: canvas.fit())
+        self.show_zoom(1.0)
+
+    def sizeHint(self) -> QSize:
+        return QSize(156 + (0 if self.outside.isHidden() else OUTSIDE), 32)
+
+    def show_outside(self, states: int) -> None:
+        """Say how many states are not in view; nothing where all of them are."""
+        words = f"{states:,} outside" if states else ""
+        if words != self.outside.text():
+            self.outside.setText(words)
+            name = f"{counted(states, 'state')} outside the view. Fit (F)"
+            self.outside.setAccessibleName(name)
+            self.outside.setToolTip(tip_text(name))
+            self.outside.setVisible(bool(states))
+
+    def show_zoom(self, zoom: float) -> None:
+        percent = zoom * 100.0
+        self.value.setText(f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %")
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        painter = QPainter(self)
+        painter.setPen(QPen(self.tokens.line, 1.0))
+        x = self.fit.x() - 4
+        painter.drawLine(x, 8, x, self.height() - 9)
+        painter.end()

@@ -1,0 +1,298 @@
+"""How an edge looks: line, arrowhead, label and signs, by what is lit about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from weakref import WeakKeyDictionary
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPolygonF
+
+from smsl_studio.picture.shape import EdgeShape, Floats
+from smsl_studio.studio.base.paint.change_signs import change_colours, change_dashes, draw_change
+from smsl_studio.studio.base.paint.guard_sign import draw_guard
+from smsl_studio.studio.base.paint.ink import (
+    NO_BRUSH,
+    NO_PEN,
+    Ink,
+    draw_barred,
+    draw_finding,
+    draw_sub_mark,
+    draw_unknown,
+    draw_warning,
+    faded,
+    pen,
+)
+
+HEAD, LABEL_HEIGHT = 8.0, 15.0
+# Labels are 16 high; one pixel less lets those of lines 16 apart stand under each other.
+MARK_WIDTH = 13.0
+
+
+@dataclass(frozen=True)
+class EdgeLook:
+    """What is lit about an edge; see Marks. ``running`` is the share of time, -1 while unknown."""
+
+    selected: bool = False
+    out: bool = False
+    """Whether it leaves the one selected state."""
+    running: float | None = None
+    trail: bool = False
+    planned: bool = False
+    pruned: bool = False
+    held_back: bool = False
+    risky: bool = False
+    possible: bool = False
+    finding: str = ""
+    change: str = ""
+    """What a comparison tells: ``+``, ``-`` or ``~``."""
+    hovered: bool = False
+    dimmed: bool = False
+
+    @property
+    def lit(self) -> bool:
+        """Whether the edge is drawn after the others, with its label, at every level."""
+        return bool(
+            (self.selected or self.out or self.hovered or self.finding or self.possible)
+            or (self.running is not None or self.trail or self.planned)
+            or (self.pruned or self.held_back or self.risky or self.change)
+        )
+
+
+PLAIN = EdgeLook()
+
+
+@dataclass(frozen=True)
+class EdgeText:
+    """An edge's label: its words, its marks, and whether it is set in the code font."""
+
+    text: str
+    kind: str = ""
+    mono: bool = False
+    sign: str = ""
+    """The sign of a comparison that stands in front of it."""
+    guard: str = ""
+    """How what it requires stands (see ``guard_sign``); empty where it requires nothing."""
+
+
+def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
+    """The size of a label with its mark, in mark pixels."""
+    type_ = ink.mono_label if text.mono else ink.label
+    marks = MARK_WIDTH * (bool(text.kind) + bool(text.sign) + bool(text.guard))
+    width = type_.width(text.text) + marks + 8.0
+    return width, LABEL_HEIGHT if not text.mono else 14.0
+
+
+def paint_line(
+    painter: QPainter,
+    shape: EdgeShape,
+    look: EdgeLook,
+    ink: Ink,
+    unit: float,
+    compact: bool = False,
+    drawn: EdgeShapes | None = None,
+) -> None:
+    """The line and its arrowhead; compact edges have a smaller one.
+
+    ``drawn`` keeps polygons from one painting to the next.
+    """
+    tokens = ink.tokens
+    if look.running is not None:
+        _running(painter, shape, look.running, ink, unit)
+        return
+    colour, width, dashes = _stroke(look, ink, compact)
+    head = HEAD + (1.0 if width > 1.6 else -1.0 if compact else 0.0)
+    body, tip = (drawn or EdgeShapes()).of(shape, head * unit, (head - 2.0) * unit)
+    painter.setBrush(NO_BRUSH)
+    if look.trail:
+        painter.setPen(pen(faded(tokens.acc, 0.16), 9.0 * unit))
+        painter.drawPolyline(body)
+    painter.setPen(pen(colour, width * unit, tuple(d * unit for d in dashes)))
+    painter.drawPolyline(body)
+    painter.setPen(NO_PEN)
+    painter.setBrush(colour)
+    painter.drawPolygon(tip)
+
+
+class EdgeShapes:
+    """Polygons of lines and arrowheads by shape; a shape that is dropped takes them along."""
+
+    def __init__(self) -> None:
+        self._kept: WeakKeyDictionary[EdgeShape, tuple[float, QPolygonF, QPolygonF]]
+        self._kept = WeakKeyDictionary()
+
+    def of(self, shape: EdgeShape, head: float, short: float) -> tuple[QPolygonF, QPolygonF]:
+        """The line, shorter by ``short``, and its arrowhead of length ``head``."""
+        found = self._kept.get(shape)
+        if found is None or found[0] != head:
+            body = polyline(shape.cut(0.0, shape.length - short))
+            found = self._kept[shape] = head, body, head_polygon(shape, head)
+        return found[1], found[2]
+
+
+def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tuple[float, ...]]:
+    """Colour, width and dashes, the strongest statement first."""
+    tokens = ink.tokens
+    if look.finding == "E":
+        return tokens.bad, 2.4, ()
+    if look.change:
+        wide = 3.0 if look.selected else 2.2
+        return change_colours(look.change, tokens)[0], wide, change_dashes(look.change)
+    if look.trail:
+        return tokens.acc, 2.4, ()
+    if look.pruned:
+        return tokens.edge, 1.6, (2.0, 4.0)
+    if look.held_back:
+        return tokens.edge, 1.6, (6.0, 3.0)
+    if look.selected or (look.out and not compact):
+        return tokens.acc, 2.0, ()
+    if look.planned:
+        return tokens.acc, 1.6, (4.0, 4.0)
+    if look.risky:
+        return tokens.risk, 2.0, ()
+    if look.hovered:
+        return tokens.slate, 2.0, ()
+    if look.dimmed and not look.possible:
+        return tokens.dim, 1.3, ()
+    return tokens.edge, 1.5, ()
+
+
+def _running(painter: QPainter, shape: EdgeShape, share: float, ink: Ink, unit: float) -> None:
+    tokens = ink.tokens
+    end = shape.length - 11.0 * unit
+    painter.setBrush(NO_BRUSH)
+    painter.setPen(pen(tokens.accl, 5.0 * unit))
+    painter.drawPolyline(polyline(shape.cut(0.0, end)))
+    paint_head(painter, shape, tokens.acc, 12.0 * unit)
+    if share < 0.0:
+        return
+    along = end * min(max(share, 0.0), 1.0)
+    painter.setPen(pen(tokens.acc, 5.0 * unit))
+    painter.setBrush(NO_BRUSH)
+    painter.drawPolyline(polyline(shape.cut(0.0, along)))
+    painter.setPen(pen(tokens.acc, 3.0 * unit))
+    painter.setBrush(tokens.surf)
+    painter.drawEllipse(QPointF(*shape.at(along)), 5.5 * unit, 5.5 * unit)
+
+
+def paint_head(painter: QPainter, shape: EdgeShape, colour: QColor, size: float) -> None:
+    """A filled arrowhead at the end of a line."""
+    painter.setPen(NO_PEN)
+    painter.setBrush(colour)
+    painter.drawPolygon(head_polygon(shape, size))
+
+
+def head_polygon(shape: EdgeShape, size: float) -> QPolygonF:
+    x, y = shape.tip
+    # The direction is taken over the head's own length, so that a curve's head sits on it.
+    bx, by = shape.at(max(shape.length - size, 0.0))
+    dx, dy = x - bx, y - by
+    length = (dx * dx + dy * dy) ** 0.5 or 1.0
+    dx, dy = dx / length, dy / length
+    bx, by, half = x - dx * size, y - dy * size, size * 0.46
+    return QPolygonF(
+        [
+            QPointF(x, y),
+            QPointF(bx - dy * half, by + dx * half),
+            QPointF(bx + dy * half, by - dx * half),
+        ]
+    )
+
+
+def polyline(points: Floats) -> QPolygonF:
+    return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
+
+
+def paint_label(
+    painter: QPainter,
+    text: EdgeText,
+    centre: QPointF,
+    look: EdgeLook,
+    ink: Ink,
+    ground: bool = True,
+) -> None:
+    """A label about ``centre`` in mark pixels: boxed with its sign where there is a finding."""
+    tokens = ink.tokens
+    if look.finding:
+        _boxed(painter, text, centre, look.finding, ink)
+        return
+    width, height = label_size(text, ink)
+    left = centre.x() - width / 2
+    if ground:
+        area = QRectF(left + 1.0, centre.y() - height / 2, width - 2.0, height)
+        painter.fillRect(area, tokens.canvas)
+    lit = (
+        look.selected
+        or (look.out and not text.mono)
+        or look.trail
+        or look.planned
+        or look.running is not None
+    )
+    colour = tokens.acc if lit else tokens.risk if look.risky else tokens.tx2
+    if look.change:
+        colour = change_colours(look.change, tokens)[0]
+    if look.dimmed and not look.lit:
+        colour = tokens.tx3
+    x = left + 4.0
+    if text.sign:
+        draw_change(painter, x + 5.0, centre.y(), 5.5, text.sign, tokens)
+        x += MARK_WIDTH
+    if text.kind:
+        draw_sub_mark(painter, x + 4.5, centre.y(), text.kind, tokens.acc, tokens.canvas)
+        x += MARK_WIDTH
+    if text.guard:
+        draw_guard(painter, x + 4.5, centre.y(), text.guard, tokens)
+        x += MARK_WIDTH
+    type_ = ink.mono_label if text.mono else ink.label
+    type_.draw_from(painter, x, centre.y(), text.text, colour)
+
+
+def paint_pill(painter: QPainter, name: str, words: str, left: QPointF, ink: Ink) -> None:
+    """What runs and for how long, filled accent, from its left middle on (mark pixels)."""
+    tokens = ink.tokens
+    rect = QRectF(left.x(), left.y() - 13.0, pill_width(name, words, ink), 26.0)
+    painter.setPen(NO_PEN)
+    painter.setBrush(tokens.acc)
+    painter.drawRoundedRect(rect, 4.0, 4.0)
+    x = rect.left() + 10.0
+    ink.strong.draw_from(painter, x, left.y(), name, tokens.onacc)
+    x += ink.strong.width(name) + 6.0
+    ink.plain.draw_from(painter, x, left.y(), words, tokens.onacc)
+
+
+def pill_width(name: str, words: str, ink: Ink) -> float:
+    # Room for a digit more, so that the pill does not twitch while the time runs.
+    return ink.strong.width(name) + 6.0 + ink.plain.width(words) + 28.0
+
+
+def boxed_width(text: EdgeText, ink: Ink) -> float:
+    return ink.boxed.width(text.text) + 26.0
+
+
+def _boxed(painter: QPainter, text: EdgeText, centre: QPointF, letter: str, ink: Ink) -> None:
+    tokens = ink.tokens
+    fill, line = {"E": (tokens.bads, tokens.bad), "W": (tokens.risks, tokens.risk)}.get(
+        letter, (tokens.sunk, tokens.slate)
+    )
+    width = boxed_width(text, ink)
+    rect = QRectF(centre.x() - width / 2, centre.y() - 9.0, width, 18.0)
+    painter.setPen(pen(line, 1.3))
+    painter.setBrush(fill)
+    painter.drawRoundedRect(rect, 4.0, 4.0)
+    draw_finding(painter, rect.left() + 11.0, centre.y(), 11.0, letter, tokens)
+    ink.boxed.draw_from(painter, rect.left() + 20.0, centre.y(), text.text, line)
+
+
+def paint_sign(painter: QPainter, x: float, y: float, look: EdgeLook, ink: Ink) -> bool:
+    """The sign on a line about (x, y) in mark pixels; False where it has none."""
+    if look.pruned:
+        draw_barred(painter, x, y, 7.5, ink.tokens)
+    elif look.held_back:
+        draw_unknown(painter, x, y, 16.0, ink)
+    elif look.risky:
+        painter.setPen(NO_PEN)
+        painter.fillRect(QRectF(x - 10.0, y - 8.0, 20.0, 16.0), ink.tokens.canvas)
+        draw_warning(painter, x, y, 14.0, ink.tokens)
+    else:
+        return False
+    return True

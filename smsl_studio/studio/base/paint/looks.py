@@ -1,0 +1,165 @@
+"""Looks: marks and the pointer, turned into what each node and edge shows."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.picture import Picture
+from smsl_studio.studio.base.paint.edge_paint import EdgeLook
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.paint.node_paint import NodeLook
+
+
+class Looks:
+    """The look of every state and edge by number; only what is lit is kept."""
+
+    def __init__(self, picture: Picture, marks: Marks) -> None:
+        self._picture = picture
+        self.marks = marks
+        self.hovered_state, self.hovered_edge = -1, -1
+        self._nodes: dict[int, NodeLook] = {}
+        self._edges: dict[int, EdgeLook] = {}
+        self._guards: dict[int, str] = {}
+        self._read(marks)
+
+    @property
+    def lit_states(self) -> list[int]:
+        """States that never fall below compact."""
+        return [i for i, look in self._nodes.items() if look.lit]
+
+    @property
+    def lit_edges(self) -> list[int]:
+        """Edges that are drawn above the others and at every level."""
+        lit = list(self._edges)
+        if self.hovered_edge >= 0 and self.hovered_edge not in self._edges:
+            lit.append(self.hovered_edge)
+        return lit
+
+    def is_lit(self, edge: int) -> bool:
+        return edge in self._edges or edge == self.hovered_edge
+
+    def node(self, state: int) -> NodeLook:
+        found = self._nodes.get(state) or NodeLook(dimmed=self.marks.dimmed)
+        return replace(found, hovered=True) if state == self.hovered_state else found
+
+    def edge(self, edge: int) -> EdgeLook:
+        found = self._edges.get(edge) or EdgeLook(dimmed=self.marks.dimmed)
+        return replace(found, hovered=True) if edge == self.hovered_edge else found
+
+    @property
+    def guarded_edges(self) -> list[int]:
+        """Edges of which it is known how what they require stands."""
+        return list(self._guards)
+
+    def guard(self, edge: int) -> str:
+        """How what an edge requires stands; empty where nothing says."""
+        return self._guards.get(edge, "")
+
+    def change(self, marks: Marks) -> tuple[set[int], set[int]]:
+        """Take other marks; returns the states and edges whose look is another now."""
+        nodes, edges, dimmed = self._nodes, self._edges, self.marks.dimmed
+        guards = self._guards
+        self.marks = marks
+        self._read(marks)
+        if dimmed != marks.dimmed:
+            return set(range(len(self._picture))), set(range(len(self._picture.operations)))
+        states = {
+            i for i in nodes.keys() | self._nodes.keys() if nodes.get(i) != self._nodes.get(i)
+        }
+        changed = {
+            e for e in edges.keys() | self._edges.keys() if edges.get(e) != self._edges.get(e)
+        }
+        both = guards.keys() | self._guards.keys()
+        return states, changed | {e for e in both if guards.get(e) != self._guards.get(e)}
+
+    def _read(self, marks: Marks) -> None:
+        nodes: dict[int, dict[str, object]] = {}
+        edges: dict[int, dict[str, object]] = {}
+        named = ((self._picture.edge(address), how) for address, (how, _) in marks.guards.items())
+        self._guards = {edge: how for edge, how in named if edge >= 0}
+        self._read_run(marks, nodes, edges)
+        for address in marks.selection:
+            self._note(address, "selected", True, nodes, edges)
+        if len(marks.selection) == 1 and not marks.dimmed:
+            self._light_out(marks.selection[0], edges)
+        for address, letter in marks.findings.items():
+            self._note(address, "finding", letter, nodes, edges)
+        for address, sign in marks.changes.items():
+            self._note(address, "change", sign, nodes, edges)
+        if marks.dimmed:
+            self._near(nodes, edges)
+        self._nodes = {
+            i: NodeLook(dimmed=marks.dimmed, **given)  # type: ignore[arg-type]
+            for i, given in nodes.items()
+        }
+        self._edges = {
+            e: EdgeLook(dimmed=marks.dimmed, **given)  # type: ignore[arg-type]
+            for e, given in edges.items()
+        }
+
+    def _read_run(
+        self, marks: Marks, nodes: dict[int, dict[str, object]], edges: dict[int, dict[str, object]]
+    ) -> None:
+        index = self._picture.index
+        for name, key in (
+            *((marks.active, "active"),),
+            *((s, "visited") for s in marks.visited),
+            *((s, "next") for s in marks.next_states),
+            *((s, "goal") for s in marks.goals),
+        ):
+            if name is not None and name in index:
+                nodes.setdefault(index[name], {})[key] = True
+        sensed: dict[int, dict[int, str]] = {}
+        for (name, digit), quality in marks.facts.items():
+            if name in index:
+                sensed.setdefault(index[name], {})[digit] = quality
+        for state, qualities in sensed.items():
+            nodes.setdefault(state, {})["facts"] = tuple(sorted(qualities.items()))
+        for addresses, key in (
+            (marks.trail, "trail"),
+            (marks.planned, "planned"),
+            (marks.pruned, "pruned"),
+            (marks.held_back, "held_back"),
+            (marks.risky, "risky"),
+            (marks.possible, "possible"),
+        ):
+            for address in addresses:
+                self._note(address, key, True, {}, edges)
+        if marks.running is not None:
+            address, share = marks.running
+            self._note(address, "running", -1.0 if share is None else share, {}, edges)
+
+    def _light_out(self, address: Address, edges: dict[int, dict[str, object]]) -> None:
+        """The operations out of the one selected state are lit with it."""
+        state = self._picture.node(address)
+        if state < 0:
+            return
+        for operation in self._picture.branch.table[address.state]:
+            edge = self._picture.edge_index[address.state, operation]
+            edges.setdefault(edge, {})["out"] = True
+
+    def _near(
+        self, nodes: dict[int, dict[str, object]], edges: dict[int, dict[str, object]]
+    ) -> None:
+        """States that a planned, pruned or running operation touches do not step back."""
+        for edge, given in edges.items():
+            if given.keys() & {"planned", "pruned", "running", "risky", "held_back"}:
+                for end in (self._picture.source[edge], self._picture.target[edge]):
+                    nodes.setdefault(int(end), {})["near"] = True
+
+    def _note(
+        self,
+        address: Address,
+        key: str,
+        value: object,
+        nodes: dict[int, dict[str, object]],
+        edges: dict[int, dict[str, object]],
+    ) -> None:
+        edge = self._picture.edge(address)
+        if edge >= 0:
+            edges.setdefault(edge, {})[key] = value
+            return
+        state = self._picture.node(address)
+        if state >= 0:
+            nodes.setdefault(state, {})[key] = value

@@ -1,0 +1,273 @@
+"""How a node looks: full with its name and facts, or compact with the facts alone.
+
+Everything is drawn about (0, 0) in mark pixels, so that node items, far layer and tests share it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPolygonF
+
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE
+from smsl_studio.picture.picture import Chip, Face
+from smsl_studio.studio.base.paint.change_signs import change_colours, change_dashes, draw_change
+from smsl_studio.studio.base.paint.ink import (
+    NO_BRUSH,
+    NO_PEN,
+    Ink,
+    draw_finding,
+    draw_unknown,
+    faded,
+    pen,
+)
+from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE
+
+CHIP, GAP, CHIP_TOP = 18.0, 4.0, 27.0
+GLOW = (4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 19.0, 22.0)
+MARGIN = 30.0
+"""How far marks reach beyond a node's border: glow, ring, initial dot, finding."""
+
+
+@dataclass(frozen=True)
+class NodeLook:
+    """What is lit about a node; see Marks."""
+
+    selected: bool = False
+    active: bool = False
+    visited: bool = False
+    next: bool = False
+    dimmed: bool = False
+    hovered: bool = False
+    goal: bool = False
+    near: bool = False
+    """Whether an operation that is lit touches it, so that it does not step back."""
+    finding: str = ""
+    change: str = ""
+    """What a comparison tells: ``+``, ``-`` or ``~``."""
+    facts: tuple[tuple[int, str], ...] = field(default=())
+
+    @property
+    def lit(self) -> bool:
+        """Whether the node never falls below compact."""
+        return (
+            self.selected
+            or self.active
+            or self.visited
+            or self.next
+            or bool(self.finding or self.change)
+        )
+
+
+PLAIN = NodeLook()
+
+
+def full_width(face: Face, ink: Ink) -> float:
+    """108, growing with name and facts to 200."""
+    chips = sum(chip_width(c, ink) + GAP for c in face.chips) - GAP
+    wanted = max(ink.name.width(face.name) + 24.0, chips + 20.0, FULL_SIZE[0])
+    return min(float(round(wanted)), FULL_MAX)
+
+
+def compact_width(face: Face, ink: Ink) -> float:
+    """46, growing with the facts."""
+    return min(max(ink.short.width(face.short) + 18.0, COMPACT_SIZE[0]), COMPACT_MAX)
+
+
+def chip_width(chip: Chip, ink: Ink) -> float:
+    return max(CHIP, ink.chip.width(chip.text) + 8.0)
+
+
+def chip_places(face: Face, ink: Ink, width: float) -> list[QRectF]:
+    """Where the chips of a full node stand; those that do not fit are left out."""
+    widths = [chip_width(c, ink) for c in face.chips]
+    while widths and sum(widths) + GAP * (len(widths) - 1) > width - 12.0:
+        widths.pop()
+    x = -(sum(widths) + GAP * (len(widths) - 1)) / 2 if widths else 0.0
+    places = []
+    for w in widths:
+        places.append(QRectF(x, CHIP_TOP - FULL_SIZE[1] / 2, w, CHIP))
+        x += w + GAP
+    return places
+
+
+def paint_node(
+    painter: QPainter, face: Face, width: float, compact: bool, look: NodeLook, ink: Ink
+) -> None:
+    """Paint one node about the origin."""
+    height = COMPACT_SIZE[1] if compact else FULL_SIZE[1]
+    rect = QRectF(-width / 2, -height / 2, width, height)
+    radius = 6.0 if compact else float(RADIUS_NODE)
+    dimmed = look.dimmed and not (look.lit or look.goal or look.near)
+    _surroundings(painter, rect, radius, look, ink)
+    if dimmed:
+        painter.setPen(NO_PEN)
+        painter.setBrush(ink.tokens.surf)
+        painter.drawRoundedRect(rect, radius, radius)
+        painter.setOpacity(0.62)
+    _body(painter, rect, radius, look, ink)
+    if face.activating:
+        _second_outline(painter, rect, radius, compact, look, ink)
+    if face.initial:
+        _initial(painter, rect, ink)
+    if compact:
+        _short(painter, face, width, look, ink)
+    else:
+        _name_and_chips(painter, face, width, look, ink)
+    painter.setOpacity(1.0)
+    if look.finding:
+        size = 13.0 if compact else 15.0
+        draw_finding(painter, rect.right() - 1, rect.top() + 1, size, look.finding, ink.tokens)
+    elif look.change:
+        draw_change(painter, rect.right() - 2, rect.top() + 2, 7.0, look.change, ink.tokens)
+
+
+def paint_goal(painter: QPainter, x: float, top: float, ink: Ink) -> None:
+    """The word below a goal, on a ground of its own, because arrows may come from below."""
+    half = ink.plain.width("goal") / 2 + 3.0
+    painter.setPen(NO_PEN)
+    painter.setBrush(faded(ink.tokens.canvas, 0.9))
+    painter.drawRoundedRect(QRectF(x - half, top + 8.0, 2 * half, 15.0), 3.0, 3.0)
+    ink.plain.draw(painter, x, top + 15.0, "goal", ink.tokens.tx2)
+
+
+def _surroundings(painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: Ink) -> None:
+    tokens = ink.tokens
+    painter.setBrush(NO_BRUSH)
+    if look.active:
+        # Strokes of one low alpha add up to a soft edge, without an effect that blurs.
+        painter.setBrush(NO_BRUSH)
+        for reach in GLOW:
+            painter.setPen(pen(faded(tokens.acc, 0.036), reach * 2))
+            painter.drawRoundedRect(rect.adjusted(-2, -2, 2, 2), radius + 2, radius + 2)
+        painter.setPen(pen(tokens.acc, 1.5))
+        painter.setBrush(tokens.accl)
+        painter.drawRoundedRect(rect.adjusted(-4.5, -4.5, 4.5, 4.5), radius + 4, radius + 4)
+    if look.selected:
+        out = 8.5 if look.active else 4.0
+        painter.setPen(pen(tokens.acc, 2.0))
+        painter.setBrush(NO_BRUSH)
+        painter.drawRoundedRect(rect.adjusted(-out, -out, out, out), radius + out, radius + out)
+    elif look.hovered and not look.active:
+        painter.setPen(pen(tokens.accl, 2.0))
+        painter.setBrush(NO_BRUSH)
+        painter.drawRoundedRect(rect.adjusted(-2.5, -2.5, 2.5, 2.5), radius + 2, radius + 2)
+
+
+def _body(painter: QPainter, rect: QRectF, radius: float, look: NodeLook, ink: Ink) -> None:
+    tokens = ink.tokens
+    if look.active:
+        painter.setPen(NO_PEN)
+        painter.setBrush(tokens.acc)
+    elif look.change:
+        line, fill = change_colours(look.change, tokens)
+        painter.setPen(pen(line, 2.2, change_dashes(look.change)))
+        painter.setBrush(fill)
+    elif look.visited:
+        painter.setPen(pen(tokens.acc, 1.6))
+        painter.setBrush(tokens.accs)
+    elif look.next:
+        painter.setPen(pen(tokens.acc, 1.6, (4.0, 3.0)))
+        painter.setBrush(tokens.surf)
+    else:
+        painter.setPen(pen(tokens.nl, 1.2))
+        painter.setBrush(tokens.surf)
+    painter.drawRoundedRect(rect, radius, radius)
+
+
+def _second_outline(
+    painter: QPainter, rect: QRectF, radius: float, compact: bool, look: NodeLook, ink: Ink
+) -> None:
+    gap = 2.8 if compact else 3.5
+    colour = ink.tokens.onacc if look.active else ink.tokens.slate
+    painter.setPen(pen(colour, 1.2))
+    painter.setBrush(NO_BRUSH)
+    inner = max(radius - gap, 1.0)
+    painter.drawRoundedRect(rect.adjusted(gap, gap, -gap, -gap), inner, inner)
+
+
+def _initial(painter: QPainter, rect: QRectF, ink: Ink) -> None:
+    colour = ink.tokens.slate
+    x = rect.left() - 3.0
+    painter.setPen(pen(colour, 1.4))
+    painter.drawLine(QPointF(x - 14.0, 0.0), QPointF(x - 5.0, 0.0))
+    painter.setPen(NO_PEN)
+    painter.setBrush(colour)
+    painter.drawEllipse(QPointF(x - 17.0, 0.0), 5.0, 5.0)
+    painter.drawPolygon(QPolygonF([QPointF(x, 0), QPointF(x - 7, -3.6), QPointF(x - 7, 3.6)]))
+
+
+def _short(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink) -> None:
+    tokens = ink.tokens
+    colour = tokens.onacc if look.active else tokens.acc if look.visited else tokens.tx
+    ink.short.draw(painter, 0.0, 0.0, ink.short.elided(face.short, width - 8.0), colour)
+
+
+def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook, ink: Ink) -> None:
+    tokens = ink.tokens
+    colour = tokens.onacc if look.active else tokens.tx
+    name = ink.name.elided(face.name, width - 16.0)
+    painter.setFont(ink.name.font)
+    painter.setPen(colour)
+    # Without facts the name stands in the middle, with a title under it where there is one.
+    baseline = 19.0 - FULL_SIZE[1] / 2
+    if not face.chips:
+        baseline = -2.0 if face.title else ink.name.rise
+    painter.drawText(QPointF(-ink.name.width(name) / 2, baseline), plain_text(name))
+    if not face.chips and face.title:
+        soft = tokens.onacc if look.active else tokens.tx2
+        ink.label.draw(painter, 0.0, 13.0, ink.label.elided(face.title, width - 16.0), soft)
+    sensed = dict(look.facts)
+    for digit, place in enumerate(chip_places(face, ink, width)):
+        paint_chip(painter, face.chips[digit], place, sensed.get(digit, ""), look.active, ink)
+
+
+def paint_chip(
+    painter: QPainter, chip: Chip, place: QRectF, sensed: str, active: bool, ink: Ink
+) -> None:
+    """Paint a fact; ``sensed`` is agrees, differs, unknown, transit or empty."""
+    tokens = ink.tokens
+    centre = place.center()
+    if sensed == "unknown":
+        draw_unknown(painter, centre.x(), centre.y(), CHIP, ink)
+    else:
+        fill, line, text = _chip_colours(chip, sensed, active, ink)
+        painter.setPen(pen(line, 1.2) if line is not None else NO_PEN)
+        painter.setBrush(fill if fill is not None else NO_BRUSH)
+        half = 0.6 if line is not None else 0.0
+        painter.drawRoundedRect(place.adjusted(half, half, -half, -half), RADIUS_CHIP, RADIUS_CHIP)
+        if sensed == "differs":
+            painter.setPen(NO_PEN)
+            painter.setBrush(tokens.bad)
+            corner = place.topRight()
+            painter.drawPolygon(
+                QPolygonF([corner + QPointF(-6, 0.4), corner, corner + QPointF(-0.4, 6)])
+            )
+        ink.chip.draw(painter, centre.x(), centre.y(), chip.text, text)
+    if chip.sub:
+        painter.setPen(NO_PEN)
+        painter.setBrush(tokens.onacc if active else tokens.acc)
+        painter.drawRoundedRect(QRectF(centre.x() - 6.5, place.bottom() + 1.5, 13.0, 2.0), 1.0, 1.0)
+
+
+def _chip_colours(
+    chip: Chip, sensed: str, active: bool, ink: Ink
+) -> tuple[QColor | None, QColor | None, QColor]:
+    """Fill, line and text of a chip."""
+    tokens = ink.tokens
+    if sensed == "agrees":
+        return tokens.oks, tokens.ok, tokens.ok
+    if sensed == "differs":
+        return tokens.bads, tokens.bad, tokens.bad
+    if sensed == "transit":
+        return tokens.accs, tokens.acc, tokens.acc
+    if active:
+        on = chip.kind == "on"
+        return (tokens.onacc, None, tokens.acc) if on else (None, tokens.onacc, tokens.onacc)
+    if chip.kind == "on":
+        return tokens.slate, None, tokens.onslate
+    if chip.kind == "off":
+        return tokens.surf, tokens.line2, tokens.tx2
+    return tokens.sunk, None, tokens.tx

@@ -1,0 +1,39 @@
+"""Dress the application in one theme: palette, type and the style sheet."""
+
+from __future__ import annotations
+
+import re
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.shipped import resources_dir
+from smsl_studio.studio.base.theme import DARK, LIGHT, Tokens, text_font
+
+_PLACE = re.compile(r"\{([a-z][a-z0-9]*)\}")
+
+
+def tokens_of(theme: str, app: QApplication) -> Tokens:
+    """The tokens of ``light``, ``dark`` or ``system`` (what the desktop asks for)."""
+    if theme == "system":
+        dark = app.styleHints().colorScheme() is Qt.ColorScheme.Dark
+        return DARK if dark else LIGHT
+    return DARK if theme == "dark" else LIGHT
+
+
+def style_sheet(tokens: Tokens) -> str:
+    """``resources/studio.qss`` with every ``{token}`` replaced by its colour."""
+    text = (resources_dir() / "studio.qss").read_text(encoding="utf-8")
+    colours = tokens.css()
+    return _PLACE.sub(lambda match: colours[match[1]], text)
+
+
+def dress(app: QApplication, tokens: Tokens) -> None:
+    """Palette first, so that Fusion paints what the style sheet leaves alone in our colours."""
+    sheet = style_sheet(tokens)
+    if app.styleSheet() == sheet:
+        return
+    app.setStyle("Fusion")
+    app.setPalette(tokens.palette())
+    app.setFont(text_font())
+    app.setStyleSheet(sheet)

@@ -1,0 +1,108 @@
+"""Tabs of panels, with counts on the tabs and tools at their right."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QVBoxLayout, QWidget
+
+from smsl_studio.studio.base.controls import label, rule
+
+HEIGHT = 36
+MARGIN = 12
+"""Pixels between two tabs, as in the style sheet."""
+
+
+class Tabs(QWidget):
+    """One panel at a time. Tools belong to a panel and are shown with it."""
+
+    changed = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.bar = QTabBar()
+        self.bar.setDrawBase(False)
+        self.bar.setExpanding(False)
+        self.bar.setUsesScrollButtons(False)
+        self.bar.setElideMode(Qt.TextElideMode.ElideNone)
+        self.bar.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._pages = QStackedWidget()
+        self._tools: dict[int, QWidget] = {}
+        self._names: list[str] = []
+        self._top = QHBoxLayout()
+        self._top.setContentsMargins(10, 0, 4, 0)
+        self._top.setSpacing(0)
+        self._top.addWidget(self.bar, 0, Qt.AlignmentFlag.AlignBottom)
+        self._top.addStretch(1)
+        head = QWidget()
+        head.setLayout(self._top)
+        head.setFixedHeight(HEIGHT)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(head)
+        layout.addWidget(rule())
+        layout.addWidget(self._pages, 1)
+        self.bar.currentChanged.connect(self._show)
+
+    def add(self, name: str, page: QWidget, tools: QWidget | None = None) -> None:
+        """Add a panel under a tab."""
+        at = self._pages.addWidget(page)
+        self._names.append(name)
+        if tools is not None:
+            self._tools[at] = tools
+            self._top.addWidget(tools)
+        self.bar.addTab(name)
+        self._show(self.bar.currentIndex())
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(self._names)
+
+    @property
+    def current(self) -> str:
+        return self._names[self.bar.currentIndex()]
+
+    def page(self, name: str) -> QWidget:
+        """The panel under a tab."""
+        found = self._pages.widget(self._names.index(name))
+        assert found is not None
+        return found
+
+    def show_page(self, name: str) -> None:
+        self.bar.setCurrentIndex(self._names.index(name))
+
+    def set_count(self, name: str, count: int) -> None:
+        """Show how many there are beside the tab's name; nothing for none."""
+        at = self._names.index(name)
+        badge = self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide)
+        if not isinstance(badge, QLabel):
+            badge = label("", "count")
+            badge.installEventFilter(self)
+            self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, badge)
+        badge.setText(f"{count:,}")
+        badge.setVisible(count > 0)
+        badge.adjustSize()
+        # A badge that grew takes room from the name until the tabs are laid out again.
+        self.bar.setTabText(at, name)
+        if not count:
+            self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, None)
+            badge.deleteLater()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Qt puts a count into the room between two tabs; it belongs within its own."""
+        if event.type() == QEvent.Type.Move and isinstance(watched, QLabel):
+            for at in range(self.bar.count()):
+                if self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide) is watched:
+                    left = self.bar.tabRect(at).right() + 1 - MARGIN - watched.width()
+                    if watched.x() != left:
+                        watched.move(left, watched.y())
+        return super().eventFilter(watched, event)
+
+    def _show(self, at: int) -> None:
+        self._pages.setCurrentIndex(at)
+        for place, tools in self._tools.items():
+            tools.setVisible(place == at)
+        if 0 <= at < len(self._names):
+            self.changed.emit(self._names[at])

@@ -1,0 +1,148 @@
+"""A line over the canvas that says what was refused, or what went well. Never a dialog."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QLabel, QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.errors import StudioError
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.icons import draw
+from smsl_studio.studio.base.keys_back import KeysBack
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import capital
+
+REFUSED_MS, SAID_MS, WIDTH = 12_000, 3_000, 460
+READING_MS = 70
+"""For each letter; a long sentence takes longer to read."""
+
+
+class Toast(QWidget):
+    """Lies at the bottom of ``over`` for a while; a click puts it away."""
+
+    def __init__(self, tokens: Tokens, over: QWidget) -> None:
+        super().__init__(over)
+        self._tokens, self._bad, self._over = tokens, False, over
+        self._sentence: QLabel = label("", "heading")
+        self._advice: QLabel = label("", "small")
+        for part in (self._sentence, self._advice):
+            part.setWordWrap(True)
+            part.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(38, 10, 14, 10)
+        layout.setSpacing(2)
+        layout.addWidget(self._sentence)
+        layout.addWidget(self._advice)
+        self._call: Callable[[], object] = lambda: None
+        self._of_step = self._fresh = False
+        self.button = QPushButton("Undo")
+        self.button.setProperty("role", "row")
+        self.button.clicked.connect(self._press)
+        self.button.hide()
+        layout.addWidget(self.button, 0, Qt.AlignmentFlag.AlignLeft)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self.hide)
+        over.installEventFilter(self)
+        KeysBack(self)
+        self.hide()
+
+    @property
+    def words(self) -> str:
+        """What is said, or the empty text."""
+        parts = (self._sentence.text(), self._advice.text())
+        return " ".join(part for part in parts if part) if not self.isHidden() else ""
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def refuse(self, error: StudioError) -> None:
+        """Say what was refused, where, and what to do."""
+        place = f" ({error.place})" if error.place else ""
+        self._show(capital(error.sentence), f"{error.advice}{place}".strip(), True, REFUSED_MS)
+
+    def say(self, sentence: str) -> None:
+        """Say something that went well."""
+        self._show(sentence, "", False, max(SAID_MS, READING_MS * len(sentence)))
+
+    def offer(self, sentence: str, words: str, call: Callable[[], object]) -> None:
+        """Say what was done, with a button that does something about it, such as Undo."""
+        self._show(sentence, "", False, REFUSED_MS)
+        self._call = call
+        self._of_step = True
+        self.button.setText(words)
+        self.button.show()
+        self._place()
+
+    def edited(self) -> None:
+        """The history has moved by a step. What was said of an earlier step holds no longer.
+
+        What is said ``of_step`` is said while that step is carried out, so the first move is its
+        own.
+        """
+        if self._fresh:
+            self._fresh = False
+        elif self._of_step:
+            self.hide()
+
+    def of_step(self, sentence: str, bad: bool) -> None:
+        """Say what a step brings about, while it is carried out; the next step hides it."""
+        if sentence:
+            self._show(sentence, "", bad, REFUSED_MS)
+            self._of_step = self._fresh = True
+
+    def warn(self, sentence: str) -> None:
+        """Say something that went wrong and is no refusal."""
+        self._show(sentence, "", True, REFUSED_MS)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._over and event.type() == QEvent.Type.Resize and not self.isHidden():
+            self._place()
+        return super().eventFilter(watched, event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.hide()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens, painter = self._tokens, QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(QPen(tokens.bad if self._bad else tokens.line2, 1))
+        painter.setBrush(tokens.surf)
+        painter.drawRoundedRect(QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8)
+        name, ink = ("error", tokens.bad) if self._bad else ("check", tokens.ok)
+        draw(painter, name, QRectF(13, 12, 15, 15), ink, tokens.surf)
+
+    def _press(self) -> None:
+        self.hide()
+        self._call()
+
+    def _show(self, sentence: str, advice: str, bad: bool, lasts: int) -> None:
+        self._bad = bad
+        self._of_step = self._fresh = False
+        self.button.hide()
+        self._sentence.setText(sentence)
+        self._advice.setText(advice)
+        self._advice.setVisible(bool(advice))
+        self.setAccessibleName(plain_text(f"{sentence} {advice}".strip()))
+        self._place()
+        self.show()
+        self.raise_()
+        self._timer.start(lasts)
+
+    def _place(self) -> None:
+        wide = min(WIDTH, self._over.width() - 32)
+        natural = self._sentence.fontMetrics().horizontalAdvance(self._sentence.text()) + 70
+        other = self._advice.fontMetrics().horizontalAdvance(self._advice.text()) + 70
+        wide = max(160, min(wide, max(natural, other)))
+        layout = self.layout()
+        assert layout is not None
+        high = (
+            layout.heightForWidth(wide) if layout.hasHeightForWidth() else self.sizeHint().height()
+        )
+        left = (self._over.width() - wide) // 2
+        self.setGeometry(left, self._over.height() - high - 64, wide, high)

@@ -1,0 +1,390 @@
+"""Files: new, open, save, save as, recent files, and the guard before unsaved work is lost."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.project import real_path
+from smsl_studio.errors import SaveError, StudioError
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.traits import losses
+from smsl_studio.smsl.unfinished import clear_up
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.document.files.fresh import UNTITLED, empty_blueprint
+from smsl_studio.studio.document.files.interrupted import Settled, settle_interrupted
+from smsl_studio.studio.document.files.on_disk import OnDisk
+from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file, understood
+from smsl_studio.studio.document.files.questions import Answer, Asker
+from smsl_studio.studio.document.files.save_as import form_words, leaves_comments, moved
+from smsl_studio.studio.document.files.store import Pairs, store
+from smsl_studio.studio.document.session import Session
+
+
+@dataclass(frozen=True)
+class Title:
+    """The name of what is open, and what of it has unsaved changes; empty for nothing."""
+
+    name: str
+    edited: str
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.edited})" if self.edited else self.name
+
+
+class Files(QObject):
+    """Where the session's texts come from and go to. Nothing is lost on a refusal."""
+
+    changed = Signal()
+    """The file, its name, what stands in it, or the recent files have changed."""
+    asking = Signal()
+    """Another file shall be opened: told before anything is asked, however long that takes."""
+    refused = Signal(object)
+    """A StudioError: the file was not opened or not saved; what was there still is."""
+    said = Signal(str)
+    """Something that went well, in a short sentence."""
+    settling = Signal()
+    """The blueprint is about to be saved or left: what is still being typed has to be in it."""
+
+    def __init__(
+        self, session: Session, settings: Settings, asker: Asker, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._settings, self._asker = session, settings, asker
+        self.path: Path | None = None
+        self.on_disk = OnDisk()
+        self._name = UNTITLED
+        self._told: set[str] = set()
+        self._given_up: set[tuple[Path, tuple[str, ...]]] = set()
+        session.unsaved = lambda one: self.on_disk.is_nowhere(one.file, one.text)
+        session.blueprint_changed.connect(self._learn)
+        session.aside_changed.connect(self._tell_aside)
+
+    @property
+    def name(self) -> str:
+        """The name that the window shows."""
+        return self._name
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """All that is to be saved: the session's texts, and those that were imported and unsaved
+        when they left it.
+        """
+        aside = {file: one.text for file, one in self._session.aside.items()
+                 if self._session.unsaved(one)}  # fmt: skip
+        return {**self._session.texts, **aside}
+
+    @property
+    def unsaved(self) -> tuple[str, ...]:
+        """The files, the blueprint's own first, of which another text stands on the disk."""
+        return self.unsaved_of(self.texts)
+
+    def unsaved_of(self, texts: Mapping[str, str]) -> tuple[str, ...]:
+        """The files of which the disk holds other texts than these."""
+        own = self._session.blueprint.file
+        found = self.on_disk.differing(texts)
+        if self.path is not None:
+            return found
+        others = tuple(file for file in found if file != own)
+        fresh = self._session.edited or texts[own] != self._session.texts[own]
+        return (own, *others) if fresh else others
+
+    @property
+    def edited(self) -> bool:
+        """Whether something would be lost."""
+        return self._session.edited and bool(self.unsaved)
+
+    @property
+    def title(self) -> Title:
+        """What is open, and which of its files are not saved."""
+        if not self.edited:
+            return Title(self._name, "")
+        own, unsaved = self._session.blueprint.file, self.unsaved
+        others = [self.display(file) for file in unsaved if file != own]
+        if len(others) < len(unsaved):
+            return Title(f"{self._name} and {len(others)} more" if others else self._name, "edited")
+        return Title(self._name, f"{others[0]} edited" if len(others) == 1 else
+                     f"{len(others)} other files edited")  # fmt: skip
+
+    def display(self, file: str) -> str:
+        """What people call one of the files."""
+        return self._name if file == self._session.blueprint.file else Path(file).name
+
+    @property
+    def recent(self) -> tuple[Path, ...]:
+        return self._settings.recent
+
+    def new(self) -> None:
+        """Start an empty blueprint with one SB."""
+        self.asking.emit()
+        if self.may_leave():
+            self.show(OpenedFile(empty_blueprint()), None, UNTITLED)
+
+    def open(self, path: Path | None = None) -> bool:
+        """Open a file (asking which); False where it cannot be read or was called off."""
+        self.asking.emit()
+        if path is None:
+            path = self._asker.file_to_open(self._folder())
+        opened = self._read(path) if path is not None else None
+        self.settling.emit()
+        edited = self._session.edited
+        if path is None or opened is None or not self.may_leave():
+            return False
+        if edited:
+            # The answer may have been to save, and that to this very file.
+            opened = self._read(path)
+            if opened is None:
+                return False
+        self.show(opened, path.absolute(), path.name)
+        self._settings.remember(path.absolute())
+        self.changed.emit()
+        return True
+
+    def open_copy(self, path: Path) -> bool:
+        """Open a sample as a new blueprint of that name; saving asks where to."""
+        self.asking.emit()
+        opened = self._read(path)
+        if opened is None or not self.may_leave():
+            return False
+        self.show(opened, None, path.name)
+        return True
+
+    def show(self, opened: OpenedFile, path: Path | None, name: str) -> None:
+        """Show what was opened, as it stands at ``path`` (None for nowhere)."""
+        self.path, self._name = path, name
+        self.on_disk.forget()
+        self._session.open(opened.blueprint, opened.broken)
+        self._learn(opened.blueprint, opened.blueprint)
+        self.changed.emit()
+        self._say_how_yaml_is_written()
+
+    def save(self) -> bool:
+        """Save every text that is not on the disk, all or none; asks where to if need be."""
+        self.settling.emit()
+        if self.path is None:
+            return self.save_as()
+        files = self.unsaved
+        own = self._session.blueprint.file
+        if not files and not self.on_disk.look(own).changed:
+            self._saved(())
+            return True
+        return self._store(files or (own,))
+
+    def save_as(self) -> bool:
+        """Ask where to save the blueprint's own text, and save there; the form follows the name."""
+        self.settling.emit()
+        path = self._asker.file_to_save(self.path or self._folder() / self._name)
+        return path is not None and self._save_to(path.absolute())
+
+    def may_leave(self) -> bool:
+        """Whether the blueprint may go: it is saved, or the person says what becomes of it."""
+        answer = self.ask_unsaved()
+        return self.save() if answer == "save" else answer == "discard"
+
+    def ask_unsaved(self, several: bool = False) -> Answer:
+        """Ask whether to save unsaved changes; ``discard`` where there are none.
+
+        ``several`` windows are asked about, and two of them may show files of the same name.
+        """
+        self.settling.emit()
+        if not self.edited:
+            return "discard"
+        names = [self.display(file) for file in self.unsaved]
+        has = "has" if len(names) == 1 else "have"
+        said = f"{_listed(names)} {has} unsaved changes."
+        return self._asker.unsaved(f"{said} {self._told_apart()}" if several else said)
+
+    def _told_apart(self) -> str:
+        """Words by which a person knows this file from another one with the same name."""
+        if self.path is not None:
+            return f"{self._name} is in {self.path.parent}."
+        states = sum(len(branch.table) for branch in self._session.blueprint)
+        history = self._session.history
+        last = history.text(history.index() - 1) or "As it was opened"
+        return (
+            f"{self._name} was never saved. It has {counted(states, 'state')}; the last step "
+            f"is “{last}”."
+        )
+
+    def _folder(self) -> Path:
+        if self.path is not None:
+            return self.path.parent
+        return self.recent[0].parent if self.recent else Path.home()
+
+    def _read(self, path: Path) -> OpenedFile | None:
+        try:
+            opened = open_file(path)
+            settled = self.settle_interrupted(path, opened)
+            if settled == "called off":
+                return None
+            clear_up(Path(real_path(str(path))).parent)
+            return open_file(path) if settled == "changed" else opened
+        except StudioError as error:
+            self._settings.forget(path.absolute())
+            self.refused.emit(error)
+            self.changed.emit()
+            return None
+
+    def settle_interrupted(self, path: Path, opened: OpenedFile) -> Settled:
+        """Ask about interrupted saves of a file that was read, and of what it imports."""
+        imported = [document.file for document in opened.blueprint.documents[1:]]
+        try:
+            return settle_interrupted([str(path), *imported], self._asker)
+        except SaveError as error:
+            # What was read are the texts that count, and they can be shown all the same.
+            self.refused.emit(error)
+            return "nothing"
+
+    def _learn(self, before: Blueprint, after: Blueprint) -> None:
+        """Files that came along with an import were read just now, or come back by an undo."""
+        texts = self._session.texts
+        if self.path is None:
+            texts.pop(self._session.blueprint.file, None)
+        former = {document.file for document in before.documents}
+        for file in texts.keys() - former:
+            if file in self.on_disk and self.on_disk.look(file).text == texts[file]:
+                self.on_disk.saw(file, texts[file])
+        self.on_disk.saw_if_new(texts)
+
+    def _tell_aside(self) -> None:
+        """Who takes out an import may not think of what was drawn in that file."""
+        names = [Path(file).name for file in self.unsaved if file in self._session.aside]
+        self.changed.emit()
+        if names:
+            verb = "is" if len(names) == 1 else "are"
+            self.said.emit(f"{_listed(names)} {verb} no longer imported. Save keeps what is "
+                           "unsaved there.")  # fmt: skip
+
+    def _say_how_yaml_is_written(self) -> None:
+        """Once for each file, and before the first edit."""
+        forms = {document.file: document.form for document in self._session.blueprint.documents}
+        yaml = [file for file in forms if forms[file] == "yaml" and file not in self._told]
+        self._told.update(yaml)
+        if yaml:
+            names = _listed([self.display(file) for file in yaml])
+            self.said.emit(f"{names}: YAML is written whole when it is edited; comments may move.")
+
+    def _store(self, files: Sequence[str]) -> bool:
+        """Write these of the session's files to where they came from."""
+        if not self._may_save_broken(files):
+            return False
+        if not self._written([(self._document(file), self._place(file)) for file in files]):
+            return False
+        self._session.saved(self._session.blueprint)
+        self._saved([self.display(file) for file in files])
+        return True
+
+    def _save_to(self, path: Path) -> bool:
+        """Write the own text to another place, and the others that changed to theirs."""
+        session = self._session
+        own, broken = session.blueprint.file, session.broken
+        if self.path is not None and path == self.path:
+            return self._store((own, *(file for file in self.unsaved if file != own)))
+        others = [file for file in self.unsaved if file != own]
+        if self._is_imported(path):
+            self.refused.emit(_over_an_import(path.name))
+            return False
+        if not (self._may_save_broken([own, *others]) and self._comments_may_go(path)):
+            return False
+        try:
+            found = moved(self._document(own), path, whole=broken is None or broken.file != own)
+        except StudioError as error:
+            self.refused.emit(error)
+            return False
+        pairs = [(self._document(file), self._place(file)) for file in others]
+        if not self._written([(found.document, path), *pairs], chosen=path):
+            return False
+        self.path, self._name = path, path.name
+        if found.anew:
+            self._show_anew(found.document)
+        else:
+            # Of a text that does not read, the document is that of the last one that did.
+            named = replace(session.blueprint.document, file=str(path))
+            session.saved(replace(session.blueprint, document=named))
+        self._learn(session.blueprint, session.blueprint)
+        self._settings.remember(path)
+        self._saved([path.name, *map(self.display, others)])
+        return True
+
+    def _show_anew(self, document: Document) -> None:
+        """The text is another one now: the history, which holds the former, begins again."""
+        session = self._session
+        branch, selection = session.branch, session.selection
+        self.show(understood(document.text, document.file), self.path, self._name)
+        session.show_branch(branch)
+        session.select(selection)
+
+    def _written(self, pairs: Pairs, chosen: Path | None = None) -> bool:
+        """Write documents to their places (see ``store``); whether that was done."""
+
+        def ask(files: list[str]) -> bool:
+            return self._asker.may_overwrite(_listed([self.display(file) for file in files]))
+
+        if not self._may_lose([path for _, path in pairs]):
+            return False
+        try:
+            return store(pairs, self.on_disk, ask, chosen)
+        except StudioError as error:
+            self.refused.emit(error)
+            return False
+
+    def _may_lose(self, paths: Sequence[Path]) -> bool:
+        """Ask before a file loses its owner, its group, its rights or a further name: once."""
+        for path in paths:
+            lost: tuple[str, ...] = ()
+            with suppress(OSError):  # where it cannot be tried, the save itself will say why
+                lost = losses(Path(real_path(str(path))))
+            if not lost or (path, lost) in self._given_up:
+                continue
+            if not self._asker.may_lose(f"Saved, {path.name} loses {_listed(lost)}."):
+                return False
+            self._given_up.add((path, lost))
+        return True
+
+    def _saved(self, names: Sequence[str]) -> None:
+        self.changed.emit()
+        self.said.emit(f"Saved {_listed(names)}." if names else f"{self._name} is saved already.")
+
+    def _document(self, file: str) -> Document:
+        """A document as it is to be written: of a broken one the text alone counts."""
+        documents = {document.file: document for document in self._session.blueprint.documents}
+        return replace({**self._session.aside, **documents}[file], text=self.texts[file])
+
+    def _is_imported(self, path: Path) -> bool:
+        others = (*self._session.blueprint.documents[1:], *self._session.aside.values())
+        return any(real_path(one.file) == real_path(str(path)) for one in others)
+
+    def _place(self, file: str) -> Path:
+        own = self.path is not None and file == self._session.blueprint.file
+        return self.path if own and self.path is not None else Path(file)
+
+    def _may_save_broken(self, files: Sequence[str]) -> bool:
+        broken = self._session.broken
+        if broken is None or broken.file not in files:
+            return True
+        faults = counted(len(broken.error.faults), "fault")
+        return self._asker.may_save_broken(self.display(broken.file), faults)
+
+    def _comments_may_go(self, path: Path) -> bool:
+        document = self._session.blueprint.document
+        if not leaves_comments(document, path):
+            return True
+        return self._asker.may_leave_comments(self._name, form_words(path, document))
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Names as one says them: a, b and c."""
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def _over_an_import(target: str) -> SaveError:
+    return SaveError(
+        f"the blueprint imports {target}, and would take its place",
+        advice="Save under another name.",
+    )

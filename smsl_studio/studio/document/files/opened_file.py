@@ -1,0 +1,41 @@
+"""Opening a file: the blueprint it means, or as much of one as can be read of a faulty text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint, salvage
+from smsl_studio.errors import ReadError
+from smsl_studio.smsl.files import read_content, text_of
+from smsl_studio.smsl.forms import form_named, form_of, recovered
+from smsl_studio.smsl.garbage import uncollected
+from smsl_studio.studio.document.broken import Broken
+
+
+@dataclass(frozen=True)
+class OpenedFile:
+    """What a file gave: ``broken`` is its text where that does not read as a blueprint."""
+
+    blueprint: Blueprint
+    broken: Broken | None = None
+
+
+def open_file(path: Path) -> OpenedFile:
+    """What stands in a file; ReadError where it cannot be read, or is no text at all."""
+    return understood(text_of(read_content(path), str(path)), str(path))
+
+
+def understood(text: str, file: str) -> OpenedFile:
+    """What a text means, or what can be read of it."""
+    form = form_named(form_of(file, text))
+    with uncollected():
+        try:
+            document = form.parse(text, file)
+        except ReadError as error:
+            return OpenedFile(salvage(recovered(text, file)), Broken(file, text, error))
+        try:
+            return OpenedFile(read_blueprint(document))
+        except ReadError as error:
+            return OpenedFile(salvage(document), Broken(file, text, error))

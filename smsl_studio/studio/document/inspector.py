@@ -1,0 +1,70 @@
+"""Inspector: inspects the blueprint again after every change, beside the window's own thread.
+
+The rules are pure functions of a frozen blueprint, so a large one never freezes the window; the
+findings of a blueprint that is no longer shown are dropped.
+"""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.inspect import RULES, inspect
+from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.document.session import Session
+
+WAIT = 120
+"""Milliseconds after an edit in which further edits are waited for."""
+
+
+class Inspector(QObject):
+    """Keeps the findings of what the session shows."""
+
+    found = Signal(object)
+    """The findings of the blueprint that is shown now: a tuple."""
+    started = Signal()
+    """The blueprint has changed; what was found before may no longer hold."""
+
+    def __init__(self, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._beside = Beside(self)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(WAIT)
+        self._timer.timeout.connect(self._inspect)
+        self._wanted: Blueprint | None = None
+        self.findings: tuple[Finding, ...] = ()
+        self.current = False
+        """Whether ``findings`` are those of the blueprint that is shown."""
+        session.blueprint_changed.connect(lambda *_: self._changed())
+        self._changed()
+
+    @property
+    def rules(self) -> int:
+        """How many rules are checked."""
+        return len(RULES)
+
+    def stop(self) -> None:
+        """The window is going away."""
+        self._timer.stop()
+        self._wanted = None
+        self._beside.stop()
+
+    def _changed(self) -> None:
+        self.current = False
+        self.started.emit()
+        self._timer.start()
+
+    def _inspect(self) -> None:
+        blueprint = self._wanted = self._session.blueprint
+        self._beside.drop()
+        self._beside.do(partial(inspect, blueprint), partial(self._arrived, blueprint))
+
+    def _arrived(self, blueprint: Blueprint, findings: tuple[Finding, ...]) -> None:
+        if blueprint is self._session.blueprint and blueprint is self._wanted:
+            self.findings, self.current = findings, True
+            self.found.emit(findings)

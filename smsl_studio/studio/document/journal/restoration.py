@@ -1,0 +1,233 @@
+"""From a journal back to a window: what it would bring, and bringing it."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from dataclasses import dataclass
+from hashlib import sha256
+from itertools import count
+from pathlib import Path
+
+from smsl_studio.blueprint.comparison import Difference, compare
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import ReadError
+from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.smsl.disk import write_new
+from smsl_studio.smsl.document.limits import LARGEST_FILE
+from smsl_studio.smsl.inputs import read_ordinary
+from smsl_studio.studio.base.words import counted, faults_of
+from smsl_studio.studio.document.broken import Broken, read_text
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file, understood
+from smsl_studio.studio.document.journal.entry import JournalEntry, KeptText
+from smsl_studio.studio.document.session import Session
+
+LARGE = 4 << 20
+"""Characters from which on texts are not compared before they are asked for."""
+NOUNS = {"branch": "State Branch", "header": "header field"}
+PLURALS = {"branch": ("State Branches",)}
+STEP = "Recover unsaved work"
+
+
+@dataclass(frozen=True)
+class KeptSides:
+    """What stands on the disk, None where nothing can be read there; and what was kept."""
+
+    before: OpenedFile | None
+    after: OpenedFile
+
+    @property
+    def comparable(self) -> bool:
+        """Whether both sides are blueprints."""
+        return self.before is not None and not (self.before.broken or self.after.broken)
+
+
+@dataclass(frozen=True)
+class Restored:
+    """``lost`` are texts of files that do not belong to the blueprint, or cannot be shown in it;
+    ``changed`` names files that another program has written since.
+    """
+
+    lost: tuple[KeptText, ...]
+    changed: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Brings:
+    """What recovering would bring back, in words, and whether the sides can be compared."""
+
+    words: str
+    comparable: bool
+
+
+def sides(entry: JournalEntry) -> KeptSides:
+    """Both sides of a journal."""
+    own = own_text(entry)
+    before = on_disk(entry)
+    if before is None or own is not None:
+        text = own.text if own is not None else ""
+        after = understood(text, entry.path or entry.file)
+    else:
+        after = before
+    for kept in entry.texts:
+        if kept is not own:
+            after = _with(after, kept)
+    return KeptSides(before, after)
+
+
+def on_disk(entry: JournalEntry) -> OpenedFile | None:
+    """What stands where the blueprint of a journal belongs; None where nothing can be read."""
+    if not entry.path:
+        return None
+    try:
+        return open_file(Path(entry.path))
+    except ReadError:
+        return None
+
+
+def own_text(entry: JournalEntry) -> KeptText | None:
+    """The blueprint's own text, where it is not on the disk."""
+    return next((kept for kept in entry.texts if kept.file == entry.file), None)
+
+
+def brings(entry: JournalEntry) -> Brings:
+    """What recovering would bring back."""
+    if sum(len(kept.text) for kept in entry.texts) > LARGE:
+        size = sum(len(kept.text) for kept in entry.texts) / (1 << 20)
+        return Brings(f"{counted(len(entry.texts), 'text')} of {size:.1f} MB", bool(entry.path))
+    both = sides(entry)
+    words = _changes(entry, both)
+    if entry.path and both.before is None:
+        words += " The file is no longer there."
+    elif any(_moved_on(kept, entry) for kept in entry.texts):
+        words += " The file was changed on the disk since."
+    return Brings(words, both.comparable)
+
+
+def is_saved(entry: JournalEntry) -> bool:
+    """Whether everything that was kept stands in its file: the end came right after the save."""
+    return bool(entry.path) and all(_stands(kept) for kept in entry.texts)
+
+
+def restore(entry: JournalEntry, files: Files, session: Session) -> Restored:
+    """Show what was kept as unsaved changes on what stands on the disk.
+
+    Each text is a step that can be undone.
+    """
+    before = on_disk(entry)
+    path = Path(entry.path) if entry.path else None
+    own = own_text(entry)
+    if before is not None:
+        files.show(before, path, entry.name)
+    else:
+        text = own.text if own is not None else ""
+        files.show(understood(text, entry.path or entry.file), path, entry.name)
+        if path is not None:
+            files.on_disk.saw(session.blueprint.file, None)
+        session.history.resetClean()
+    waiting = sorted(entry.texts, key=lambda kept: kept is not own)
+    lost, changed = [], []
+    for kept in _whole_first(session.blueprint, waiting):
+        file = _file_of(session.blueprint, kept, entry)
+        if file is None:
+            lost.append(kept)
+            continue
+        if session.texts[file] != kept.text:
+            session.write(STEP, kept.text, file)
+        if session.texts.get(file) != kept.text:  # Another text does not read by now.
+            lost.append(kept)
+        elif _moved_on(kept, entry):
+            changed.append(file)
+    files.changed.emit()
+    return Restored(tuple(lost), tuple(changed))
+
+
+def keep_text(kept: KeptText, home: Path) -> Path:
+    """Put a text that belongs nowhere any more into a file of its own; where it went.
+
+    OSError where the user's folder cannot be written.
+    """
+    folder = home / "recovered"
+    folder.mkdir(parents=True, exist_ok=True)
+    name = Path(kept.file)
+    numbers = (f"-{number}" if number else "" for number in count())
+    paths = (folder / f"{name.stem[:60]}{number}{name.suffix[:9]}" for number in numbers)
+    path = next(path for path in paths if not os.path.lexists(path))
+    write_new(path, kept.text.encode("utf-8", "surrogatepass"), 0o600)
+    return path
+
+
+def _with(opened: OpenedFile, kept: KeptText) -> OpenedFile:
+    file = _file_of(opened.blueprint, kept, None)
+    if file is None:
+        return opened
+    reading = read_text(opened.blueprint, file, kept.text)
+    if isinstance(reading, Broken):
+        return OpenedFile(opened.blueprint, opened.broken or reading)
+    return OpenedFile(reading, opened.broken)
+
+
+def _file_of(blueprint: Blueprint, kept: KeptText, entry: JournalEntry | None) -> str | None:
+    """The name that the blueprint's document has here."""
+    if entry is not None and kept.file == entry.file:
+        return blueprint.file
+    for document in blueprint.documents:
+        if os.path.abspath(document.file) == kept.file:  # noqa: PTH100
+            return document.file
+    return None
+
+
+def _whole_first(blueprint: Blueprint, waiting: list[KeptText]) -> list[KeptText]:
+    """Only one text may be broken at a time, so what does not read comes last."""
+
+    def broken(kept: KeptText) -> bool:
+        return understood(kept.text, kept.file).broken is not None
+
+    return sorted(waiting, key=broken) if len(waiting) > 1 else waiting
+
+
+def _changes(entry: JournalEntry, both: KeptSides) -> str:
+    after = both.after
+    if after.broken is not None:
+        return f"{faults_of(after.broken).capitalize()}: it does not read as a blueprint."
+    if both.before is None:
+        blueprint = after.blueprint
+        there = f"{counted(blueprint.state_count, 'state')} and " \
+                f"{counted(blueprint.operation_count, 'operation')}"  # fmt: skip
+        return there if entry.path else f"Never saved: {there}."
+    if both.before.broken is not None:
+        return "The text reads as a blueprint again."
+    return tallied(as_drawn(compare(both.before.blueprint, after.blueprint)))
+
+
+def tallied(found: Difference) -> str:
+    """How much of what changed: 2 states added, 1 operation retargeted."""
+    if found.same:
+        return "Order, comments or spelling."
+    counts = Counter((change.what, change.kind.value) for change in (*found.changes, *found.fields))
+    parts = [f"{counted(n, NOUNS.get(what, what), *PLURALS.get(what, ()))} {happened}"
+             for (what, happened), n in counts.items()]  # fmt: skip
+    if found.moved:
+        parts.append(f"{counted(len(found.moved), 'state')} moved in the layout")
+    return f"{', '.join(parts)}."
+
+
+def _moved_on(kept: KeptText, entry: JournalEntry) -> bool:
+    """Whether another program has written the file since."""
+    if not entry.path and kept.file == entry.file:
+        return False
+    now = _digest(kept.file)
+    return bool(now) and now != kept.saved
+
+
+def _stands(kept: KeptText) -> bool:
+    text = kept.text.encode("utf-8", "surrogatepass")
+    return sha256(text).hexdigest() == _digest(kept.file)
+
+
+def _digest(file: str) -> str:
+    try:
+        return sha256(read_ordinary(file, LARGEST_FILE).raw).hexdigest()
+    except (OSError, ValueError):
+        return ""

@@ -1,0 +1,45 @@
+"""What is unsaved in a window: every text that is not on the disk, typed a moment ago or long."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from datetime import datetime
+
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.journal.entry import JournalEntry, KeptText
+from smsl_studio.studio.document.session import Session
+
+
+class Unsaved:
+    """Answers the journal. ``pending`` gives the texts that are typed and not yet a step."""
+
+    def __init__(
+        self, session: Session, files: Files, pending: Callable[[], Mapping[str, str]]
+    ) -> None:
+        self._session, self._files, self._pending = session, files, pending
+
+    def __call__(self, changes: int) -> JournalEntry | None:
+        """The work that is nowhere but in this window; None where there is none."""
+        files, own = self._files, self._session.blueprint.file
+        texts = {**self._files.texts, **self._pending()}
+        unsaved = files.unsaved_of(texts)
+        if not unsaved:
+            return None
+        digest = files.on_disk.digest
+        kept = (KeptText(self._named(file), texts[file], digest(file)) for file in unsaved)
+        return JournalEntry(
+            files.name,
+            str(files.path or ""),
+            self._named(own),
+            datetime.now().isoformat(timespec="seconds"),
+            changes,
+            tuple(kept),
+        )
+
+    def _named(self, file: str) -> str:
+        """Where a file is, whatever folder the program is started in next."""
+        own = file == self._session.blueprint.file
+        if own:
+            return str(self._files.path or file)
+        return os.path.abspath(file)  # noqa: PTH100

@@ -1,0 +1,1 @@
+"""Drawing a blueprint: the canvas with its editor, the panels, the source, files and search."""

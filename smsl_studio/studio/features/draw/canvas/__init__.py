@@ -1,0 +1,1 @@
+"""The editor of the canvas: its gestures become edits of the session."""

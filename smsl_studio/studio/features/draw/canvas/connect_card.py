@@ -1,0 +1,140 @@
+"""The fields of a new operation: its name, with the names in use, and perhaps its target."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from smsl_studio.studio.base.controls import Label
+from smsl_studio.studio.base.overlays.card import PassingCard, tint
+from smsl_studio.studio.base.overlays.choices import Choices
+from smsl_studio.studio.base.overlays.name_line import NameLine, complain, error_label
+from smsl_studio.studio.base.theme import Tokens, text_font
+
+ROWS = 4
+
+
+class ConnectCard(PassingCard):
+    """The fields of a new operation: its name, with the names in use, and perhaps its target.
+
+    ``commit`` takes (operation, target) and answers with a reason or the empty text. Without a
+    fixed target the second field names a state that is there, or a new one.
+    """
+
+    def __init__(
+        self,
+        parent: QWidget,
+        tokens: Tokens,
+        names: Sequence[str],
+        operation: str,
+        target: str | None,
+        commit: Callable[[str, str], str],
+        target_for: Callable[[str], str] | None = None,
+    ) -> None:
+        super().__init__(parent, tokens, 10.0)
+        self._names, self._commit = list(names), commit
+        self._target_for, self._own_target, self._touched = target_for, False, False
+        self.operation = NameLine(self, tokens, "Operation")
+        self.operation.setText(operation)
+        self.operation.selectAll()
+        self.target = NameLine(self, tokens, "Target state")
+        self.target.setText(target or "")
+        self.target.setVisible(target is not None)
+        self.choices = Choices(self, tokens)
+        self.error = error_label(self, tokens)
+        self._to = Label("to state", self)
+        self._to.setFont(text_font(11, 500))
+        tint(self._to, tokens.tx3)
+        self._to.setVisible(target is not None)
+        self._new = Label("New operation. Enter adds it", self)
+        self._new.setFont(text_font(11, 500))
+        tint(self._new, tokens.tx3)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(8, 8, 8, 8)
+        layout.setSpacing(4)
+        for widget in (self.operation, self.choices, self._new, self._to, self.target, self.error):
+            layout.addWidget(widget)
+        self.setFixedWidth(252)
+        self._wire()
+        self._filter("")
+
+    def _wire(self) -> None:
+        for field in (self.operation, self.target):
+            field.done.connect(self.commit)
+            field.left.connect(self.close_field)
+            field.textEdited.connect(self._typed)
+        self.operation.textEdited.connect(self._filter)
+        self.operation.moved.connect(self.choices.move_choice)
+        self.operation.tabbed.connect(self._tab)
+        self.target.tabbed.connect(self.operation.setFocus)
+        self.target.textEdited.connect(self._target_typed)
+        self.choices.chosen.connect(self._choose)
+
+    def commit(self) -> None:
+        """Add the operation; a refusal is said, and what was typed stays."""
+        if self._closing:
+            return
+        chosen = self.choices.current
+        if chosen and self.operation.hasFocus():
+            self._take(chosen)
+        reason = self._commit(self.operation.text().strip(), self.target.text().strip())
+        if reason:
+            self._complain(reason)
+        else:
+            self.close_field()
+
+    @property
+    def untouched(self) -> bool:
+        """Whether nothing was typed or chosen yet."""
+        return not self._touched
+
+    @property
+    def complaint(self) -> str:
+        return self.error.text()
+
+    def _typed(self) -> None:
+        self._touched = True
+        self._complain("")
+
+    def _target_typed(self) -> None:
+        self._own_target = True
+
+    def _tab(self) -> None:
+        if self.choices.current:
+            self._take(self.choices.current)
+        if not self.target.isHidden():
+            self.target.setFocus()
+            self.target.selectAll()
+
+    def _choose(self, name: str) -> None:
+        self._take(name)
+        self.operation.setFocus()
+        self.commit()
+
+    def _take(self, name: str) -> None:
+        self.operation.setText(name)
+        self._suggest_target(name)
+        self.choices.show_names([])
+        self.adjustSize()
+
+    def _suggest_target(self, name: str) -> None:
+        if self._target_for is not None and not self._own_target and not self.target.isHidden():
+            wanted = self._target_for(name)
+            if wanted:
+                self.target.setText(wanted)
+
+    def _filter(self, typed: str) -> None:
+        wanted = typed.strip().casefold()
+        found = [name for name in self._names if wanted in name.casefold()]
+        found.sort(key=lambda name: not name.casefold().startswith(wanted))
+        exact = typed.strip() in found
+        self._new.setVisible(bool(wanted) and not found)
+        self.choices.show_names([] if exact else found[:ROWS])
+        if exact:
+            self._suggest_target(typed.strip())
+        self.adjustSize()
+
+    def _complain(self, reason: str) -> None:
+        complain(self.error, reason, self.width() - 16)
+        self.adjustSize()

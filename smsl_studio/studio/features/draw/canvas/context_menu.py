@@ -1,0 +1,80 @@
+"""The menu at the pointer: what can be done with what lies there."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtGui import QCursor
+from PySide6.QtWidgets import QMenu, QWidget
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.actions import Actions
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
+from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
+from smsl_studio.studio.features.draw.canvas.popups import passing_menu
+
+ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")
+ON_STATE = ("connect", "rename", "", "cut", "copy", "duplicate", "", "delete")
+ON_OPERATION = ("rename", "", "cut", "copy", "duplicate", "", "delete")
+
+
+def context_menu(
+    session: Session,
+    editor: CanvasEditor,
+    actions: Actions,
+    clipping: ClipboardVerbs,
+    address: Address | None,
+) -> QMenu:
+    """The menu for an element, which is selected with it, or for the empty canvas."""
+    menu = passing_menu(_window(editor))
+    if address is None:
+        at = editor.canvas.mapToScene(editor.canvas.mapFromGlobal(QCursor.pos()))
+        add = menu.addAction("Add a state here", partial(editor.add_state_at, at))
+        add.setIcon(actions["add_state"].icon())
+        menu.addAction("Paste here", partial(clipping.paste, at))
+        _add(menu, actions, ON_CANVAS)
+        _add_home(menu, session, actions)
+        return menu
+    if address not in session.selection:
+        session.select((address,))
+    actions.refresh()
+    if address.operation:
+        _add(menu, actions, ON_OPERATION)
+        return menu
+    _add(menu, actions, ON_STATE)
+    menu.addSeparator()
+    for key, words in (("INITIAL", "Make initial"), ("ACTIVATING", "Make activating")):
+        chosen = getattr(session.blueprint[address.branch], key.lower()) == address.state
+        mark = menu.addAction(words, partial(_set, session, key, address))
+        mark.setCheckable(True)
+        mark.setChecked(chosen)
+    _add_home(menu, session, actions)
+    return menu
+
+
+def _add_home(menu: QMenu, session: Session, actions: Actions) -> None:
+    """An SB from another file is at home there."""
+    if session.branch in session.blueprint.imported:
+        menu.addSeparator()
+        menu.addAction(actions["open_home"])
+
+
+def _set(session: Session, key: str, address: Address) -> None:
+    session.edit(
+        f"Set {key} to {address.state}",
+        lambda bp: editing.set_header(bp, address.branch, key, address.state),
+    )
+
+
+def _add(menu: QMenu, actions: Actions, names: tuple[str, ...]) -> None:
+    for name in names:
+        if name:
+            menu.addAction(actions[name])
+        else:
+            menu.addSeparator()
+
+
+def _window(editor: CanvasEditor) -> QWidget:
+    return editor.canvas.window()

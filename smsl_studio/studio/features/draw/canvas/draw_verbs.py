@@ -1,0 +1,133 @@
+"""The verbs of drawing that need no pointer: what menus, keys and buttons ask for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QPointF
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.names import fresh_branch_name
+from smsl_studio.graph.layout import place_anew
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
+from smsl_studio.studio.features.draw.canvas.free_places import free_place
+
+TENTH = 0.1
+"""Pixels: what a layout is written in."""
+
+
+class DrawVerbs:
+    """Verbs on the SB that is shown and on the selection."""
+
+    def __init__(self, session: Session, editor: CanvasEditor) -> None:
+        self._session, self._editor, self.canvas = session, editor, editor.canvas
+
+    # What can be done now.
+
+    def has_branch(self) -> bool:
+        return self._session.branch in self._session.blueprint.branches
+
+    def has_states(self) -> bool:
+        return self.has_branch() and bool(self._branch.table)
+
+    def has_selection(self) -> bool:
+        return bool(self._session.selection)
+
+    def can_rename(self) -> bool:
+        return len(self._session.selection) == 1
+
+    def can_connect(self) -> bool:
+        return bool(self._states()) and len(self._states()) <= 2
+
+    def can_enter(self) -> bool:
+        if not self.has_branch():
+            return False
+        branches = self._session.blueprint.branches
+        return not branches.keys().isdisjoint(self._branch.subs.values())
+
+    def can_leave(self) -> bool:
+        return self._session.branch in self._session.blueprint.bases
+
+    # Doing it.
+
+    def add_state(self) -> None:
+        """Name a new state beside the others."""
+        self.canvas.setFocus()
+        chosen = [a.state for a in self._states() if a.branch == self._session.branch]
+        self._editor.add_state_at(QPointF(*free_place(self.canvas, chosen[-1] if chosen else "")))
+
+    def add_branch(self) -> None:
+        """Add an SB and show it."""
+        name = fresh_branch_name(self._session.blueprint)
+        if self._edit(f"Add State Branch {name}", lambda bp: editing.add_branch(bp, name)):
+            self._session.show_branch(name)
+
+    def connect(self) -> None:
+        """An operation from the selected state; of two, from the first to the second."""
+        self.canvas.setFocus()
+        self._editor.quick_add()
+
+    def attach(self, digit: int, sub: str | None) -> None:
+        """Let an SB (a new one, where ``sub`` is None) expand a fact of the SB that is shown."""
+        base = self._session.branch
+        name = sub or fresh_branch_name(self._session.blueprint)
+
+        def change(blueprint: Blueprint) -> Blueprint:
+            if sub is None:
+                blueprint = editing.add_branch(blueprint, name)
+            return editing.attach_sub(blueprint, base, digit, name)
+
+        self._edit(f"Attach {name} to fact {digit} of {base}", change)
+
+    def rename(self) -> None:
+        """Edit the name of the selected element in place."""
+        if self.can_rename():
+            self.canvas.setFocus()
+            self._editor.rename(self._session.selection[0])
+
+    def delete(self) -> None:
+        self._editor.delete_selected()
+
+    def select_all(self) -> None:
+        self._session.select(Address(self._branch.name, name) for name in self._branch.table)
+
+    def tidy(self) -> None:
+        """Lay the SB out anew, as one step; none where every state stands there already."""
+        branch, shown = self._branch, self.canvas.positions
+        places = place_anew(branch)
+        if all(_together(at, shown.get(name)) for name, at in places.items()):
+            self.canvas.say("The drawing is tidy already.")
+            self.canvas.fit()
+        elif self._edit(
+            f"Tidy {branch.name}", lambda bp: editing.set_layout(bp, branch.name, places)
+        ):
+            self.canvas.fit()
+
+    def enter(self) -> None:
+        """Show the sub-SB of the first fact that has one."""
+        branches = self._session.blueprint.branches
+        subs = [sub for _, sub in sorted(self._branch.subs.items()) if sub in branches]
+        if subs:
+            self._session.show_branch(subs[0])
+
+    def leave(self) -> None:
+        """Show the base SB."""
+        self._editor.leave()
+
+    @property
+    def _branch(self) -> StateBranch:
+        return self._session.blueprint[self._session.branch]
+
+    def _states(self) -> tuple[Address, ...]:
+        return tuple(a for a in self._session.selection if a.state and not a.operation)
+
+    def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> bool:
+        return self._session.edit(words, change)
+
+
+def _together(a: tuple[float, float], b: tuple[float, float] | None) -> bool:
+    """Whether two places are one when they are written."""
+    return b is not None and max(abs(a[0] - b[0]), abs(a[1] - b[1])) <= TENTH

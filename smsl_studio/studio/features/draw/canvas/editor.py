@@ -1,0 +1,366 @@
+"""CanvasEditor: ties one canvas to a session. Gestures become edits, edits become pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QPointF, QRectF
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.names import fresh_state_name
+from smsl_studio.errors import StudioError
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+from smsl_studio.studio.features.draw.canvas.free_places import (
+    clear_place,
+    free_place,
+    on_grid,
+    place_near,
+)
+from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.features.draw.canvas.suggest import Suggestions
+
+Position = tuple[float, float]
+
+
+class CanvasEditor(QObject):
+    """Shows the session's SB on a canvas and turns the canvas's wishes into edits.
+
+    ``set_findings`` lights findings; everything else follows the session by itself. The field
+    that is open (a name being edited) is ``field``, None while there is none.
+    """
+
+    def __init__(self, session: Session, canvas: Canvas) -> None:
+        super().__init__(canvas)
+        self.session, self.canvas = session, canvas
+        self.field: NameField | ConnectCard | None = None
+        self._refusals: list[StudioError] = []
+        session.blueprint_changed.connect(self._blueprint_changed)
+        session.branch_changed.connect(self._show)
+        session.selection_changed.connect(self._selection_changed)
+        session.refused.connect(self._refused)
+        canvas.selection_wanted.connect(session.select)
+        canvas.add_state_wanted.connect(self.add_state_at)
+        canvas.connect_wanted.connect(self.connect_states)
+        canvas.retarget_wanted.connect(self.retarget)
+        canvas.rename_wanted.connect(self.rename)
+        canvas.moved.connect(self.move)
+        canvas.enter_wanted.connect(session.show_branch)
+        canvas.leave_wanted.connect(self.leave)
+        canvas.delete_wanted.connect(self.delete_selected)
+        canvas.quick_add_wanted.connect(self.quick_add)
+        canvas.pressed.connect(self._leave_card)
+        canvas.extended = lambda: session.extended
+        self._show(session.branch)
+
+    # The session changed
+
+    def set_findings(self, findings: Mapping[Address, str]) -> None:
+        """Light findings: the worst severity letter (E, W, I) by address."""
+        if findings != self.canvas.marks.findings:
+            self.canvas.set_marks(replace(self.canvas.marks, findings=findings))
+
+    def _blueprint_changed(self, before: Blueprint, after: Blueprint) -> None:
+        self._close_field()
+        branch = self.session.branch
+        if self.canvas.sheet is not None:
+            shown = self.canvas.sheet.picture.branch.name
+            if shown != branch:
+                if shown not in after.branches and len(before) == len(after):
+                    self.session.places.rename_branch(shown, branch)
+                    self._show_again(branch)
+                return
+        self._show_again(branch)
+
+    def _show_again(self, branch: str) -> None:
+        """The same SB after an edit: the view stays where it is."""
+        blueprint = self.session.blueprint
+        if branch not in blueprint.branches:
+            self.canvas.show_branch(blueprint, branch)
+            return
+        shown, sheet = blueprint[branch], self.canvas.sheet
+        places = self.session.places.of(shown)
+        if sheet is not None and _same_picture(sheet.picture.branch, shown):
+            self.canvas.show_places(blueprint, branch, places)
+        else:
+            empty = sheet is None
+            self.canvas.show_branch(blueprint, branch, places, keep_view=not empty)
+
+    def _show(self, branch: str) -> None:
+        self._close_field()
+        blueprint, sheet = self.session.blueprint, self.canvas.sheet
+        picture = sheet.picture if sheet is not None else None
+        drawn = (picture.blueprint, picture.branch.name) if picture is not None else None
+        if drawn is not None and drawn[0] is blueprint and drawn[1] == branch:
+            self.canvas.look_at_opening()  # another file was opened, and is drawn already
+        elif branch in blueprint.branches:
+            self.canvas.show_branch(blueprint, branch, self.session.places.of(blueprint[branch]))
+        else:
+            self.canvas.show_branch(blueprint, branch)
+
+    def _selection_changed(self, selection: tuple[Address, ...]) -> None:
+        self.canvas.set_marks(replace(self.canvas.marks, selection=selection))
+
+    def _refused(self, error: StudioError) -> None:
+        self._refusals.append(error)
+
+    # Wishes of the canvas
+
+    def add_state_at(self, at: QPointF) -> None:
+        """Ask for the name of a new state at a scene point; Enter adds it there."""
+        branch = self.session.branch
+        if branch not in self.session.blueprint.branches:
+            self._first_branch_and_state(at)
+            return
+        place = on_grid(at)
+        self.canvas.reveal_point(QPointF(*place), smooth=False)
+        suggested = fresh_state_name(self._branch)
+
+        def commit(name: str) -> str:
+            words = f"Add {name}"
+            done = self._edit(words, lambda bp: editing.add_state(bp, branch, name, place))
+            if not done:
+                self.session.select((Address(branch, name),))
+            return done
+
+        self._name(suggested, "State", commit, self._field_place(QPointF(*place), 108.0))
+
+    def _first_branch_and_state(self, at: QPointF) -> None:
+        """In a file without an SB the first state brings one along, as one step."""
+        place = on_grid(at)
+
+        def commit(name: str) -> str:
+            def change(blueprint: Blueprint) -> Blueprint:
+                return editing.add_state(editing.add_branch(blueprint, "SB1"), "SB1", name, place)
+
+            camera = self.canvas.camera
+            seen = camera.centre, camera.zoom
+            reason = self._edit(f"Add {name}", change)
+            if not reason:
+                self.session.show_branch("SB1")
+                # A new SB is fitted when it is shown; the state stays under the pointer.
+                camera.keep("")
+                camera.go(*seen, smooth=False)
+                self.session.select((Address("SB1", name),))
+            return reason
+
+        self._name("State0", "State", commit, self._field_place(QPointF(*place), 108.0))
+
+    def connect_states(self, source: Address, target: Address | None, at: QPointF) -> None:
+        """Ask for the name of a new operation; without a target a state arises at the point.
+
+        Operation and state are added as one step.
+        """
+        branch, place = source.branch, on_grid(at)
+        shown = self.session.blueprint[branch]
+        suggestions = Suggestions(shown)
+        asked = None if target is not None else fresh_state_name(shown)
+
+        def commit(name: str, typed: str) -> str:
+            goal = target.state if target is not None else typed
+            if not goal:
+                return "The operation has no target. Name a state."
+
+            def change(blueprint: Blueprint) -> Blueprint:
+                if goal not in blueprint[branch].table:
+                    blueprint = editing.add_state(blueprint, branch, goal, place)
+                return editing.add_operation(blueprint, branch, source.state, name, goal)
+
+            reason = self._edit(f"Connect {source.state} to {goal}", change)
+            if not reason:
+                self.session.select((Address(branch, source.state, name),))
+            return reason
+
+        self.canvas.show_pending(source, target, QPointF(*place) if target is None else at)
+        self._open(
+            ConnectCard(
+                self.canvas,
+                self.canvas.tokens,
+                suggestions.names(source.state),
+                suggestions.name_for(source.state, target.state if target else None),
+                asked,
+                commit,
+                None if target else lambda name: suggestions.target_for(source.state, name),
+            ),
+            self._beside(at),
+        )
+
+    def quick_add(self) -> None:
+        """Add an operation from the selected state; of two, from the first to the second."""
+        states = [a for a in self.session.selection if a.state and not a.operation]
+        if not states or len(states) > 2 or states[0].branch != self.session.branch:
+            self.canvas.say("Select the state the operation starts from.")
+            return
+        source = states[0]
+        self.canvas.reveal(source, smooth=False)
+        places = self.canvas.positions
+        if len(states) == 2:
+            (ax, ay), (bx, by) = places[source.state], places[states[1].state]
+            self.connect_states(source, states[1], QPointF((ax + bx) / 2, (ay + by) / 2))
+            return
+        place = QPointF(*free_place(self.canvas, source.state))
+        self.canvas.reveal_point(place, smooth=False)
+        self.connect_states(source, None, place)
+
+    def rename(self, address: Address) -> None:
+        """Edit the name of a state or operation where it stands; the view scrolls there."""
+        self.canvas.reveal(address, smooth=False)
+        rect = self.canvas.rect_of(address)
+        if rect is None or not self._stands(address):
+            return
+        old = address.path[-1]
+
+        def commit(new: str) -> str:
+            if new == old:
+                return ""
+            words = f"Rename {old} to {new}"
+            reason = self._edit(words, lambda bp: editing.rename(bp, address, new))
+            if not reason:
+                renamed = (
+                    replace(address, operation=new)
+                    if address.operation
+                    else replace(address, state=new)
+                )
+                self.session.select((renamed,))
+            return reason
+
+        hint = "Operation" if address.operation else "State"
+        width = max(rect.width() * self.canvas.zoom, 96.0)
+        self._name(old, hint, commit, self._field_place(rect.center(), width, rect))
+
+    def retarget(self, operation: Address, target: Address) -> None:
+        """Let an operation lead to another state."""
+        words = f"Let {operation.operation} lead to {target.state}"
+        reason = self._edit(words, lambda bp: editing.retarget(bp, operation, target.state))
+        if reason:
+            self.canvas.say(reason)
+
+    def move(self, places: Mapping[str, Position]) -> None:
+        """Keep where states were dragged to, as one step."""
+        branch = self.session.branch
+        what = next(iter(places)) if len(places) == 1 else f"{len(places)} states"
+        reason = self._edit(f"Move {what}", lambda bp: editing.set_layout(bp, branch, places))
+        if reason:
+            self._show_again(branch)
+            self.canvas.say(reason)
+
+    def delete_selected(self) -> None:
+        """Delete what is selected; operations to a deleted state go with it."""
+        selection = self.session.selection
+        if not selection:
+            return
+        what = selection[0].path[-1] if len(selection) == 1 else f"{len(selection)} elements"
+        reason = self._edit(f"Delete {what}", lambda bp: editing.delete(bp, selection))
+        if reason:
+            self.canvas.say(reason)
+
+    def leave(self) -> None:
+        """Show the base SB."""
+        bases = self.session.blueprint.bases.get(self.session.branch)
+        if bases:
+            self.session.show_branch(bases[0][0])
+
+    # Inside
+
+    @property
+    def _branch(self) -> StateBranch:
+        return self.session.blueprint[self.session.branch]
+
+    def _stands(self, address: Address) -> bool:
+        try:
+            self.session.blueprint.resolve(address)
+        except StudioError:
+            return False
+        return True
+
+    def _edit(self, words: str, change: Callable[[Blueprint], Blueprint]) -> str:
+        """Edit the session; the answer is why it was refused, or the empty text."""
+        self._refusals.clear()
+        if self.session.edit(words, change):
+            return ""
+        error = self._refusals[-1] if self._refusals else None
+        return _sentence(error) if error is not None else "That cannot be done here."
+
+    def _name(
+        self, text: str, hint: str, commit: Callable[[str], str], place: tuple[QPointF, int]
+    ) -> None:
+        field = NameField(self.canvas, self.canvas.tokens, text, hint, commit)
+        at, width = place
+        field.setMinimumWidth(width)
+        self._open(field, at, centred=True)
+
+    def _open(self, field: NameField | ConnectCard, at: QPointF, centred: bool = False) -> None:
+        if self.field is not None:
+            previous, self.field = self.field, None
+            previous.close_field()
+        self.field = field
+        field.closed.connect(self._field_closed)
+        field.adjustSize()
+        point = at.toPoint()
+        if centred:
+            point.setX(point.x() - field.width() // 2)
+            point.setY(point.y() - 18)
+        if isinstance(field, ConnectCard):
+            point = clear_place(self.canvas, field, point)
+        place_near(field, self.canvas, point)
+        field.show()
+        field.raise_()
+        self.canvas.overlays.empty.hide()
+        (field.field if isinstance(field, NameField) else field.operation).setFocus()
+
+    def _field_closed(self) -> None:
+        self.canvas.show_pending(None)
+        if self.field is not None:
+            self.field = None
+            self.canvas.overlays.show_empty()
+
+    def _leave_card(self) -> None:
+        """A press elsewhere leaves a card in which nothing was typed."""
+        if isinstance(self.field, ConnectCard) and self.field.untouched:
+            self._close_field()
+
+    def _close_field(self) -> None:
+        """Take the open field away."""
+        self.canvas.show_pending(None)
+        if self.field is not None:
+            field, self.field = self.field, None
+            field.close_field()
+
+    def _field_place(
+        self, centre: QPointF, width: float, rect: QRectF | None = None
+    ) -> tuple[QPointF, int]:
+        """Where a name field stands: over the name itself, in the view's pixels."""
+        at = QPointF(self.canvas.mapFromScene(centre))
+        full = rect is not None and rect.height() * self.canvas.zoom > 40.0
+        if full:
+            at.setY(at.y() - 11.0)
+        return at, int(min(max(width + 12.0, 110.0), 300.0))
+
+    def _beside(self, at: QPointF) -> QPointF:
+        """A scene point in the view's pixels."""
+        return QPointF(self.canvas.mapFromScene(at))
+
+
+def _sentence(error: StudioError) -> str:
+    first = error.sentence[:1].upper() + error.sentence[1:]
+    first = first if first.endswith(".") else first + "."
+    return f"{first} {error.advice}".strip()
+
+
+def _same_picture(before: StateBranch, after: StateBranch) -> bool:
+    """Whether two SBs differ in their layout at most."""
+    if before.name != after.name or before.header != after.header:
+        return False
+    if list(before.table) != list(after.table):
+        return False
+    if any(list(before.table[n].items()) != list(after.table[n].items()) for n in before.table):
+        return False
+
+    def rest(branch: StateBranch) -> dict[str, object]:
+        return {k: v for k, v in branch.fields.items() if k != "_layout"}
+
+    return rest(before) == rest(after)

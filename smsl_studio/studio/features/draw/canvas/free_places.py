@@ -1,0 +1,119 @@
+"""Placing: where new states and floating fields stand, clear of what is there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint, QPointF, QRect
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.base.canvas.gestures import GRID
+from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.base.canvas.canvas import Canvas
+
+Position = tuple[float, float]
+
+
+def clear_place(canvas: Canvas, card: ConnectCard, at: QPoint) -> QPoint:
+    """A place around a point of the view where a card covers no state."""
+    sheet = canvas.sheet
+    w, h, off = card.width(), card.height(), 16
+    # A new state is shown where it will stand; the card stands beside it.
+    aside = 16 if card.target.isHidden() else int(54 * max(canvas.zoom, 0.5)) + 14
+    inside = canvas.rect().adjusted(6, 6, -6, -6)
+    places = [
+        QPoint(at.x() + aside, at.y() - 20),
+        QPoint(at.x() - aside - w, at.y() - 20),
+        QPoint(at.x() + aside, at.y() - h // 2),
+        QPoint(at.x() - aside - w, at.y() - h // 2),
+        QPoint(at.x() - w // 2, at.y() + 40),
+        QPoint(at.x() - w // 2, at.y() - 40 - h),
+        QPoint(at.x() + off, at.y() - off - h),
+        QPoint(at.x() - off - w, at.y() - off - h),
+    ]
+    places += [QPoint(p.x(), inside.bottom() - h) for p in places[:4]]
+    for place in places:
+        if sheet is None or not inside.contains(QRect(place, card.size())):
+            continue
+        a, b = canvas.mapToScene(place), canvas.mapToScene(place + QPoint(w, h))
+        if not sheet.states_in(a.x(), a.y(), b.x(), b.y()):
+            return place
+    return places[0]
+
+
+def place_near(widget: QWidget, area: QWidget, at: QPoint) -> None:
+    """Put a widget at a point of an area, wholly inside it."""
+    widget.adjustSize()
+    x = min(max(at.x(), 8), max(area.width() - widget.width() - 8, 8))
+    y = min(max(at.y(), 8), max(area.height() - widget.height() - 8, 8))
+    widget.move(x, y)
+
+
+def on_grid(at: QPointF) -> Position:
+    return round(at.x() / GRID) * GRID, round(at.y() / GRID) * GRID
+
+
+APART = (120.0, 70.0)
+"""No nearer in both directions does a new state stand to another one."""
+AROUND = ((218, 0), (0, 172), (218, 172), (-218, 0), (0, -172), (436, 0), (218, -172))
+"""Where a new state stands beside another one, if it can."""
+TRIED = 40
+"""So many places across, and as many down, are tried in the view."""
+
+
+def free_place(canvas: Canvas, beside: str = "") -> Position:
+    """A free place that is in view: beside a state or, without one, right of all or in the middle.
+
+    Where the view has none, the place lies outside it, and whoever adds the state scrolls there.
+    """
+    places = canvas.positions
+    seen = canvas.clear_view
+    if not places:
+        return seen.center().x(), seen.center().y()
+    x, y = places[beside] if beside in places else max(places.values())
+    around = AROUND if beside in places else ((218, 0),)
+    wishes = [(x + dx, y + dy) for dx, dy in around]
+    if not seen.contains(QPointF(x, y)):
+        x, y = seen.center().x(), seen.center().y()
+    across, down = max(APART[0] / 2, seen.width() / TRIED), max(APART[1] / 2, seen.height() / TRIED)
+    inside = [
+        (seen.left() + i * across, seen.top() + j * down)
+        for i in range(int(seen.width() / across) + 1)
+        for j in range(int(seen.height() / down) + 1)
+    ]
+    inside.sort(key=lambda at: (at[0] - x) ** 2 + (at[1] - y) ** 2)
+    near = [wish for wish in wishes if seen.contains(QPointF(*wish))] + inside
+    free = [one for one in near if _is_free(canvas, one)]
+    at = next((one for one in free[:TRIED] if not _is_drawn_on(canvas, one)), None)
+    return (
+        at
+        or next(iter(free), None)
+        or next((one for one in wishes if _is_free(canvas, one)), _right_of_all(places))
+    )
+
+
+def _is_free(canvas: Canvas, at: Position) -> bool:
+    """Whether no other state stands too near, at 100 % and as large as marks are shown now."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return True
+    wide, high = (max(apart, apart * sheet.unit) for apart in APART)
+    off = abs(sheet.at - at)
+    return not ((off[:, 0] <= wide) & (off[:, 1] <= high)).any()
+
+
+def _is_drawn_on(canvas: Canvas, at: Position) -> bool:
+    """Whether lines lie where the node of a new state would stand."""
+    sheet = canvas.sheet
+    if sheet is None:
+        return False
+    wide, high = (apart / 2 * max(1.0, sheet.unit) for apart in APART)
+    return sheet.is_drawn_on(at[0] - wide, at[1] - high, at[0] + wide, at[1] + high)
+
+
+def _right_of_all(places: Mapping[str, Position]) -> Position:
+    x, y = max(places.values())
+    return x + 218.0, y

@@ -1,0 +1,227 @@
+"""Comparing: which version to compare with, and the window that shows the difference."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.comparison import compare
+from smsl_studio.errors import AddressError, StudioError
+from smsl_studio.front.revisions import Revision, revisions
+from smsl_studio.picture.aligned import as_drawn
+from smsl_studio.studio.base.actions import key_words
+from smsl_studio.studio.base.beside import Beside, Came
+from smsl_studio.studio.base.run_keys import lend_run_keys
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.compare.dialog import NEXT_KEYS, CompareDialog
+from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
+from smsl_studio.studio.features.draw.compare.versions import (
+    Version,
+    as_saved,
+    at_revision,
+    in_file,
+)
+
+WAIT = 120
+"""Milliseconds after an edit in which further edits are waited for."""
+BACK = f"{key_words(NEXT_KEYS)} goes back to the compare view, to the next change."
+"""Said when the drawing is in front, because the compare view may lie behind it."""
+
+
+class Comparison(QObject):
+    """Shows what changed from another version to the blueprint as it is drawn now.
+
+    ``ask_file`` asks for a file, beginning in a folder. While the compare view is open it follows
+    every edit.
+    """
+
+    refused = Signal(object)
+    """A StudioError: the other version cannot be had or read."""
+    element_shown = Signal(object)
+    """The address of a changed element that was selected in the drawing, to be seen there."""
+    said = Signal(str)
+    """How one goes on from here."""
+    changed = Signal()
+    """The compare view was opened or closed."""
+
+    def __init__(
+        self,
+        session: Session,
+        files: Files,
+        ask_file: Callable[[Path], Path | None],
+        tokens: Tokens,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._files, self.ask_file = session, files, ask_file
+        self._tokens, self._window = tokens, parent
+        self._version: Version | None = None
+        self._dialog: CompareDialog | None = None
+        # git may think for long where the history is.
+        self._beside = Beside(self)
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setInterval(WAIT)
+        self._later.timeout.connect(self._refresh)
+        session.blueprint_changed.connect(lambda *_: self._follow())
+        session.broken_changed.connect(self._follow)
+        session.opened.connect(self.close)
+
+    @property
+    def dialog(self) -> CompareDialog | None:
+        """The compare view, while it is open."""
+        return self._dialog
+
+    @property
+    def is_open(self) -> bool:
+        return self._dialog is not None
+
+    @property
+    def can_use_saved(self) -> bool:
+        return self._files.path is not None
+
+    def with_file(self) -> None:
+        """Ask for a file and compare with what it holds."""
+        self._files.settling.emit()
+        folder = self._files.path.parent if self._files.path else Path.cwd()
+        path = self.ask_file(folder)
+        if path is not None:
+            self._compare(_tried(partial(in_file, path)))
+
+    def with_saved(self) -> None:
+        """Compare with what was last saved or read."""
+        self._files.settling.emit()
+        file = self._session.blueprint.file
+        text, name = self._files.on_disk.text(file), self._files.name
+        self._compare(_tried(partial(as_saved, text, file, name)))
+
+    def with_revision(self) -> None:
+        """Ask which commit, and compare with the file as it was in it."""
+        self._files.settling.emit()
+        path = self._files.path
+        if path is None:
+            return
+        self._beside.drop()
+        self._beside.do(partial(_tried, partial(revisions, path)), partial(self._ask_which, path))
+
+    def with_version(self, version: Version) -> None:
+        """Compare with a version that is at hand."""
+        self._compare(version)
+
+    def next_change(self) -> None:
+        if self._dialog is not None:
+            self._dialog.show_next()
+            self._come_to_front(self._dialog)
+
+    def previous_change(self) -> None:
+        if self._dialog is not None:
+            self._dialog.show_previous()
+            self._come_to_front(self._dialog)
+
+    def close(self) -> None:
+        """Another file was opened: what was compared is gone."""
+        if self._dialog is not None:
+            self._dialog.close()
+
+    def stop(self) -> None:
+        """The window goes away: nobody waits for git any more, and nothing is compared with it."""
+        self._later.stop()
+        self._beside.stop()
+        self.close()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        if self._dialog is not None:
+            self._dialog.set_tokens(tokens)
+
+    def _ask_which(self, path: Path, found: tuple[Revision, ...] | StudioError) -> None:
+        if isinstance(found, StudioError):
+            self.refused.emit(found)
+        elif path == self._files.path:
+            asking = RevisionDialog(path.name, found, self._tokens, self._window)
+            asking.chosen.connect(lambda revision: self._with(path, revision))
+            asking.open()
+
+    def _with(self, path: Path, revision: Revision) -> None:
+        self._beside.do(partial(_tried, partial(at_revision, path, revision)), self._compare)
+
+    def _compare(self, version: Version | StudioError) -> None:
+        if isinstance(version, StudioError):
+            self.refused.emit(version)
+            return
+        self._version = version
+        if self._dialog is not None:
+            self._dialog.close()
+        self._dialog = CompareDialog(self._tokens, self._window)
+        self._dialog.stand_alone(self._window)
+        lend_run_keys(self._dialog, self._window)
+        self._dialog.element_wanted.connect(self._show_element)
+        self._dialog.undo_wanted.connect(self._undo)
+        self._dialog.redo_wanted.connect(self._redo)
+        self._dialog.finished.connect(self._closed)
+        self._refresh()
+        self._dialog.show()
+        self.changed.emit()
+
+    def _follow(self) -> None:
+        if self._dialog is not None:
+            self._later.start()
+
+    def _refresh(self) -> None:
+        if self._dialog is None or self._version is None:
+            return
+        session, name = self._session, self._files.name
+        words = f"{name}, as it is drawn"
+        if session.broken is not None:
+            words = f"{name}, as it last could be read"
+        difference = as_drawn(compare(self._version.blueprint, session.blueprint))
+        self._dialog.show_difference(difference, self._version.words, words)
+
+    def _undo(self) -> None:
+        self._files.settling.emit()
+        self._session.history.undo()
+
+    def _redo(self) -> None:
+        self._files.settling.emit()
+        self._session.history.redo()
+
+    def _closed(self) -> None:
+        if self.sender() is self._dialog:
+            self._dialog = self._version = None
+            self.changed.emit()
+
+    def _show_element(self, address: Address) -> None:
+        """The element in the drawing, or the nearest thing above it that is still there."""
+        wanted: Address | None = address
+        while wanted is not None:
+            try:
+                found = self._session.blueprint.resolve(wanted)
+            except AddressError:
+                wanted = wanted.parent
+                continue
+            self._session.show_branch(found.branch)
+            self._session.select((found,) if found.state else ())
+            self.element_shown.emit(found)
+            self._come_to_front(self._window)
+            self.said.emit(BACK)
+            return
+
+    def _come_to_front(self, window: QWidget) -> None:
+        """On a small screen the drawing and the compare view lie one behind the other."""
+        window.raise_()
+        window.activateWindow()
+
+
+def _tried(work: Callable[[], Came]) -> Came | StudioError:
+    """What came of some work, or why it cannot be done."""
+    try:
+        return work()
+    except StudioError as error:
+        return error

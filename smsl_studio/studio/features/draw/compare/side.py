@@ -1,0 +1,80 @@
+"""One side of a comparison: its name, and a canvas that shows an SB with what changed in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.shape import Point
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.controls import Elided
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+
+LEAST = 280
+
+
+class Side(QWidget):
+    """Shows; nothing can be edited here. A click says what was clicked."""
+
+    clicked = Signal(object)
+    """The address of the state or operation under the pointer."""
+
+    def __init__(self, tokens: Tokens, word: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._word = word
+        self._blueprint: Blueprint | None = None
+        self._shown: tuple[str, Mapping[str, Point]] | None = None
+        self._title = Elided()
+        self._title.setProperty("role", "heading")
+        self._title.setContentsMargins(14, 8, 14, 8)
+        self.canvas = Canvas(tokens)
+        self.canvas.editing = False
+        self.canvas.setAccessibleName(plain_text(f"Canvas, {word}"))
+        self.canvas.edge_clicked.connect(self.clicked)
+        self.canvas.node_clicked.connect(self.clicked)
+        self.setMinimumWidth(LEAST)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._title)
+        column.addWidget(self.canvas, 1)
+
+    def show_version(self, words: str) -> None:
+        """Name the version that stands on this side."""
+        self._title.setText(f"{self._word}: {words}")
+        self._title.setToolTip(tip_text(words))
+
+    def show_branch(
+        self,
+        blueprint: Blueprint,
+        branch: str,
+        places: Mapping[str, Point],
+        changes: Mapping[Address, str],
+    ) -> None:
+        """Show an SB with its marks, or say that it is not on this side.
+
+        The version before is the same after each edit; its arrows are routed once.
+        """
+        self.canvas.set_marks(Marks(changes=changes))
+        shown = branch, places
+        if blueprint is not self._blueprint or shown != self._shown:
+            self._blueprint, self._shown = blueprint, shown
+            self.canvas.show_branch(blueprint, branch, places, keep_view=True)
+        self.canvas.show_banner("" if branch else "This State Branch is not on this side")
+
+    def light(self, address: Address | None) -> None:
+        """Select what a change is about."""
+        changes = self.canvas.marks.changes
+        chosen = (address,) if address is not None else ()
+        self.canvas.set_marks(Marks(selection=chosen, changes=changes))
+
+    def has(self, address: Address | None) -> bool:
+        """Whether a state or an operation is drawn here."""
+        return address is not None and self.canvas.rect_of(address) is not None

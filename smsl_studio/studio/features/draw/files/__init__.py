@@ -1,0 +1,1 @@
+"""What is asked about files, and files that are dropped on the window."""

@@ -1,0 +1,153 @@
+"""The few questions that stop the window: which file, and what becomes of unsaved changes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.smsl.forms import SUFFIXES
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.document.files.questions import Answer, Interrupted
+
+ALL = "All files (*)"
+KINDS = {
+    ".json": "JSON (*.json)",
+    ".smsl": "SMSL (*.smsl)",
+    ".yaml": "YAML (*.yaml *.yml)",
+}
+OPEN = f"SMSL blueprints ({' '.join(f'*{suffix}' for suffix in SUFFIXES)});;{ALL}"
+
+FINISH, UNDO, STAY = "Finish the save", "Undo it", "Stay"
+ROLES = {
+    FINISH: QMessageBox.ButtonRole.AcceptRole,
+    "Save": QMessageBox.ButtonRole.AcceptRole,
+    "Cancel": QMessageBox.ButtonRole.RejectRole,
+    STAY: QMessageBox.ButtonRole.RejectRole,
+}
+"""Of the buttons; every other one loses something."""
+
+
+class Dialogs:
+    """Asks in dialogs of the window it belongs to."""
+
+    def __init__(self, window: QWidget) -> None:
+        self._window = window
+
+    def file_to_open(self, folder: Path) -> Path | None:
+        name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), OPEN)
+        return Path(name) if name else None
+
+    def file_to_save(self, suggested: Path) -> Path | None:
+        """The suffix chooses the form; a name without one takes that of the chosen kind."""
+        first = suggested.suffix if suggested.suffix in KINDS else ".json"
+        kinds = [KINDS[first], *(words for words in KINDS.values() if words != KINDS[first]), ALL]
+        name, chosen = QFileDialog.getSaveFileName(
+            self._window, "Save blueprint as", str(suggested), ";;".join(kinds)
+        )
+        if not name:
+            return None
+        path = Path(name)
+        if path.suffix:
+            return path
+        # The dialog asks about the name that was typed, not about the one it becomes.
+        path = path.with_suffix(next((s for s, words in KINDS.items() if words == chosen), first))
+        return path if not path.exists() or self._may_replace(path) else None
+
+    def _may_replace(self, path: Path) -> bool:
+        return self._agrees(
+            "Replace file",
+            f"{path.name} is there already.",
+            "Replacing it loses what it holds now.",
+            f"Replace {path.name}",
+        )
+
+    def interrupted(self, names: str, when: str) -> Interrupted:
+        said = f"The program ended {when} while it was saving {names}."
+        why = (
+            "The new texts stand beside the files. Finishing the save puts them in their places. "
+            "Undoing it leaves each file as it was before."
+        )
+        chosen = self._chosen(
+            "Interrupted save", said, why, (FINISH, UNDO, "Cancel"), default=FINISH
+        )
+        return "finish" if chosen == FINISH else "undo" if chosen == UNDO else "cancel"
+
+    def may_overwrite(self, names: str) -> bool:
+        return self._agrees(
+            "Changed by another program",
+            f"{names} was changed by another program since it was read.",
+            "Saving puts your text in the place of what stands there now.",
+            "Save over it",
+        )
+
+    def may_lose(self, said: str) -> bool:
+        return self._agrees(
+            "What a save cannot keep",
+            said,
+            "A save puts a new file in the place of the old one, and the system does not let this "
+            "user give it all of that. Save as writes to another place.",
+            "Save",
+        )
+
+    def may_save_broken(self, name: str, faults: str) -> bool:
+        return self._agrees(
+            "The text does not read",
+            f"The text of {name} does not read as a blueprint.",
+            f"It has {faults}. The file can be saved as it is and repaired later.",
+            "Save as it is",
+        )
+
+    def may_leave_comments(self, name: str, form: str) -> bool:
+        return self._agrees(
+            "Comments",
+            f"{name} has comments, and they do not come along into {form}.",
+            "The file from which they come keeps them.",
+            f"Save as {form}",
+        )
+
+    def unsaved(self, said: str) -> Answer:
+        words = ("Save", "Discard changes", "Cancel")
+        why = "Saving writes them to the file. Discarding loses them."
+        chosen = self._chosen("Unsaved changes", said, why, words, default="Save")
+        return "save" if chosen == "Save" else "cancel" if chosen == "Cancel" else "discard"
+
+    def may_end_run(self, said: str) -> bool:
+        """Whether the window may close although a run is there; ``said`` names the run."""
+        words = ("Stop and close", STAY)
+        why = "Closing the window ends it. What moves is stopped first."
+        return self._chosen("A run is there", said, why, words, default=STAY) != STAY
+
+    def _come_forward(self) -> None:
+        """Of several windows the one that is asked about is the one that is seen."""
+        if self._window.isMinimized():
+            self._window.showNormal()
+        if not self._window.isActiveWindow():
+            self._window.raise_()
+            self._window.activateWindow()
+
+    def _agrees(self, title: str, what: str, why: str, verb: str) -> bool:
+        return self._chosen(title, what, why, (verb, "Cancel"), default="Cancel") == verb
+
+    def _chosen(self, title: str, what: str, why: str, words: Sequence[str], default: str) -> str:
+        """The words of the button that was chosen; Escape is the last one, which does nothing."""
+        self._come_forward()
+        box = QMessageBox(self._window)
+        box.setWindowTitle(plain_text(title))
+        box.setText(tip_text(what))
+        box.setInformativeText(tip_text(why))
+        buttons = {
+            one: box.addButton(
+                as_it_is(one), ROLES.get(one, QMessageBox.ButtonRole.DestructiveRole)
+            )
+            for one in words
+        }
+        box.setDefaultButton(buttons[default])
+        box.setEscapeButton(buttons[words[-1]])
+        box.exec()
+        clicked = box.clickedButton()
+        box.deleteLater()
+        return next((one for one, made in buttons.items() if made is clicked), words[-1])

@@ -1,0 +1,132 @@
+"""The box that finds anything: type a few letters, go there, or run a command."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QPoint, Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QFrame, QLineEdit, QVBoxLayout, QWidget
+from shiboken6 import isValid
+
+from smsl_studio.studio.base.controls import label, rule
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.rows import LINE, RowsView
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.features.draw.find.finder import Finder
+
+WIDTH, MOST_HEIGHT = 460, 420
+HINT = "States, operations, facts, hazards, findings, files and commands are found by any part."
+
+
+class Palette(QFrame):
+    """A field over a list; Enter runs what is marked, Escape closes."""
+
+    def __init__(self, finder: Finder, tokens: Tokens, window: QWidget) -> None:
+        super().__init__(window)
+        self._finder = finder
+        self._before: QWidget | None = None
+        self.setProperty("role", "float")
+        self.setAccessibleName("Commands")
+        self.setFixedWidth(WIDTH)
+        self.field = QLineEdit()
+        self.field.setPlaceholderText("Find anything, or run a command")
+        self.field.setAccessibleName("Find anything, or run a command")
+        self._glass = self.field.addAction(
+            icon("search", tokens), QLineEdit.ActionPosition.LeadingPosition
+        )
+        self._glass.setText("Find")
+        self.list = RowsView(tokens, self)
+        self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.list.setAccessibleName("What was found")
+        self.empty = label("", "hint")
+        self.empty.setContentsMargins(12, 8, 12, 8)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(1, 8, 1, 6)
+        layout.setSpacing(6)
+        top = QVBoxLayout()
+        top.setContentsMargins(8, 0, 8, 0)
+        top.addWidget(self.field)
+        layout.addLayout(top)
+        layout.addWidget(rule())
+        layout.addWidget(self.list)
+        layout.addWidget(self.empty)
+        self.field.textChanged.connect(lambda *_: self._show())
+        self.field.installEventFilter(self)
+        self.list.clicked.connect(self._run)
+        self.hide()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._glass.setIcon(icon("search", tokens))
+        self.list.set_tokens(tokens)
+
+    def open(self, corner: QPoint) -> None:
+        """Open with the upper right corner at ``corner`` (in the window's coordinates)."""
+        self._before = self.window().focusWidget()
+        self._finder.refresh()
+        self.field.clear()
+        self._show()
+        self.move(max(8, corner.x() - WIDTH), corner.y())
+        self.show()
+        self.raise_()
+        self.field.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def close_palette(self) -> None:
+        """Close, and give the focus back to where it was."""
+        if self.isVisible():
+            self.hide()
+            # A field that was open on the canvas has gone when it lost the focus.
+            if self._before is not None and isValid(self._before):
+                self._before.setFocus()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self.field:
+            if event.type() == QEvent.Type.FocusOut and self.isVisible():
+                self.hide()
+            elif isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+                return self._key(event.key())
+        return super().eventFilter(watched, event)
+
+    def _key(self, key: int) -> bool:
+        steps = {
+            Qt.Key.Key_Down: 1,
+            Qt.Key.Key_Up: -1,
+            Qt.Key.Key_PageDown: 8,
+            Qt.Key.Key_PageUp: -8,
+        }
+        if key in steps:
+            self._step(steps[Qt.Key(key)])
+            return True
+        if key in {Qt.Key.Key_Return, Qt.Key.Key_Enter}:
+            self._run(self.list.currentIndex())
+            return True
+        if key == Qt.Key.Key_Escape:
+            self.close_palette()
+            return True
+        return False
+
+    def _step(self, by: int) -> None:
+        rows = self.list.rows.rows
+        lines = [at for at, row in enumerate(rows) if row.kind == LINE]
+        if lines:
+            at = self.list.currentIndex().row()
+            place = lines.index(at) if at in lines else -1
+            to = max(0, min(len(lines) - 1, place + by))
+            self.list.setCurrentIndex(self.list.rows.index(lines[to]))
+
+    def _run(self, index: QModelIndex) -> None:
+        if not index.isValid():
+            return
+        row = index.data(Qt.ItemDataRole.UserRole)
+        self.close_palette()
+        self._finder.choose(row)
+
+    def _show(self) -> None:
+        rows = self._finder.rows(self.field.text())
+        self.list.rows.show(rows)
+        self.empty.setText(f"Nothing is called “{self.field.text().strip()[:40]}”. {HINT}")
+        self.empty.setVisible(not rows)
+        self.list.setVisible(bool(rows))
+        self.list.setFixedHeight(min(MOST_HEIGHT, self.list.height_of_all()))
+        self.adjustSize()
+        self.list.scrollToTop()
+        self.list.setCurrentIndex(QModelIndex())
+        self._step(1)

@@ -1,0 +1,39 @@
+"""The Blueprint menu."""
+
+from __future__ import annotations
+
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
+from smsl_studio.studio.features.draw.panels.findings import Findings
+
+
+def blueprint_actions(drawing: DrawVerbs, findings: Findings, shell: Shell) -> tuple[Action, ...]:
+    def drawn() -> bool:
+        return shell.mode == "draw"
+
+    return (
+        Action("add_state", "Add state", drawing.add_state, "Blueprint", "plus", ("Ctrl+Shift+N",),
+               lambda: drawn() and drawing.has_branch(), short="State",
+               tip="Add a state beside the others; a double click on the canvas adds one there"),
+        Action("connect", "Connect", drawing.connect, "Blueprint", "arrow", ("Ctrl+E",),
+               lambda: drawn() and drawing.can_connect(), short="Connect",
+               tip="Connect the selected states, or the selected one with another"),
+        Action("add_branch", "Add State Branch", drawing.add_branch, "Blueprint", "layers",
+               ("Ctrl+Shift+B",), drawn),
+        Action("sub_sb", "Attach a sub-SB…", shell.choose_sub_sb, "Blueprint", "layers", (),
+               lambda: drawn() and drawing.has_states(), short="Sub-SB",
+               tip="Let a State Branch expand one of the facts"),
+        Action("tidy", "Tidy the drawing", drawing.tidy, "Blueprint", "tidy", ("Ctrl+Shift+T",),
+               lambda: drawn() and drawing.has_states(), section=1, short="Tidy",
+               tip="Lay the State Branch out anew, as one step that can be undone"),
+        Action("enter", "Enter the sub-SB", drawing.enter, "Blueprint", "", ("Return",),
+               lambda: drawn() and drawing.can_enter(), scope="canvas", section=2),
+        Action("leave", "Back to the base SB", drawing.leave, "Blueprint", "", ("Backspace",),
+               lambda: drawn() and drawing.can_leave(), scope="canvas", section=2),
+        Action("next_finding", "Next finding", findings.next_finding, "Blueprint", "warning",
+               ("F3",), lambda: drawn() and bool(findings.findings), section=3),
+        Action("fix", "Fix the current finding", findings.fix_current, "Blueprint", "check",
+               ("Ctrl+.",), lambda: drawn() and findings.can_fix(), section=3,
+               tip="Apply the quick fix as one step that can be undone"),
+    )  # fmt: skip

@@ -1,0 +1,69 @@
+"""The Edit menu."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from smsl_studio.errors import EditRefused
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
+from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
+
+NOT_SHOWN = EditRefused(
+    "the steps of the drawing are undone and done again where it is shown",
+    advice="Ctrl+1 shows it.",
+)
+
+
+def edit_actions(
+    session: Session, drawing: DrawVerbs, clipping: ClipboardVerbs, shell: Shell
+) -> tuple[Action, ...]:
+    history = session.history
+
+    def drawn() -> bool:
+        return shell.mode == "draw"
+
+    def of_drawing(call: Callable[[], object]) -> Callable[[], None]:
+        """In Draw mode alone: nobody wants to change what he does not see."""
+
+        def act() -> None:
+            if drawn():
+                call()
+            else:
+                session.refused.emit(NOT_SHOWN)
+
+        return act
+
+    return (
+        Action("undo", "Undo", of_drawing(history.undo), "Edit", "undo", ("Ctrl+Z",),
+               history.canUndo, tip="Undo the last step"),
+        Action("redo", "Redo", of_drawing(history.redo), "Edit", "redo",
+               ("Ctrl+Shift+Z", "Ctrl+Y"), history.canRedo, tip="Do the undone step again"),
+        Action("cut", "Cut", clipping.cut, "Edit", "", ("Ctrl+X",),
+               lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
+               tip="Take what is selected away, onto the clipboard"),
+        Action("copy", "Copy", clipping.copy, "Edit", "", ("Ctrl+C",),
+               lambda: drawn() and clipping.can_copy(), scope="canvas", section=1,
+               tip="Copy what is selected as SMSL text, for any window or editor"),
+        Action("paste", "Paste", clipping.paste, "Edit", "", ("Ctrl+V",), drawn,
+               scope="canvas", section=1,
+               tip="Put in what was copied, or any SMSL text, at the pointer"),
+        Action("duplicate", "Duplicate", clipping.duplicate, "Edit", "", ("Ctrl+D",),
+               lambda: drawn() and clipping.can_duplicate(), scope="canvas", section=1,
+               tip="A copy of what is selected, beside it"),
+        Action("rename", "Rename", drawing.rename, "Edit", "pencil", ("F2",),
+               lambda: shell.mode == "draw" and drawing.can_rename(), scope="canvas", section=1,
+               tip="Edit the name in place"),
+        Action("delete", "Delete", drawing.delete, "Edit", "trash", ("Del",),
+               lambda: shell.mode == "draw" and drawing.has_selection(), scope="canvas",
+               section=1),
+        Action("select_all", "Select all states", drawing.select_all, "Edit", "", ("Ctrl+A",),
+               lambda: shell.mode == "draw" and drawing.has_states(), scope="canvas", section=1),
+        Action("palette", "Find anything, or run a command", shell.open_palette, "Edit",
+               "search", ("Ctrl+K",), section=2),
+        Action("find", "Find in the blueprint", shell.open_palette, "Edit", "", ("Ctrl+F",),
+               drawn, scope="canvas", section=2,
+               tip="Find states, operations, facts, hazards and findings by typing"),
+    )  # fmt: skip

@@ -1,0 +1,32 @@
+"""The File menu."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.shell.windows import Windows
+
+
+def file_actions(
+    files: Files, session: Session, windows: Windows, shell: Shell
+) -> tuple[Action, ...]:
+    def open_home() -> None:
+        files.open(Path(session.blueprint.home(session.branch).file))
+
+    return (
+        Action("new", "New blueprint", files.new, "File", "file", ("Ctrl+N",),
+               tip="An empty blueprint with one State Branch"),
+        Action("new_window", "New window", shell.new_window, "File", "", ("Ctrl+Alt+N",),
+               tip="Another window, for another blueprint; what is copied can be pasted there"),
+        Action("open", "Open…", files.open, "File", "folder", ("Ctrl+O",)),
+        Action("open_home", "Open the file of this State Branch", open_home, "File", "",
+               enabled=lambda: session.branch in session.blueprint.imported,
+               tip="Open the imported file in which the State Branch that is shown is written"),
+        Action("save", "Save", files.save, "File", "save", ("Ctrl+S",), section=1),
+        Action("save_as", "Save as…", files.save_as, "File", "", ("Ctrl+Shift+S",), section=1),
+        Action("quit", "Quit", windows.quit, "File", "", ("Ctrl+Q",), section=2),
+    )  # fmt: skip

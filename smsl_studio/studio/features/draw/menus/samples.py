@@ -1,0 +1,17 @@
+"""The samples, which the palette finds by name. They are in no menu of the table."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.files.fresh import samples
+
+
+def sample_actions(files: Files) -> tuple[Action, ...]:
+    return tuple(
+        Action(f"sample_{path.name}", f"Open sample {path.name}", partial(files.open_copy, path),
+               icon="file", tip=f"Open a copy of the sample {path.name}")
+        for path in samples()
+    )  # fmt: skip

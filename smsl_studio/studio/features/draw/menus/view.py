@@ -1,0 +1,67 @@
+"""The View menu."""
+
+from __future__ import annotations
+
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
+from smsl_studio.studio.shell.frame.docks import Docks
+from smsl_studio.studio.shell.windows import Windows
+
+
+def view_actions(
+    drawing: DrawVerbs, docks: Docks, windows: Windows, shell: Shell
+) -> tuple[Action, ...]:
+    canvas = drawing.canvas
+
+    def drawn() -> bool:
+        return shell.mode == "draw"
+
+    def in_draw(name: str) -> Action:
+        shown = {"left": docks.left_shown, "right": docks.right_shown,
+                 "bottom": docks.bottom_shown}[name]  # fmt: skip
+        call = {"left": docks.toggle_left, "right": docks.toggle_right,
+                "bottom": docks.toggle_bottom}[name]  # fmt: skip
+        words = {"left": "Outline and library", "right": "Properties and source",
+                 "bottom": "Findings and history"}[name]  # fmt: skip
+        key = {"left": "Ctrl+B", "right": "Ctrl+Alt+B", "bottom": "Ctrl+J"}[name]
+        return Action(f"{name}_panel", words, call, "View", "sidebar" if name == "left" else "",
+                      (key,), drawn, shown, section=2,
+                      tip=f"Show or hide: {words}")  # fmt: skip
+
+    def theme(name: str, words: str) -> Action:
+        return Action(f"theme_{name}", words, lambda: windows.set_theme(name), "View",
+                      checked=lambda: windows.theme == name, section=4)  # fmt: skip
+
+    def enter(name: str) -> None:
+        """The keys go to a panel; from there, back to the drawing."""
+        if not docks.enter_tab(name):
+            canvas.setFocus()
+
+    return (
+        Action("mode_draw", "Draw mode", lambda: shell.set_mode("draw"), "View", "", ("Ctrl+1",),
+               checked=drawn, short="Draw", tip="Draw and check the blueprint"),
+        Action("mode_run", "Run mode", lambda: shell.set_mode("run"), "View", "", ("Ctrl+2",),
+               checked=lambda: shell.mode == "run", short="Run", tip="Run it in a world"),
+        Action("mode_supervise", "Supervise mode", lambda: shell.set_mode("supervise"), "View", "",
+               ("Ctrl+3",), checked=lambda: shell.mode == "supervise", short="Supervise",
+               tip="Watch a run by its current state, and step in"),
+        Action("fit", "Fit everything", canvas.fit, "View", "fit", ("F", "Shift+1"), drawn,
+               scope="canvas", section=1),
+        Action("zoom_100", "Zoom to 100 %", lambda: canvas.zoom_to(1.0), "View", "", ("Shift+0",),
+               drawn, scope="canvas", section=1),
+        Action("zoom_in", "Zoom in", canvas.zoom_in, "View", "plus", ("Ctrl++", "Ctrl+="), drawn,
+               section=1),
+        Action("zoom_out", "Zoom out", canvas.zoom_out, "View", "minus", ("Ctrl+-",), drawn,
+               section=1),
+        in_draw("left"), in_draw("right"), in_draw("bottom"),
+        Action("show_source", "Source", lambda: enter("Source"), "View", "",
+               ("Ctrl+U",), drawn, section=3,
+               tip="Show the exact text and type there; once more: back to the drawing"),
+        Action("show_properties", "Properties", lambda: enter("Properties"), "View", "",
+               ("Ctrl+I",), drawn, section=3),
+        Action("show_history", "History", lambda: enter("History"), "View", "",
+               ("Ctrl+H",), drawn, section=3),
+        theme("light", "Light theme"), theme("dark", "Dark theme"),
+        theme("system", "Theme of the desktop"),
+    )  # fmt: skip

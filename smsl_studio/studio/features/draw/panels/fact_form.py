@@ -1,0 +1,199 @@
+"""The properties of one fact: what it is called, what its values mean, where it comes from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+
+from smsl_studio.blueprint.annotations import FactNote
+from smsl_studio.blueprint.continuum import AUTOMATIC
+from smsl_studio.blueprint.editing import change_notes
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.lines.choice import ChoiceLine, SwitchLine
+from smsl_studio.studio.base.lines.line import Sentence
+from smsl_studio.studio.base.lines.text import ListLine, NumberBounds, NumberLine, TextLine
+from smsl_studio.studio.base.small_button import SmallButton
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
+from smsl_studio.studio.features.draw.panels.note_form import (
+    NoteEntry,
+    NoteForm,
+    misfits_of,
+    written_words,
+)
+from smsl_studio.studio.features.draw.panels.tag import Tag
+from smsl_studio.studio.features.draw.panels.value_table import ValueTable
+
+PLAIN = FactNote()
+AGGREGATIONS = (
+    ("Only one", "single"),
+    ("All of them", "all"),
+    ("Any of them", "any"),
+    ("At least k of them", "k_of_n"),
+    ("The first that is valid", "priority"),
+    ("A person says it", "human"),
+)
+TABLED = ("values", "on", "failure")
+"""Words that the table of values shows."""
+SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age", "conflict_after")
+"""Words of a fact that is read; one that a sub-SB expands has none of them (R24)."""
+
+
+class FactForm(NoteForm):
+    """Edits the entry of one digit in ``_facts``."""
+
+    left = Signal()
+    """The form is closed: what is selected counts again."""
+    sub_wanted = Signal(str)
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__("Fact", "_facts", session, parent)
+        self._branch, self._digit = "", 0
+        self.chip = Tag(tokens)
+        self._place: QLabel = label("", "second")
+        self.close_button = SmallButton("Back to what is selected", "close", tokens)
+        self.close_button.clicked.connect(self.left)
+        heading = row(label("Fact", "heading"), self.chip, self._place, None, self.close_button)
+        self.column.addLayout(heading)
+        self._values = ValueTable(tokens)
+        self._sensed: QLabel = label("Where it comes from", "heading")
+        self._sensed.setContentsMargins(0, 6, 0, 0)
+        self.expanded: QLabel = label("", "hint")
+        self.enter = QPushButton("Show the sub-SB")
+        self.enter.setProperty("role", "link")
+        self.enter.clicked.connect(lambda: self.sub_wanted.emit(self._sub or ""))
+        self._sub: str | None = None
+        self._build()
+        self.set_tokens(tokens)
+
+    @property
+    def values(self) -> ValueTable:
+        return self._values
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.chip.set_tokens(tokens)
+        self._values.set_tokens(tokens)
+        self.close_button.set_tokens(tokens)
+
+    def _build(self) -> None:
+        self.name = self.add("name", TextLine("Name", "A plain name of the fact, for people")).field
+        self.column.addWidget(self._values)
+        self._said = Sentence("refusal")
+        self.column.addWidget(self._said)
+        self._values.meant.connect(self._mean)
+        self._values.turned_on.connect(self._turn_on)
+        self._values.failed.connect(lambda values: self._word("failure", values))
+        self.add("critical", SwitchLine("Critical", "Whether people may be harmed if it is wrong"))
+        for widget in (self._sensed, self.expanded):
+            self.column.addWidget(widget)
+        self.column.addLayout(row(self.enter, None))
+        self.add("sensors", ListLine("Sensors", "The sensors that read it, with commas between",
+                                     "none named"))  # fmt: skip
+        self.add("aggregation", ChoiceLine(
+            "Together", "How sensors make one value, or whether a person says it", AGGREGATIONS
+        ))  # fmt: skip
+        self.add("k", NumberLine("k", "How many sensors must agree", NumberBounds(1, whole=True),
+                                 "sensors"))  # fmt: skip
+        self.add("predicate", TextLine("Predicate", "The threshold or condition that is read, "
+                                       "such as distance < 2", "such as distance < 2"))  # fmt: skip
+        self.add("unit", TextLine("Unit", "The unit of what the sensors read, such as mm"))
+        self.add("max_age", NumberLine(
+            "Max. age", "A reading older than this counts as unknown",
+            NumberBounds(0, open=True), "s", "sensor's own"))  # fmt: skip
+        self.add("conflict_after", NumberLine(
+            "Conflict after", "How long its sensors may disagree before it is unknown",
+            NumberBounds(0, most=60), "s", "at once"))  # fmt: skip
+        self.asking = AskingLines(self, "What the person who says it is asked", "What is it?")
+        self.column.addWidget(self.odd)
+
+    def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
+        return {k: v for k, v in super().unknown(misfits).items() if k not in TABLED}
+
+    def show_fact(self, blueprint: Blueprint, name: str, digit: int) -> None:
+        """Show one fact as it is now."""
+        branch = blueprint[name]
+        self._branch, self._digit, self._sub = name, digit, branch.subs.get(digit)
+        key = str(digit)
+        note = branch.fact_note(digit) or PLAIN
+        misfits = misfits_of(branch, "_facts").get(key, {})
+        written = written_words(branch, "_facts", key) - set(misfits)
+        self.chip.show_tag(key, "value", self._sub is not None)
+        self._place.setText(f"of {name}")
+        self.show_entries([NoteEntry(name, key, note, PLAIN, written, misfits=misfits)])
+        values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
+        self._values.show_values(values, note, branch.on_value(digit))
+        self._values.setVisible(bool(self._values.rows))
+        self._said.say(_value_misfits(misfits))
+        self.name.setPlaceholderText(f"Fact {digit + 1}")
+        self._show_source(blueprint, branch, note, written)
+
+    def who(self) -> str:
+        return f"fact {self._digit} of {self._branch}"
+
+    def _show_source(
+        self, blueprint: Blueprint, branch: StateBranch, note: FactNote, written: frozenset[str]
+    ) -> None:
+        sub = self._sub
+        for word in SENSED:
+            # What stands there although it must not is shown, so that it can be taken away.
+            self._lines[word].setVisible(sub is None or word in written)
+        if sub is None:
+            count = len(note.sensors)
+            several = count > 1 or "conflict_after" in written
+            self._lines["conflict_after"].setVisible(several)
+            self._lines["k"].setVisible(note.aggregation == "k_of_n" or "k" in written)
+        asked = sub is None and Levels(blueprint).fact(branch.name, self._digit) != AUTOMATIC
+        self.asking.show(asked, written)
+        self.expanded.setVisible(sub is not None)
+        self.enter.setVisible(sub in blueprint.branches)
+        if sub is not None:
+            self.expanded.setText(expansion(blueprint, branch, self._digit, sub))
+            self.enter.setText(as_it_is(f"Show {sub}"))
+
+    def _mean(self, value: str, meaning: str | None) -> None:
+        note = self._entries[0].note
+        values: Mapping[str, str] = {k: v for k, v in note.values.items() if k != value}
+        if meaning is not None:
+            values = {k: (meaning if k == value else v) for k, v in note.values.items()}
+            values = {**values, value: meaning}
+        words = f"to “{meaning}”" if meaning else "away"
+        step = f"Set the meaning of {value} in {self.who()} {words}"
+        self._write({"values": dict(values) or None}, step)
+
+    def _turn_on(self, value: str | None) -> None:
+        default = self._session.blueprint[self._branch].default_on_value(self._digit)
+        self._word("on", None if value == default else value)
+
+    def _word(self, word: str, value: Any) -> None:
+        said = {"on": "on", "failure": "failure"}[word]
+        words = ", ".join(value) if isinstance(value, list) else value
+        step = f"Let {words} of {self.who()} mean {said}" if value else (
+            f"Leave what means {said} in {self.who()} to the default")  # fmt: skip
+        self._write({word: value}, step)
+
+    def _write(self, words: Mapping[str, Any], step: str) -> None:
+        changes = {(self._branch, str(self._digit)): words}
+        self.edit(step, lambda bp: change_notes(bp, "_facts", changes), self._said.say)
+
+
+def expansion(blueprint: Blueprint, branch: StateBranch, digit: int, sub: str) -> str:
+    """What a sub-SB under a fact means, in a sentence."""
+    if sub not in blueprint.branches:
+        return f"{sub} is no State Branch of this blueprint."
+    state = blueprint[sub].activating or "not drawn yet"
+    return (
+        f"“{branch.fact_name(digit)}” is on exactly while {sub} stands in its "
+        f"activating state, {state}."
+    )
+
+
+def _value_misfits(misfits: Mapping[str, str]) -> str:
+    odd = [f"{word}: {misfits[word]}" for word in TABLED if word in misfits]
+    return f"What is written does not fit ({'; '.join(odd)}). It is kept." if odd else ""

@@ -1,0 +1,238 @@
+"""Findings: what inspection has to say, in order; a click jumps there, a button repairs it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import QModelIndex, QObject, Qt, Signal
+from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QStackedWidget, QWidget
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.repair import Repair, certain_errors, mend, mend_errors
+from smsl_studio.inspection.rules.finding import Finding, Severity
+from smsl_studio.studio.base.beside import Beside
+from smsl_studio.studio.base.controls import Elided, label, row
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import capital, counted, faults_of
+from smsl_studio.studio.document.broken import Broken
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
+from smsl_studio.studio.features.draw.panels.fix_list import FixList
+from smsl_studio.studio.features.draw.panels.frame import Panel
+
+MOST = 6
+"""So many faults of a text are told here; the source marks all of them."""
+
+NOTHING = "Nothing is drawn yet, so nothing was checked. Add the first state."
+
+
+class Findings(Panel):
+    """The list; ``tools`` is what stands at the right of its tab: what it comes to, fix all."""
+
+    count_changed = Signal(int)
+
+    def __init__(
+        self, session: Session, tokens: Tokens, rules: int = 0, parent: QWidget | None = None
+    ) -> None:
+        super().__init__("Findings", parent)
+        self._session, self._rules, self._tokens = session, rules, tokens
+        self._findings: tuple[Finding, ...] = ()
+        self._broken: Broken | None = None
+        self.summary = Elided("Not checked yet")
+        self.summary.setProperty("role", "small")
+        self.fix_all_button = QPushButton("Fix all")
+        self.fix_all_button.setProperty("role", "soft")
+        self.fix_all_button.clicked.connect(self.fix_all)
+        self.fix_all_button.hide()
+        self.list = FindingsView(tokens, self)
+        self.empty: QLabel = label("", "hint")
+        self.empty.setContentsMargins(16, 12, 16, 12)
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self._pages = QStackedWidget()
+        self._told = QScrollArea()
+        self._told.setWidgetResizable(True)
+        self._told.setFrameShape(QScrollArea.Shape.NoFrame)
+        self._told.setWidget(self.empty)
+        self._pages.addWidget(self._told)
+        self._pages.addWidget(self.list)
+        self.column.addWidget(self._pages)
+        self.tools = QWidget()
+        line = row(self.summary, self.fix_all_button, spacing=12)
+        line.setContentsMargins(0, 0, 8, 0)
+        self.tools.setLayout(line)
+        self.list.clicked.connect(self._jump)
+        self.list.activated.connect(self._jump)
+        self.list.fix_wanted.connect(self.fix)
+        self._beside, self._progress = Beside(self), _Progress()
+        self._progress.mended.connect(self._show_mended)
+        self._mending: Blueprint | None = None
+        """What "Fix all" is worked out for, while it is."""
+        session.blueprint_changed.connect(lambda *_: self._drop_mending())
+        self.set_checking()
+
+    def stop(self) -> None:
+        """The window is going away."""
+        self._beside.stop()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.list.set_tokens(tokens)
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        return self._findings
+
+    def set_checking(self) -> None:
+        """The blueprint has changed: what stands here is being checked again."""
+        if self._broken is not None:
+            return
+        self.summary.setText("Checking")
+        if not self._findings:
+            self.empty.setText("Not checked yet. The findings come in a moment.")
+
+    def forget(self) -> None:
+        """Another file was opened: what was found in the last one says nothing about it."""
+        self._findings = ()
+        self.list.show_findings(())
+        self.fix_all_button.hide()
+        self._pages.setCurrentWidget(self._told)
+        self.count_changed.emit(0)
+        self.set_checking()
+
+    def set_broken(self, broken: Broken | None) -> None:
+        """The text does not read, or reads again: its faults stand in place of findings."""
+        self._broken = broken
+        if broken is None:
+            self.set_findings(self._findings)
+            self.set_checking()
+            return
+        self._pages.setCurrentWidget(self._told)
+        self.empty.setText(_faults_told(broken))
+        self.summary.setText("The text does not read")
+        self.fix_all_button.hide()
+        self.count_changed.emit(len(broken.error.faults))
+
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """Show the findings of the blueprint as it is now."""
+        self._findings = tuple(sorted(findings, key=_gravest_first))
+        if self._broken is not None:
+            return
+        self.list.show_findings(self._findings)
+        errors = sum(f.severity is Severity.ERROR for f in findings)
+        rules = counted(self._rules, "rule")
+        drawn = self._session.blueprint.state_count > 0
+        self.summary.setText(
+            f"{counted(errors, 'error blocks', 'errors block')} approval" if errors else
+            f"Checked, {rules}" if drawn else "Nothing to check"
+        )  # fmt: skip
+        self.empty.setText(f"No findings. {rules} checked." if drawn else NOTHING)
+        self._pages.setCurrentWidget(self.list if findings else self._told)
+        self._offer_fixes()
+        self.count_changed.emit(len(self._findings))
+
+    def next_finding(self) -> None:
+        """Go to the finding after the current one, round and round."""
+        if self._findings:
+            at = self.list.currentIndex().row()
+            index = self.list.model().index((at + 1) % len(self._findings), 0)
+            self.list.setCurrentIndex(index)
+            self._jump(index)
+
+    def fix_current(self) -> None:
+        """Apply the fix of the current finding. Where none is current, apply the first that is
+        certain; a fix that deletes or guesses is shown first, and applied by the next press.
+        """
+        at = self.list.currentIndex().row()
+        current = self._findings[at] if 0 <= at < len(self._findings) else None
+        if current is not None and current.fix is not None:
+            self.fix(current)
+            return
+        fixable = [f for f in self._findings if f.fix is not None]
+        certain = next((f for f in fixable if f.fix is not None and f.fix.certain), None)
+        if certain is not None:
+            self.fix(certain)
+        elif fixable:
+            index = self.list.model().index(self._findings.index(fixable[0]), 0)
+            self.list.setCurrentIndex(index)
+            self._jump(index)
+
+    def fix_all(self) -> None:
+        """List the fixes of errors that are certain, and make them where the person agrees.
+
+        They are worked out beside the window, because each is that of the drawing which the last
+        one left; until then the button calls it off.
+        """
+        if self._mending is not None:
+            self._drop_mending()
+            return
+        self._mending = self._session.blueprint
+        self._show_mended(0)
+        self.fix_all_button.setToolTip("Call it off; nothing has been changed yet")
+        work = partial(mend_errors, self._mending, self._progress.mended.emit)
+        self._beside.do(work, partial(self._list_fixes, self._mending))
+
+    def _show_mended(self, fixes: int) -> None:
+        if self._mending is not None:
+            found = f", {fixes} so far" if fixes else ""
+            self.fix_all_button.setText(f"Working it out{found}. Cancel")
+
+    def _drop_mending(self) -> None:
+        if self._mending is not None:
+            self._mending = None
+            self._beside.drop()
+            self._offer_fixes()
+
+    def _offer_fixes(self) -> None:
+        if self._mending is not None:
+            return
+        fixes = len(certain_errors(self._findings))
+        self.fix_all_button.setVisible(fixes > 1)
+        self.fix_all_button.setText("Fix both…" if fixes == 2 else f"Fix all {fixes:,}…")
+        self.fix_all_button.setToolTip("List the fixes of errors that are certain, and make them")
+
+    def _list_fixes(self, blueprint: Blueprint, repair: Repair) -> None:
+        if blueprint is not self._mending:
+            return
+        self._mending = None
+        self._offer_fixes()
+        if repair.mended:
+            errors = [f for f in self._findings if f.fix and f.severity is Severity.ERROR]
+            left = len(errors) - len(certain_errors(errors))
+            FixList(self._session, repair, left, self._tokens, self.window()).open()
+
+    def can_fix(self) -> bool:
+        return any(finding.fix is not None for finding in self._findings)
+
+    def fix(self, finding: Finding) -> None:
+        """Apply the fix of one finding as one undoable edit."""
+        fix = finding.fix
+        if fix is not None and self._session.edit(fix.words, partial(mend, finding=finding)):
+            self._session.show_branch(finding.address.branch)
+
+    def _jump(self, index: QModelIndex) -> None:
+        finding: Finding = index.data(Qt.ItemDataRole.UserRole)
+        self._session.jump(finding.address)
+
+
+class _Progress(QObject):
+    """Tells here how far the work beside the window is. It has no parent: that work may end after
+    the panel has."""
+
+    mended = Signal(int)
+
+
+def _faults_told(broken: Broken) -> str:
+    """The faults of a text, line by line."""
+    faults = broken.error.faults
+    lines = [f"{faults_of(broken)}. What is drawn has its findings listed when it reads again."]
+    for fault in faults[:MOST]:
+        place = f"Line {fault.place.line}, column {fault.place.column}: " if fault.place else ""
+        lines.append(f"{place}{capital(fault.sentence)} {fault.advice}".rstrip())
+    if len(faults) > MOST:
+        lines.append(f"and {counted(len(faults) - MOST, 'more fault', 'more faults')}")
+    return "\n".join(lines)
+
+
+def _gravest_first(finding: Finding) -> int:
+    return "EWI".index(finding.severity.value)

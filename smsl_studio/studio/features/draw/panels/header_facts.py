@@ -1,0 +1,123 @@
+"""The facts of the SB that is shown, in rows: digit, plain name, the sub-SB that expands it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.chips import VALUE
+from smsl_studio.studio.base.controls import Combo, Field, label
+from smsl_studio.studio.base.theme import CONTROL_ROW, Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.draw.panels.tag import Tag
+
+MOST = 64
+"""So many facts have a row; a slip in NUM_FACTS must not fill the window with thousands."""
+NEW = ""
+"""In place of a name in the list of sub-SBs: one that is made for it."""
+
+
+@dataclass
+class HeaderFactRow:
+    """The widgets of one fact."""
+
+    chip: Tag
+    name: Field
+    sub: Combo
+    names: tuple[str, ...] = ()
+    """The SBs that may be chosen: thousands take a while to be filled in anew."""
+
+    def choice(self, at: int) -> str | None:
+        """What the list says in this line: no sub-SB, one of the SBs, or a new one."""
+        return (None, *self.names, NEW)[at]
+
+
+class HeaderFacts(QWidget):
+    """Tells what is meant: a name, a sub-SB, or a click on the digit."""
+
+    named = Signal(int, str)
+    sub_chosen = Signal(int, object)
+    """(digit, SB): None for no sub-SB, ``NEW`` for one that is to be made."""
+    wanted = Signal(int)
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self._tokens = tokens
+        self.rows: list[HeaderFactRow] = []
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 8, 0, 0)
+        self._grid.setHorizontalSpacing(6)
+        self._grid.setVerticalSpacing(8)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.addWidget(label("Fact", "small"), 0, 0, 1, 2)
+        self._grid.addWidget(label("Sub-SB", "small"), 0, 2)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        for fact in self.rows:
+            fact.chip.set_tokens(tokens)
+
+    def show_facts(self, blueprint: Blueprint, branch: StateBranch) -> None:
+        """A row for each fact the SB has, or that its header says it has."""
+        count = min(fact_count(branch), MOST)
+        while len(self.rows) > count:
+            gone = self.rows.pop()
+            for widget in (gone.chip, gone.name, gone.sub):
+                self._grid.removeWidget(widget)
+                widget.hide()
+                widget.deleteLater()
+        while len(self.rows) < count:
+            self.rows.append(self._new_row(len(self.rows)))
+        self.setVisible(count > 0)
+        others = [name for name in blueprint.branches if name != branch.name]
+        for digit, fact in enumerate(self.rows):
+            self._show_fact(branch, digit, fact, others)
+
+    def _show_fact(
+        self, branch: StateBranch, digit: int, fact: HeaderFactRow, others: list[str]
+    ) -> None:
+        sub = branch.subs.get(digit)
+        fact.chip.show_tag(str(digit), VALUE, sub is not None)
+        fact.chip.setToolTip(tip_text(f"Edit what fact {digit} means and where it comes from"))
+        fact.name.settle(branch.fact_name(digit))
+        fact.name.setToolTip(tip_text(f"{branch.fact_name(digit)}. Type to name this fact."))
+        fact.sub.accent = sub is not None
+        fact.sub.setProperty("pale", sub is None)
+        names = (*others, sub) if sub and sub not in others else tuple(others)
+        if not fact.sub.count() or names != fact.names:
+            fact.names = names
+            fact.sub.clear()
+            fact.sub.addItems(["None", *names, "New"])
+        fact.sub.setCurrentIndex(names.index(sub) + 1 if sub else 0)
+        fact.sub.setToolTip(tip_text(f"Sub-SB of fact {digit}: {sub or 'none'}"))
+        fact.sub.update()
+
+    def _new_row(self, digit: int) -> HeaderFactRow:
+        fact = HeaderFactRow(Tag(self._tokens), Field(), Combo(height=28))
+        fact.chip.press_with_keys(f"Edit fact {digit}")
+        fact.chip.clicked.connect(lambda: self.wanted.emit(digit))
+        fact.name.setProperty("role", "flat")
+        fact.name.setAccessibleName(plain_text(f"Name of fact {digit}"))
+        fact.name.editingFinished.connect(lambda: self._typed(digit))
+        fact.sub.setAccessibleName(plain_text(f"Sub-SB of fact {digit}"))
+        fact.sub.setFixedWidth(108)
+        fact.sub.setFont(text_font(12))
+        fact.sub.activated.connect(lambda at: self.sub_chosen.emit(digit, fact.choice(at)))
+        for place, widget in enumerate((fact.chip, fact.name, fact.sub)):
+            self._grid.addWidget(widget, digit + 1, place)
+        self._grid.setRowMinimumHeight(digit + 1, CONTROL_ROW)
+        return fact
+
+    def _typed(self, digit: int) -> None:
+        field = self.rows[digit].name
+        if field.changed:
+            self.named.emit(digit, field.text().strip())
+
+
+def fact_count(branch: StateBranch) -> int:
+    """How many facts the SB has, or its header says it has while it has no states."""
+    return branch.num_facts if branch.table else (branch.header.num_facts or 0)

@@ -1,0 +1,197 @@
+"""Library: the operations this blueprint uses, and those that plugins offer."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+from PySide6.QtCore import QModelIndex, Qt
+from PySide6.QtWidgets import QLabel, QLineEdit, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address, note_key
+from smsl_studio.blueprint.annotations import PLAIN, OperationNote
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.rules.finding import Finding, Severity
+from smsl_studio.studio.base.controls import label, name_parts
+from smsl_studio.studio.base.icons import ACTOR_ICON, icon
+from smsl_studio.studio.base.rows import LINE, ListRow, RowsView
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.frame import Heading, Panel
+
+MOST = 2_000
+"""So many operations of the blueprint have a row; the filter finds the others."""
+NO_PLUGIN = "No plugin offers operations. Add a plugin folder."
+
+
+@dataclass(frozen=True)
+class LibraryEntry:
+    """An operation that a plugin offers: the name or pattern it answers to, and who offers it."""
+
+    pattern: str
+    plugin: str
+    names: tuple[str, ...] = ()
+    """The operations of the blueprint that it is bound to."""
+
+
+class Library(Panel):
+    """Operations by name, how often each is used, and who acts. A click selects its edges."""
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__("Library", parent)
+        self._session, self._tokens = session, tokens
+        self._offers: tuple[LibraryEntry, ...] = ()
+        self._severities: dict[str, str] = {}
+        self._heading = Heading("Library")
+        self.filter = QLineEdit()
+        self.filter.setPlaceholderText("Filter operations")
+        self.filter.setAccessibleName("Filter operations")
+        self.filter.setClearButtonEnabled(True)
+        name_parts(self.filter)
+        self._glass = self.filter.addAction(
+            icon("search", tokens), QLineEdit.ActionPosition.LeadingPosition
+        )
+        self._glass.setText("Filter")
+        box = QVBoxLayout()
+        box.setContentsMargins(12, 0, 12, 8)
+        box.addWidget(self.filter)
+        self.list = RowsView(tokens, self)
+        self.list.setAccessibleName("Operations")
+        self.hint: QLabel = label("", "hint")
+        self.hint.setContentsMargins(12, 6, 12, 10)
+        self.column.addWidget(self._heading)
+        self.column.addLayout(box)
+        self.column.addWidget(self.list, 1)
+        self.column.addWidget(self.hint)
+        self.filter.textChanged.connect(lambda *_: self._show())
+        self.list.clicked.connect(self._clicked)
+        self.list.activated.connect(self._clicked)
+        session.blueprint_changed.connect(lambda *_: self._show())
+        self._show()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._glass.setIcon(icon("search", tokens))
+        self.list.set_tokens(tokens)
+
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """Mark the operations that errors and warnings are about."""
+        marks = _marks(findings)
+        if marks != self._severities:
+            self._severities = marks
+            self._show()
+
+    def set_offers(self, offers: Sequence[LibraryEntry]) -> None:
+        """What the plugins offer."""
+        if tuple(offers) != self._offers:
+            self._offers = tuple(offers)
+            self._show()
+
+    def _clicked(self, index: QModelIndex) -> None:
+        row: ListRow = index.data(Qt.ItemDataRole.UserRole)
+        if isinstance(row.payload, str):
+            edges = _edges(self._session.blueprint, self._session.branch, row.payload)
+            if edges:
+                # In another SB than the shown one they would be selected, and deleted, unseen.
+                self._session.show_branch(edges[0].branch)
+            self._session.select(edges)
+
+    def _show(self) -> None:
+        wanted = self.filter.text().strip().casefold()
+        blueprint = self._session.blueprint
+        used, notes = _used(blueprint), _first_notes(blueprint)
+        here = [name for name in sorted(used, key=_by_name) if wanted in name.casefold()]
+        rows: list[ListRow] = []
+        if here:
+            rows.append(ListRow(f"In this blueprint · {len(here):,}", kind="section"))
+        rows += [self._row(name, used[name], notes) for name in here[:MOST]]
+        if len(here) > MOST:
+            rest = f"and {len(here) - MOST:,} more: filter them by a part of their name"
+            rows.append(ListRow(rest, kind="section"))
+        offers = [o for o in self._offers if wanted in o.pattern.casefold()]
+        if offers:
+            of = f" of {len(self._offers)}" if len(offers) < len(self._offers) else ""
+            rows.append(ListRow(f"From plugins · {len(offers)}{of}", kind="section"))
+        rows += [_offered(offer) for offer in offers]
+        self.list.show_rows(rows)
+        self._heading.right.setText(f"{len([r for r in rows if r.kind == LINE]):,} shown")
+        hint = self._hint(bool(used), bool(rows))
+        self.hint.setText(hint)
+        self.hint.setVisible(bool(hint))
+
+    def _row(self, name: str, count: int, notes: Mapping[str, OperationNote]) -> ListRow:
+        note = notes.get(note_key(name), PLAIN)
+        times = counted(count, "edge")
+        return ListRow(
+            name,
+            name,
+            ACTOR_ICON.get(note.actor or "", "robot" if note.actor else "arrow"),
+            note.title,
+            f"{count:,}",
+            self._severities.get(name, ""),
+            tip=f"{name}, {times}. Click to select those of one State Branch.",
+        )
+
+    def _hint(self, used: bool, shown: bool) -> str:
+        if not shown and (used or self._offers):
+            return "No operation has this in its name."
+        if not self._offers:
+            return NO_PLUGIN
+        return "" if used else "Draw an operation from a state's handle to another state."
+
+
+def _offered(offer: LibraryEntry) -> ListRow:
+    bound = counted(len(offer.names), "operation") if offer.names else "not used"
+    names = ", ".join(offer.names[:8]) or "no operation of this blueprint"
+    return ListRow(
+        offer.pattern,
+        None,
+        "robot",
+        right=bound,
+        tip=f"{offer.pattern}, offered by {offer.plugin}; serves {names}.",
+        pale=not offer.names,
+    )
+
+
+def _used(blueprint: Blueprint) -> Counter[str]:
+    counts: Counter[str] = Counter()
+    for branch in blueprint:
+        counts.update(chain.from_iterable(branch.table.values()))
+    return counts
+
+
+def _by_name(name: str) -> tuple[str, str]:
+    return name.casefold(), name
+
+
+def _first_notes(blueprint: Blueprint) -> dict[str, OperationNote]:
+    """What is written of each operation where it is spoken of first."""
+    found: dict[str, OperationNote] = {}
+    for branch in blueprint:
+        for name, note in branch.notes.operations.items():
+            found.setdefault(name, note)
+    return found
+
+
+def _marks(findings: Sequence[Finding]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for finding in findings:
+        if finding.severity is not Severity.NOTE:
+            for name in {address.operation for address in finding.addresses} - {""}:
+                if found.get(name) != "E":
+                    found[name] = finding.severity.value
+    return found
+
+
+def _edges(blueprint: Blueprint, shown: str, name: str) -> list[Address]:
+    """The edges of an operation in the shown SB, else in the first SB that has it."""
+    order = sorted(blueprint.branches, key=lambda branch: branch != shown)
+    for branch in order:
+        table = blueprint[branch].table
+        edges = [Address(branch, state, name) for state in table if name in table[state]]
+        if edges:
+            return edges
+    return []

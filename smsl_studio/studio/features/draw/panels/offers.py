@@ -1,0 +1,28 @@
+"""What the installed plugins offer to a blueprint, as the library panel shows it."""
+
+from __future__ import annotations
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.features.draw.panels.library import LibraryEntry
+
+
+def offers(loaded: Loaded, blueprint: Blueprint) -> tuple[LibraryEntry, ...]:
+    """Every operation that plugins offer, with the names of the blueprint it would carry out."""
+    names = sorted(
+        {name for branch in blueprint for table in branch.table.values() for name in table}
+    )
+    found = []
+    for plugin in loaded.plugins:
+        for entry in plugin.library.operations:
+            pattern = entry.pattern
+            fits = tuple(n for n in names if pattern and pattern.match(n) is not None)
+            found.append(LibraryEntry(pattern.text if pattern else entry.name, plugin.name, fits))
+    return tuple(found)
+
+
+def operation_names(loaded: Loaded) -> tuple[str, ...]:
+    """The operations that plugins offer by their name; patterns are left out."""
+    entries = (entry for plugin in loaded.plugins for entry in plugin.library.operations)
+    names = (entry.pattern.text if entry.pattern else entry.name for entry in entries)
+    return tuple(sorted({name for name in names if "{" not in name}))

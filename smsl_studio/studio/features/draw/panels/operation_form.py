@@ -1,0 +1,264 @@
+"""The properties of operations: one edge, or what several edges share."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.continuum import AUTOMATIC, OF_ACTOR
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.library.loading import Loaded
+from smsl_studio.picture.sub_marks import sub_mark
+from smsl_studio.studio.base.controls import Combo, Switch, label, row
+from smsl_studio.studio.base.lines.bound_function import BindingLine
+from smsl_studio.studio.base.lines.choice import ChoiceLine, SwitchLine
+from smsl_studio.studio.base.lines.digits import DigitsLine
+from smsl_studio.studio.base.lines.line import FormLine, ShownValue
+from smsl_studio.studio.base.lines.requires import RequiresLine
+from smsl_studio.studio.base.lines.roles import RolesLine
+from smsl_studio.studio.base.lines.text import NumberBounds, NumberLine, TextLine
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is, counted
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.asking_lines import AskingLines
+from smsl_studio.studio.features.draw.panels.note_form import NoteForm
+from smsl_studio.studio.features.draw.panels.operation_entries import entries_of, noted_edges
+from smsl_studio.studio.features.draw.panels.try_alone import TryAlone
+
+ACTORS = (("Human", "human"), ("Shared", "shared"), ("Robot", "robot"))
+RISKS = (("Low", "low"), ("Medium", "medium"), ("High", "high"))
+STOPS = (("Abort at once", "abort"), ("Hold where it is", "hold"), ("Finish first", "finish"))
+MOST = 500
+"""Of more selected edges the first ones tell whether people are asked."""
+SUBS = (("Drive it first", "drive"), ("Load", "load"))
+
+
+class OperationForm(NoteForm):
+    """Edits one edge, or the details that several selected edges share.
+
+    Details (title, cost, who acts ...) belong to the operation wherever it stands, unless they
+    are written for this edge alone: the choice under the heading says which is edited, and each
+    line says where its value comes from.
+    """
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__("Operation", "_operations", session, parent)
+        self._edges: tuple[Address, ...] = ()
+        self._heading, self._name = label("Operation", "heading"), label("", "second")
+        self.column.addLayout(row(self._heading, self._name, None))
+        self._build_edge()
+        self.where: Combo = Combo()
+        tip = "Whether the details below hold for every edge of this name, or for this edge only"
+        self._where = FormLine("Details", self.where, tip)
+        self.where.activated.connect(lambda *_: self._show_details())
+        self.column.addWidget(self._where)
+        self._build_details(tokens)
+
+    def _build_edge(self) -> None:
+        self.naming = TextLine("Name", "The name of this edge (F2)")
+        self.naming.given.connect(self._rename)
+        self.name = self.naming.field
+        self.everywhere = Switch()
+        self._every_words = label("", "second")
+        tip = "Rename every edge of this name in the State Branch"
+        self._every = FormLine("", self.everywhere, tip, self._every_words, None)
+        self.everywhere.setAccessibleName("Rename everywhere")
+        self.source = QPushButton()
+        self.source.setProperty("role", "link")
+        self.source.clicked.connect(self._select_source)
+        self._from = FormLine("From", self.source, "Select the state this operation starts from")
+        self.target = Combo()
+        self._to = FormLine("To", self.target, "The state this operation leads to")
+        self.target.activated.connect(self._retarget)
+        for line in (self.naming, self._every, self._from, self._to):
+            self.column.addWidget(line)
+
+    def _build_details(self, tokens: Tokens) -> None:
+        seconds = NumberBounds(0, open=True)
+        self.title = self.add("title", TextLine("Title", "A plain title, for people")).field
+        self.cost = self.add("cost", NumberLine(
+            "Cost", "What a route adds for this operation; 1 where not said", NumberBounds(),
+            hint="1",
+        )).field  # fmt: skip
+        self.risk = self.add("risk", ChoiceLine(
+            "Risk", "The declared risk of this operation", RISKS)).field  # fmt: skip
+        self.actor = self.add("actor", ChoiceLine(
+            "Who acts", "Human, shared or robot", ACTORS)).field  # fmt: skip
+        self.confirm = self.add("confirm", RolesLine(
+            "Confirms", "The roles that confirm it before it begins, one for each person, with "
+            "commas between; “anybody” is a person of any role", "nobody"
+        )).field  # fmt: skip
+        self.duration = self.add("duration", NumberLine(
+            "Duration", "How long it usually takes, in seconds", NumberBounds(), "s", "not said"
+        )).field  # fmt: skip
+        self.timeout = self.add("timeout", NumberLine(
+            "Time limit", "Seconds until the operation counts as failed", seconds, "s", "none"
+        )).field  # fmt: skip
+        self.stop = self.add("stop", ChoiceLine(
+            "On stop", "What a stop does while it runs", STOPS, "As its function says"
+        )).field  # fmt: skip
+        self.resumes = self.add("resumes", SwitchLine(
+            "Resumes", "Whether it goes on after a pause held it; its function says where not said"
+        )).field  # fmt: skip
+        self.touches = self.add("touches", DigitsLine(
+            "Touches", "Digits of facts that are unknown after it was cancelled, besides those it "
+            "changes", "those it changes"
+        )).field  # fmt: skip
+        self.subs = self.add("subs", ChoiceLine(
+            "Sub-SB", "Whether the sub-SB moves first, or the operation itself brings its facts "
+            "about", SUBS)).field  # fmt: skip
+        self.repeatable = self.add("repeatable", SwitchLine(
+            "Repeatable", "Whether it may lead back to its own state again and again"
+        )).field  # fmt: skip
+        self.requires = self.add(
+            "requires",
+            RequiresLine(
+                "Requires", "Facts of any State Branch that must hold before it starts", tokens
+            ),
+        )
+        self.binding = self.add("binding", BindingLine(
+            "Function", "The library function that carries it out"))  # fmt: skip
+
+        self.asking = AskingLines(
+            self, "What a person who carries it out is told", "its title: please carry it out"
+        )
+        self.column.addWidget(self.odd)
+        self.alone = TryAlone(self._session)
+        self.column.addWidget(self.alone)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.requires.facts.set_tokens(tokens)
+
+    def set_plugins(self, loaded: Loaded) -> None:
+        """The functions that an operation can be bound to."""
+        self.binding.set_plugins(loaded)
+        self.alone.set_plugins(loaded)
+
+    def show_operations(self, blueprint: Blueprint, edges: Sequence[Address]) -> None:
+        """Show one edge, or what several share."""
+        if tuple(edges) != self._edges:
+            self.everywhere.setChecked(False)
+            self._edges = tuple(edges)
+            self._offer_where(blueprint)
+        one = edges[0] if len(edges) == 1 else None
+        names = {edge.operation for edge in edges}
+        self._heading.setText("Operation" if one else counted(len(edges), "operation"))
+        self._name.setText(edges[0].operation if len(names) == 1 else "")
+        for line in (self.naming, self._from, self._to):
+            line.setVisible(one is not None)
+            line.refuse("")
+        if one is not None:
+            self._show_edge(blueprint[one.branch], one)
+        self._every.setVisible(one is not None and self._count_of(one) > 1)
+        self.alone.show_edges(edges)
+        self._show_details()
+
+    def who(self) -> str:
+        names = sorted({edge.operation for edge in self._edges})
+        if len(self._edges) == 1 and self._only_here:
+            return f"{self._edges[0].state}/{names[0]}"
+        if len(names) == 1 and not self._only_here:
+            return names[0]
+        return counted(len(self._edges), "operation")
+
+    def _show_edge(self, branch: StateBranch, edge: Address) -> None:
+        self.naming.show_values([ShownValue(edge.operation)])
+        self._every_words.setText(f"Rename all {self._count_of(edge)}")
+        self.source.setText(as_it_is(edge.state))
+        self.source.setToolTip(tip_text(f"Select {edge.state}"))
+        target = branch.table[edge.state][edge.operation]
+        states = list(branch.table)
+        known = target in branch.table
+        items = states if known else [f"{target} (no such state)", *states]
+        if [self.target.itemText(i) for i in range(self.target.count())] != items:
+            self.target.clear()
+            self.target.addItems(items)
+        self.target.setCurrentIndex(states.index(target) if known else 0)
+
+    def _show_details(self) -> None:
+        blueprint = self._session.blueprint
+        self.requires.set_blueprint(blueprint)
+        names = {edge.operation for edge in self._edges}
+        self.binding.operation = next(iter(names)) if len(names) == 1 else ""
+        self.show_entries(entries_of(blueprint, self._edges, self._only_here))
+        self._where.say("" if self._only_here else _own_words(blueprint, self._edges))
+        branches = [blueprint[edge.branch] for edge in self._edges]
+        pairs = list(zip(branches, self._edges, strict=True))
+        turns = any(
+            sub_mark(branch, branch.operation(edge.state, edge.operation)) for branch, edge in pairs
+        )
+        loops = all(branch.table[at.state][at.operation] == at.state for branch, at in pairs)
+        # What is written is shown also where it means nothing, so that it can be taken away.
+        for word, fits in (("subs", turns), ("repeatable", loops)):
+            written = any(word in entry.written for entry in self._entries)
+            self._lines[word].setVisible(fits or written)
+
+        self._show_asking(blueprint)
+
+    def _show_asking(self, blueprint: Blueprint) -> None:
+        """Who is asked anything about these operations, by any level there is."""
+        notes = {id(n): n for entry in self._entries for n in (entry.note, entry.standard)}
+        asked = any(note.confirm or note.actor in OF_ACTOR for note in notes.values())
+        if not asked and blueprint.levels:
+            levels = Levels(blueprint)
+            asked = any(levels.operation(edge) != AUTOMATIC for edge in self._edges[:MOST])
+        self.asking.show(asked, frozenset(word for e in self._entries for word in e.written))
+
+    @property
+    def _only_here(self) -> bool:
+        return bool(self.where.currentData())
+
+    def _offer_where(self, blueprint: Blueprint) -> None:
+        """Every edge of the name, or these edges only; what is written already decides."""
+        names = {edge.operation for edge in self._edges}
+        self.where.clear()
+        every = f"All {next(iter(names))}" if len(names) == 1 else "All edges of these names"
+        self.where.addItem(every, False)
+        self.where.addItem("This edge only" if len(self._edges) == 1 else "These edges only", True)
+        own = noted_edges(blueprint, self._edges)
+        self.where.setCurrentIndex(1 if own else 0)
+
+    def _count_of(self, edge: Address) -> int:
+        table = self._session.blueprint[edge.branch].table
+        return sum(edge.operation in operations for operations in table.values())
+
+    # Edits.
+
+    def _rename(self, new: Any) -> None:
+        edge, name, every = self._edges[0], str(new or ""), self.everywhere.isChecked()
+        done = self.edit(
+            f"Rename {edge.operation} to {name}",
+            lambda bp: editing.rename(bp, edge, name, rename_everywhere=every),
+            self.naming.refuse,
+        )
+        if done:
+            self._session.select((Address(edge.branch, edge.state, name),))
+
+    def _retarget(self) -> None:
+        edge, target = self._edges[0], self.target.currentText()
+        if target in self._session.blueprint[edge.branch].table:
+            self.edit(
+                f"Lead {edge.operation} to {target}",
+                lambda bp: editing.retarget(bp, edge, target),
+                self._to.refuse,
+            )
+
+    def _select_source(self) -> None:
+        edge = self._edges[0]
+        self._session.select((Address(edge.branch, edge.state),))
+
+
+def _own_words(blueprint: Blueprint, edges: Sequence[Address]) -> str:
+    """Which of the edges have values of their own, which win over these."""
+    own = noted_edges(blueprint, edges)
+    if not own:
+        return ""
+    if len(edges) == 1:
+        return "This edge has values of its own, which win over these."
+    return f"{counted(len(own), 'edge')} of them: values of their own, which win over these."

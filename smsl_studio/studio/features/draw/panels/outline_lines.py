@@ -1,0 +1,79 @@
+"""What one line of the outline says: an SB, one of its facts, or an import that failed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import PurePath
+
+from smsl_studio.blueprint.model import Blueprint, ImportFault
+from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.studio.base.words import capital
+
+
+@dataclass(frozen=True)
+class OutlineLine:
+    """One line: an SB (``digit`` is None) or one of its facts.
+
+    ``right`` is the SB's level, or the values of a fact that has more than 0 and 1. ``file`` is
+    where an SB stands that is imported. A line with a ``fault`` is an import that failed, and no
+    SB; ``right`` says why in a word.
+    """
+
+    branch: str
+    digit: int | None
+    text: str
+    right: str
+    sub: bool = False
+    severity: str = ""
+    file: str = ""
+    fault: str = ""
+
+    @property
+    def home(self) -> str:
+        """The name of the file an imported SB stands in; empty for the blueprint's own."""
+        return PurePath(self.file).name
+
+    @property
+    def tip(self) -> str:
+        if self.fault:
+            return self.fault
+        if self.digit is None:
+            where = f", in {self.file}" if self.file else ""
+            return f"State Branch {self.text}, level {self.right}{where}"
+        values = f", values {self.right}" if self.right else ""
+        return f"Fact {self.digit} of {self.branch}: {self.text}{values}"
+
+
+def branch_line(blueprint: Blueprint, name: str, level: int, severity: str = "") -> OutlineLine:
+    """The line of an SB, with the gravest of its findings (see ``worst_of``)."""
+    home = blueprint.imported.get(name)
+    file = home.file if home is not None else ""
+    return OutlineLine(name, None, name, str(level), severity=severity, file=file)
+
+
+def fact_line(blueprint: Blueprint, name: str, digit: int) -> OutlineLine:
+    """The line of one fact of an SB."""
+    branch = blueprint.branches[name]
+    values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
+    right = "" if set(values) <= {"0", "1"} else " ".join(values)
+    return OutlineLine(name, digit, branch.fact_name(digit), right, digit in branch.subs)
+
+
+def fault_line(fault: ImportFault) -> OutlineLine:
+    """The line of an import that failed, with the files that led to it."""
+    chain = " > ".join(fault.chain)
+    told = f"{capital(fault.sentence)} {chain}".strip()
+    name = fault.chain[-1] if len(fault.chain) > 1 else "_imports"
+    word = "cycle" if name in fault.chain[:-1] else "not read"
+    return OutlineLine("", None, name, word, severity="E", fault=told)
+
+
+def worst_of(findings: Sequence[Finding]) -> dict[str, str]:
+    """The gravest mark of every SB: errors before warnings; notes are no mark in a tree."""
+    found: dict[str, str] = {}
+    for finding in findings:
+        letter = finding.severity.value
+        if letter == "E" or (letter == "W" and found.get(finding.address.branch) != "E"):
+            found[finding.address.branch] = letter
+    return found

@@ -1,0 +1,236 @@
+"""Where the lines of the outline stand: SBs by level, their facts, sub-SBs below their fact.
+
+What stands below a line is worked out when somebody asks for it, and not before: through SBs that
+share their sub-SBs more ways may lead down than any machine could count.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.features.draw.panels.outline_lines import (
+    OutlineLine,
+    branch_line,
+    fact_line,
+    fault_line,
+)
+
+DEEPEST = 40
+"""So many levels stand below each other; what is deeper begins at the margin again."""
+
+Key = tuple[str, int | None]
+"""An SB, or one of its facts by its digit. Imports that failed are ("", 0), ("", 1) and so on."""
+
+
+@dataclass(slots=True, eq=False)
+class OutlineNode:
+    """One line where it stands. ``below`` is None as long as nobody has asked for it.
+
+    ``depth`` counts the SBs that stand above it.
+    """
+
+    number: int
+    key: Key
+    above: OutlineNode | None
+    row: int
+    depth: int
+    below: list[OutlineNode] | None = None
+
+    @property
+    def path(self) -> tuple[int, ...]:
+        """The rows that lead to it: what compares less stands further up."""
+        rows: list[int] = []
+        node: OutlineNode | None = self
+        while node is not None and node.above is not None:
+            rows.append(node.row)
+            node = node.above
+        return tuple(reversed(rows))
+
+
+@dataclass
+class Survey:
+    """Which SBs stand at the margin, with their level; above each other one: its base and digit.
+
+    At the margin stand the roots, and what only a cycle or an unknown base names, so that nothing
+    is hidden, and what would be too deep.
+    """
+
+    margin: dict[str, int] = field(default_factory=dict)
+    bases: dict[str, tuple[str, int]] = field(default_factory=dict)
+
+
+def surveyed(blueprint: Blueprint) -> Survey:
+    """The shortest way to every SB; no fact is looked at."""
+    found = Survey(dict.fromkeys(blueprint.roots, 0))
+    deep: dict[str, int] = {}
+    branches, depth = blueprint.branches, 0
+    reached = set(blueprint.roots)
+    names = list(blueprint.roots)
+    while names:
+        below: list[str] = []
+        for name in names:
+            branch = branches[name]
+            if not branch.header.sub_sbs:
+                continue
+            for digit, sub in branch.subs.items():
+                if sub not in reached and sub in branches:
+                    reached.add(sub)
+                    found.bases[sub] = name, digit
+                    below.append(sub)
+        names, depth = below, depth + 1
+        if depth % DEEPEST == 0:
+            deep.update(dict.fromkeys(names, depth))
+    found.margin.update((name, 0) for name in branches if name not in reached)
+    found.margin.update(deep)
+    return found
+
+
+class OutlineNodes:
+    """The lines of one blueprint, made where they are asked for."""
+
+    def __init__(self, blueprint: Blueprint) -> None:
+        self.blueprint = blueprint
+        self.survey = surveyed(blueprint)
+        self.root = OutlineNode(0, ("", None), None, 0, -1)
+        self.asked: dict[int, OutlineNode] = {}
+        """The nodes of which somebody has asked what stands below them, the upper ones first."""
+        self._made: dict[int, OutlineNode] = {}
+        self._standing: dict[Key, dict[int, OutlineNode]] = {}
+        self._last = 0
+
+    @property
+    def top(self) -> list[OutlineNode]:
+        """The lines at the margin."""
+        return self.below(self.root)
+
+    @property
+    def made(self) -> int:
+        """How many lines somebody has asked for."""
+        return len(self._made)
+
+    def replace(self, blueprint: Blueprint) -> None:
+        """Take another blueprint; what stands already is left to whoever compares ``keys``."""
+        self.blueprint, self.survey = blueprint, surveyed(blueprint)
+
+    def node(self, number: int) -> OutlineNode | None:
+        """The node of this number; None where it is gone."""
+        return self._made.get(number)
+
+    def below(self, node: OutlineNode) -> list[OutlineNode]:
+        """What stands below a line."""
+        if node.below is None:
+            node.below = self.make(node, self.keys(node), 0)
+            self.asked[node.number] = node
+        return node.below
+
+    def leads_down(self, node: OutlineNode) -> bool:
+        """Whether anything stands below a line; the facts are not counted for it."""
+        if node.below is not None:
+            return bool(node.below)
+        name, digit = node.key
+        if not name or digit is not None:
+            return bool(self.keys(node))
+        # An SB that has states has a fact.
+        branch = self.blueprint.branches.get(name)
+        return branch is not None and bool(branch.table) and node.depth < DEEPEST
+
+    def keys(self, node: OutlineNode) -> list[Key]:
+        """What is to stand below a line."""
+        name, digit = node.key
+        if node.above is None:
+            faults = range(len(self.blueprint.import_faults))
+            return [*((one, None) for one in self.survey.margin), *(("", n) for n in faults)]
+        branch = self.blueprint.branches.get(name)
+        if branch is None:
+            return []
+        if digit is None:
+            facts = branch.num_facts if branch.table and node.depth < DEEPEST else 0
+            return [(name, at) for at in range(facts)]
+        sub = branch.subs.get(digit, "")
+        if sub not in self.blueprint.branches or _stands_above(node, sub):
+            return []
+        return [(sub, None)]
+
+    def line(self, node: OutlineNode, worst: Mapping[str, str]) -> OutlineLine:
+        """What a line says; ``worst`` is the gravest finding of each SB (see ``worst_of``)."""
+        name, digit = node.key
+        if not name and digit is not None:
+            return fault_line(self.blueprint.import_faults[digit])
+        if digit is not None:
+            return fact_line(self.blueprint, name, digit)
+        top = node
+        while top.above is not None and top.above.above is not None:
+            top = top.above
+        level = self.survey.margin.get(top.key[0], 0) + node.depth
+        return branch_line(self.blueprint, name, level, worst.get(name, ""))
+
+    def make(self, above: OutlineNode, keys: Iterable[Key], row: int) -> list[OutlineNode]:
+        """Nodes of these keys that are to stand below a line from this row on."""
+        # The line of a fact stands no deeper than that of its SB; its sub-SB does.
+        depth = above.depth + (above.key[1] is not None or above.above is None)
+        made = []
+        for at, key in enumerate(keys, row):
+            self._last += 1
+            node = OutlineNode(self._last, key, above, at, depth)
+            self._made[node.number] = node
+            self._standing.setdefault(key, {})[node.number] = node
+            made.append(node)
+        return made
+
+    def drop(self, nodes: Iterable[OutlineNode]) -> None:
+        """Forget nodes and all that stands below them."""
+        stack = list(nodes)
+        while stack:
+            node = stack.pop()
+            del self._made[node.number]
+            self.asked.pop(node.number, None)
+            self._leave(node)
+            stack += node.below or ()
+
+    def rename(self, node: OutlineNode, key: Key) -> None:
+        """The SB of a node has another name now."""
+        self._leave(node)
+        node.key = key
+        self._standing.setdefault(key, {})[node.number] = node
+
+    def standing(self, key: Key) -> list[OutlineNode]:
+        """The nodes that were made of an SB or a fact."""
+        return list(self._standing.get(key, {}).values())
+
+    def first(self, key: Key) -> OutlineNode | None:
+        """The uppermost line of an SB or a fact; where none was made yet one that can be."""
+        found = self.standing(key)
+        if found:
+            return min(found, key=lambda node: node.path) if len(found) > 1 else found[0]
+        name, digit = key
+        way: list[tuple[str, int]] = [] if digit is None else [(name, digit)]
+        while name not in self.survey.margin:
+            if name not in self.survey.bases:
+                return None
+            way.append(self.survey.bases[name])
+            name = way[-1][0]
+        above = (one for one in self.top if one.key == (name, None))
+        at = next(above, None)
+        for _, down in reversed(way):
+            facts = self.below(at) if at is not None else []
+            at = facts[down] if 0 <= down < len(facts) else None
+            if at is not None and at.key != key:
+                at = next(iter(self.below(at)), None)
+        return at
+
+    def _leave(self, node: OutlineNode) -> None:
+        others = self._standing[node.key]
+        del others[node.number]
+        if not others:
+            del self._standing[node.key]
+
+
+def _stands_above(node: OutlineNode, branch: str) -> bool:
+    above: OutlineNode | None = node
+    while above is not None:
+        if above.key[0] == branch:
+            return True
+        above = above.above
+    return False

@@ -1,0 +1,307 @@
+"""The tree widget of the outline, and how its lines are painted."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping, Sequence
+
+from PySide6.QtCore import (
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRect,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QFontMetricsF, QKeyEvent, QMouseEvent, QPainter, QPen
+from PySide6.QtWidgets import (
+    QLineEdit,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTreeView,
+    QWidget,
+)
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.chips import VALUE, paint_chip
+from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
+from smsl_studio.studio.base.rows import TextInk, paint_text
+from smsl_studio.studio.base.theme import Tokens, mono_font
+from smsl_studio.studio.features.draw.panels.outline_lines import OutlineLine
+from smsl_studio.studio.features.draw.panels.outline_model import OutlineModel
+from smsl_studio.studio.features.draw.panels.outline_nodes import Key, OutlineNode
+
+ROW, INDENT = 28, 13
+NAMEABLE = 40
+"""Pixels from which on there is room for the name of a file behind that of an SB."""
+FULL = 1_000
+"""So many lines stand open from the start; what is below others is opened as one wishes."""
+Index = QModelIndex | QPersistentModelIndex
+
+
+class OutlineTree(QTreeView):
+    moved = Signal(QModelIndex)
+    """The current line is another one, and ``mark`` was not what made it so."""
+    named = Signal(str, object, str)
+    """(SB, digit or None, name): the name that the SB or its fact is to have was typed in place."""
+
+    def __init__(self, tokens: Tokens, blueprint: Blueprint, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self.lines = OutlineModel(blueprint, self)
+        self.lines.named.connect(self.named)
+        self._closed: set[Key] = set()
+        self._quiet = False
+        self.setModel(self.lines)
+        self.setAccessibleName("State Branches")
+        self.setHeaderHidden(True)
+        self.setIndentation(INDENT)
+        self.setUniformRowHeights(True)
+        self.setMouseTracking(True)
+        self.setExpandsOnDoubleClick(False)
+        self.setEditTriggers(QTreeView.EditTrigger.NoEditTriggers)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._delegate = OutlineDelegate(tokens, self)
+        self.setItemDelegate(self._delegate)
+        self.collapsed.connect(lambda index: self._closed.add(self.lines.node(index).key))
+        self.expanded.connect(lambda index: self._closed.discard(self.lines.node(index).key))
+        self._open(self.lines.nodes.top, ())
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = self._delegate.tokens = tokens
+        self.viewport().update()
+
+    def set_run(self, active: Mapping[str, str], running: str) -> None:
+        """Mark the active state of each SB; ``running`` is the SB in which an operation runs."""
+        if (active, running) != (self._delegate.active, self._delegate.running):
+            self._delegate.active, self._delegate.running = dict(active), running
+            self.viewport().update()
+
+    @property
+    def active(self) -> Mapping[str, str]:
+        """The active state of each SB that a run shows here."""
+        return self._delegate.active
+
+    @property
+    def naming(self) -> bool:
+        """Whether a name is being edited in place."""
+        return self.state() == QTreeView.State.EditingState
+
+    def index_of(self, branch: str, digit: int | None = None) -> QModelIndex:
+        """The first line of an SB, or of one of its facts; it may stand below a closed one."""
+        node = self.lines.nodes.first((branch, digit)) if branch else None
+        return self.lines.index_of(node) if node is not None else QModelIndex()
+
+    def show_marks(self, worst: Mapping[str, str]) -> None:
+        """Mark every SB with the gravest of its findings."""
+        self.lines.worst = worst
+        self.viewport().update()
+
+    def show_blueprint(self, blueprint: Blueprint, another: bool) -> None:
+        """Show a blueprint; of the same file, what was closed stays closed.
+
+        ``another`` says that it is of another file, so that nothing of the one before is kept.
+        """
+        self.blockSignals(True)
+        if another:
+            self._closed.clear()
+            self.lines.begin(blueprint)
+            self._open(self.lines.nodes.top, ())
+        else:
+            self._open(self.lines.show(blueprint), self._closed)
+        self.blockSignals(False)
+        self.viewport().update()
+
+    def mark(self, index: Index) -> None:
+        """Make a line the current one, or none; ``moved`` does not tell it."""
+        self._quiet = True
+        if index.isValid():
+            command = QItemSelectionModel.SelectionFlag.ClearAndSelect
+            self.selectionModel().setCurrentIndex(index, command)
+        else:
+            self.clearSelection()
+        self._quiet = False
+
+    def _open(self, nodes: Sequence[OutlineNode], closed: Container[Key]) -> None:
+        """Open lines and what is below them, from the top, until there are very many.
+
+        What is in ``closed`` stays so; what is below it is opened all the same.
+        """
+        known, room = self.lines.nodes, FULL
+        if nodes:
+            # One layout for all, and not one for each line that is opened.
+            self.scheduleDelayedItemsLayout()
+        for begun in nodes:
+            room -= 1
+            if room <= 0:
+                return
+            stack = [begun]
+            while stack:
+                node = stack.pop()
+                below = known.below(node)
+                if below and len(below) <= room:
+                    room -= len(below)
+                    stack += reversed(below)
+                    if node.key not in closed:
+                        self.expand(self.lines.index_of(node))
+
+    def currentChanged(self, current: Index, previous: Index) -> None:
+        super().currentChanged(current, previous)
+        if not self._quiet:
+            self.moved.emit(current)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Of what ``*`` opens there may be far too much."""
+        if event.key() == Qt.Key.Key_Asterisk:
+            node = self.lines.node(self.currentIndex())
+            self._open([node] if node.above is not None else [], ())
+            return
+        super().keyPressEvent(event)
+
+    def keyboardSearch(self, search: str, /) -> None:
+        """Letters choose no line: Del would act on another one than a person looks at.
+
+        The palette finds SBs and facts by their letters.
+        """
+
+    def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
+        if self.selectionModel().isSelected(index):
+            painter.fillRect(rect, self._tokens.accs)
+
+    def drawRow(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        super().drawRow(painter, option, index)
+        if self.model().hasChildren(index):
+            row = self.visualRect(index)
+            name = "chevron-down" if self.isExpanded(index) else "chevron-right"
+            box = QRectF(row.left() - 5, row.center().y() - 4.5, 11, 11)
+            draw(painter, name, box, self._tokens.tx2, self._tokens.surf)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """A click on the chevron opens and closes; it stands where the branch's own row begins."""
+        index = self.indexAt(event.position().toPoint())
+        near = index.isValid() and self.model().hasChildren(index)
+        if near and event.position().x() < self.visualRect(index).left() + 9:
+            self.setExpanded(index, not self.isExpanded(index))
+            return
+        super().mousePressEvent(event)
+
+
+class OutlineDelegate(QStyledItemDelegate):
+    def __init__(self, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.tokens = tokens
+        self.active: Mapping[str, str] = {}
+        self.running = ""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        return QSize(10, ROW)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        line: OutlineLine = index.data(Qt.ItemDataRole.UserRole)
+        rect = QRectF(option.rect)
+        chosen = bool(option.state & QStyle.StateFlag.State_Selected)
+        painter.save()
+        if chosen:
+            painter.fillRect(rect, self.tokens.accs)
+        if line.digit is None:
+            self._branch(painter, rect, line, chosen)
+        else:
+            self._fact(painter, rect, line)
+        if chosen and option.state & QStyle.StateFlag.State_HasFocus:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(self.tokens.acc, 2))
+            painter.drawRect(rect.adjusted(1, 1, -1, -1))
+        painter.restore()
+
+    def _branch(self, painter: QPainter, rect: QRectF, line: OutlineLine, chosen: bool) -> None:
+        tokens = self.tokens
+        mid = rect.center().y()
+        badge = QRectF(rect.right() - 31, mid - 10, 20, 20)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if not line.fault:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(tokens.sunk)
+            painter.drawRoundedRect(badge, 4, 4)
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            paint_text(
+                painter, badge.adjusted(6.5, 0, 0, 0), line.right, TextInk(tokens.tx2, 11, 500)
+            )
+        # An import that failed has no level, and its mark stands there.
+        right = badge.right() - 1 if line.fault else badge.left() - 6
+        if line.severity:
+            box = QRectF(right - 15, mid - 7, 14, 14)
+            colour = severity_colour(line.severity, tokens)
+            draw(painter, SEVERITY_ICON[line.severity], box, colour, tokens.surf)
+            right -= 21
+        if line.branch in self.active:
+            right = self._active(painter, rect, right, line.branch)
+        box = QRectF(rect.left() + 14, mid - 7.5, 15, 15)
+        icon = "file" if line.fault else "layers"
+        draw(painter, icon, box, tokens.acc if chosen else tokens.tx2, tokens.surf)
+        room = QRectF(rect.left() + 38, rect.top(), right - rect.left() - 38, rect.height())
+        if line.fault:
+            used = paint_text(painter, room, line.text, TextInk(tokens.tx2))
+        else:
+            used = paint_text(painter, room, line.text, TextInk(tokens.tx, 13, 600))
+        behind = line.right if line.fault else line.home
+        if behind and room.width() - used > NAMEABLE:
+            paint_text(painter, room.adjusted(used + 8, 0, 0, 0), behind, TextInk(tokens.tx2, 12))
+
+    def _active(self, painter: QPainter, rect: QRectF, right: float, branch: str) -> float:
+        """The active state of an SB as a chip, filled while it runs; how far the name may go."""
+        tokens, live = self.tokens, branch == self.running
+        font = mono_font(11, 500)
+        metrics = QFontMetricsF(font)
+        room = max(rect.width() / 2 - 30, 20.0)
+        words = metrics.elidedText(
+            plain_text(self.active[branch]), Qt.TextElideMode.ElideLeft, room
+        )
+        wide = metrics.horizontalAdvance(words) + 10
+        chip = QRectF(right - wide, rect.center().y() - 9, wide, 18)
+        painter.setPen(QPen(tokens.acc if live else tokens.accl, 1))
+        painter.setBrush(tokens.acc if live else tokens.accs)
+        painter.drawRoundedRect(chip, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(tokens.onacc if live else tokens.acc)
+        painter.setFont(font)
+        painter.drawText(chip, Qt.AlignmentFlag.AlignCenter, plain_text(words))
+        return chip.left() - 6
+
+    def _fact(self, painter: QPainter, rect: QRectF, line: OutlineLine) -> None:
+        tokens = self.tokens
+        chip = QRectF(rect.left() + 15, rect.center().y() - 9, 18, 18)
+        paint_chip(painter, chip, str(line.digit), VALUE, tokens, sub=line.sub)
+        right = rect.right() - 12
+        if line.right:
+            room = rect.adjusted(rect.width() / 2, 0, -12, 0)
+            right -= paint_text(
+                painter, room, line.right, TextInk(tokens.tx2, 12, mono=True), right=True
+            )
+        room = QRectF(rect.left() + 41, rect.top(), right - rect.left() - 47, rect.height())
+        paint_text(painter, room, line.text, TextInk(tokens.tx))
+
+    def updateEditorGeometry(
+        self, editor: QWidget, option: QStyleOptionViewItem, index: Index
+    ) -> None:
+        rect: QRect = option.rect
+        left = 33 if line_of(index).digit is None else 36
+        editor.setGeometry(rect.adjusted(left, 0, -4, 0))
+
+    def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        editor = QLineEdit(parent)
+        editor.setProperty("role", "flat")
+        digit = line_of(index).digit
+        what = "the State Branch" if digit is None else f"fact {digit}"
+        editor.setAccessibleName(f"Name of {what}")
+        editor.setStyleSheet("background: palette(base);")
+        return editor
+
+
+def line_of(index: Index) -> OutlineLine:
+    """The line that stands at an index."""
+    found: OutlineLine = index.data(Qt.ItemDataRole.UserRole)
+    return found

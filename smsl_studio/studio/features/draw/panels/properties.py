@@ -1,0 +1,164 @@
+"""Properties of the selection or of a fact, over the header of the SB that is shown."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QLabel, QPushButton, QScrollArea, QWidget
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.base.controls import label, row, rule
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.panels.fact_form import FactForm
+from smsl_studio.studio.features.draw.panels.file_form import FileForm
+from smsl_studio.studio.features.draw.panels.frame import Panel
+from smsl_studio.studio.features.draw.panels.hazard_form import HazardForm
+from smsl_studio.studio.features.draw.panels.header_form import HeaderForm
+from smsl_studio.studio.features.draw.panels.operation_form import OperationForm
+from smsl_studio.studio.features.draw.panels.state_form import StateForm
+
+
+class Properties(QScrollArea):
+    """One state, one operation, what several selected elements share, or a fact; then the branch
+    header, the hazards and what else stands in its file.
+    """
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self.setAccessibleName("Properties")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        inner = Panel("Properties")
+        self.fact = FactForm(session, tokens)
+        self.state = StateForm(session, tokens)
+        self.operation = OperationForm(session, tokens)
+        self.several = _Several(session)
+        # It shows itself, and without a parent it would be a window of its own for a moment.
+        self.header = HeaderForm(session, tokens, inner)
+        self.hazards = HazardForm(session, tokens)
+        self.file = FileForm(session, tokens)
+        self._rule = rule()
+        above = (self.fact, self.state, self.operation, self.several, self._rule)
+        for widget in (*above, self.header, rule(), self.hazards, rule(), self.file):
+            inner.column.addWidget(widget)
+        inner.column.addStretch(1)
+        self.setWidget(inner)
+        self._connect()
+        self._show()
+
+    def _connect(self) -> None:
+        session = self._session
+        session.selection_changed.connect(lambda *_: self._show())
+        session.branch_changed.connect(lambda *_: self._show())
+        session.blueprint_changed.connect(lambda *_: self._show())
+        self.state.fact_wanted.connect(self.show_fact)
+        self.header.fact_wanted.connect(self.show_fact)
+        self.fact.left.connect(session.leave_fact)
+        self.fact.sub_wanted.connect(session.show_branch)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for form in (self.fact, self.state, self.operation, self.header, self.hazards, self.file):
+            form.set_tokens(tokens)
+
+    def set_plugins(self, loaded: Loaded) -> None:
+        """The functions that operations can be bound to."""
+        self.operation.set_plugins(loaded)
+
+    def show_fact(self, branch: str, digit: int) -> None:
+        """Show a fact in place of the selection, until something else is selected."""
+        self._session.select_fact(branch, digit)
+        self.verticalScrollBar().setValue(0)
+
+    def show_hazard(self, name: str) -> None:
+        """Show a hazard of any of the files; the SB that is shown says which file's are listed."""
+        blueprint = self._session.blueprint
+        for branch in blueprint.branches:
+            home = blueprint.home(branch)
+            if any(hazard.name == name for hazard in blueprint.hazards_of(home)):
+                self._session.show_branch(branch)
+                break
+        self.hazards.reveal(name)
+        self.ensureWidgetVisible(self.hazards)
+
+    def _show(self) -> None:
+        blueprint, selection = self._session.blueprint, self._session.selection
+        selection = tuple(a for a in selection if a.state and _stands(blueprint, a))
+        fact = self._session.fact
+        states = [a for a in selection if not a.operation]
+        edges = [a for a in selection if a.operation]
+        # The text of a form is settled before it is seen, so that nothing jumps.
+        if fact:
+            self.fact.show_fact(blueprint, *fact)
+        if states and not edges:
+            self.state.show_states(blueprint, states)
+        if edges and not states:
+            self.operation.show_operations(blueprint, edges)
+        if len(selection) > 1:
+            self.several.show_selection(states, edges)
+        self.fact.setVisible(fact is not None)
+        self.state.setVisible(bool(states) and not edges)
+        self.operation.setVisible(bool(edges) and not states)
+        self.several.setVisible(len(selection) > 1)
+        self._rule.setVisible(bool(selection) or fact is not None)
+
+
+class _Several(Panel):
+    """How many elements are selected, and the verbs that fit all of them."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__("Selection")
+        self._session = session
+        self.column.setContentsMargins(12, 8, 12, 12)
+        self.column.setSpacing(8)
+        self._count: QLabel = label("", "heading")
+        self._facts: QLabel = label("", "small")
+        self._facts.setWordWrap(True)
+        self.delete = QPushButton("Delete")
+        self.delete.setToolTip("Delete what is selected (Del)")
+        self.delete.clicked.connect(self._delete)
+        self.column.addWidget(self._count)
+        self.column.addWidget(self._facts)
+        self.column.addLayout(row(self.delete, None))
+
+    def show_selection(self, states: list[Address], edges: list[Address]) -> None:
+        words = [counted(len(states), "state")] if states else []
+        words += [counted(len(edges), "operation")] if edges else []
+        self._count.setText(f"{' and '.join(words)} selected")
+        # The form of several of one kind says it in its heading.
+        self._count.setVisible(len(words) > 1)
+        self._facts.setText(_shared_facts(self._session.blueprint, states))
+        self._facts.setVisible(bool(self._facts.text()))
+        self.delete.setText(f"Delete {' and '.join(words)}")
+
+    def _delete(self) -> None:
+        chosen = self._session.selection
+        self._session.edit(
+            f"Delete {counted(len(chosen), 'element')}", lambda bp: editing.delete(bp, chosen)
+        )
+
+
+def _shared_facts(blueprint: Blueprint, states: list[Address]) -> str:
+    """The facts on which all selected states agree, in words."""
+    if len(states) < 2 or len({a.branch for a in states}) != 1:
+        return ""
+    branch = blueprint[states[0].branch]
+    columns = list(zip(*(branch.facts(a.state) for a in states), strict=False))
+    same = [
+        f"{branch.fact_name(digit)} is {column[0]}"
+        for digit, column in enumerate(columns)
+        if len(set(column)) == 1
+    ]
+    return f"In all of them {', '.join(same)}." if same else "They share no fact."
+
+
+def _stands(blueprint: Blueprint, address: Address) -> bool:
+    branch = blueprint.branches.get(address.branch)
+    if branch is None or address.state not in branch.table:
+        return False
+    return not address.operation or address.operation in branch.table[address.state]

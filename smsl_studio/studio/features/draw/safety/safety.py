@@ -1,0 +1,120 @@
+"""Working without fear: the journal, what an earlier window has left, what other programs do."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.toast import Toast
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.files.fresh import UNTITLED
+from smsl_studio.studio.document.journal.entry import KeptText
+from smsl_studio.studio.document.journal.leftovers import Left
+from smsl_studio.studio.document.journal.place import folder_of
+from smsl_studio.studio.document.journal.restoration import keep_text, on_disk, restore
+from smsl_studio.studio.document.journal.unsaved import Unsaved
+from smsl_studio.studio.document.journal.writer import Journal
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.safety.change_bar import ChangeBar
+from smsl_studio.studio.features.draw.safety.outside import Compare, OutsideChanges
+from smsl_studio.studio.features.draw.source.pane import SourcePane
+
+
+class Safety(QObject):
+    """Keeps the journal of one window, shows what another one kept, and watches the files."""
+
+    def __init__(
+        self,
+        session: Session,
+        files: Files,
+        source: SourcePane,
+        toast: Toast,
+        settings: Settings,
+        compare: Compare,
+        tokens: Tokens,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._session, self._files, self._toast = session, files, toast
+        self._home = settings.folder
+        unsaved = Unsaved(session, files, lambda: source.pending)
+        self.journal = Journal(unsaved, folder_of(self._home), self)
+        self.journal.failed.connect(toast.warn)
+        for signal in (session.blueprint_changed, session.broken_changed, session.edited_changed,
+                       files.changed, source.editor.typed):  # fmt: skip
+            signal.connect(lambda *_: self.journal.changed())
+        self.bar = ChangeBar(tokens)
+        self.outside = OutsideChanges(session, files, self.bar, compare, self)
+        self.outside.said.connect(toast.say)
+        self.outside.warned.connect(toast.warn)
+        self.outside.refused.connect(toast.refuse)
+        window.installEventFilter(self)
+
+    def below(self, top: QWidget) -> QWidget:
+        """The top of the window, and below it the bar that asks about a changed file."""
+        both = QWidget()
+        column = QVBoxLayout(both)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(top)
+        column.addWidget(self.bar)
+        return both
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.bar.set_tokens(tokens)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Who comes back to the window may have come from another program."""
+        if event.type() == QEvent.Type.WindowActivate:
+            self.outside.look()
+        return super().eventFilter(watched, event)
+
+    @property
+    def untouched(self) -> bool:
+        """Whether nothing was opened or drawn here, so that something else can take its place."""
+        files, session = self._files, self._session
+        return files.path is None and files.name == UNTITLED and not session.edited
+
+    def recover(self, left: Left) -> bool:
+        """Show what a window has left behind; it is given up when this one keeps it.
+
+        False where the person called it off, because a save of its files was interrupted.
+        """
+        before = on_disk(left.entry)
+        if before is not None:
+            path = Path(left.entry.path)
+            if self._files.settle_interrupted(path, before) == "called off":
+                return False
+        restored = restore(left.entry, self._files, self._session)
+        for file in restored.changed:
+            self.outside.ask(file)
+        self.journal.flush()
+        safe = [self._put_aside(kept) for kept in restored.lost]
+        if all(safe) and self.journal.whole:
+            left.drop()
+        else:
+            left.keep()
+        return True
+
+    def close(self) -> None:
+        """The window closes; its work is saved, or given up by the person."""
+        self.outside.stop()
+        self.journal.close()
+
+    def _put_aside(self, kept: KeptText) -> bool:
+        """Keep a text that belongs nowhere any more; whether that went well."""
+        name = Path(kept.file).name
+        try:
+            where = keep_text(kept, self._home)
+        except OSError as error:
+            self._toast.warn(f"The unsaved text of {name} cannot be put aside: {error.strerror}.")
+            return False
+        self._toast.warn(
+            f"{name} cannot be shown in {self._files.name} as it is now. "
+            f"Its unsaved text was put into {where}."
+        )
+        return True

@@ -1,0 +1,120 @@
+"""The menus of the text: quick fixes (also behind the bulb), and what a right click offers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QApplication, QMenu, QToolButton
+
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.features.draw.source.editor import Editor
+from smsl_studio.studio.features.draw.source.repairs import TextRepair
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.draw.source.pane import SourcePane
+
+SIDE = 18
+
+
+class Bulb(QToolButton):
+    """Lies behind the caret's line while something there can be fixed."""
+
+    def __init__(self, editor: Editor) -> None:
+        super().__init__(editor.viewport())
+        self._editor = editor
+        self.setProperty("role", "small")
+        self.setFixedSize(SIDE + 2, SIDE)
+        self.setAccessibleName("Quick fixes")
+        editor.reshaped.connect(self._follow)
+        self.hide()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.setIcon(icon("bulb", tokens, colour=tokens.risk))
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """On paper of its own: a long line goes on below it."""
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self.palette().base())
+        painter.end()
+        super().paintEvent(event)
+
+    def show_for(self, repairs: Sequence[TextRepair]) -> None:
+        """Show it if there is something to fix, and say what."""
+        self.setVisible(bool(repairs))
+        if repairs:
+            self.setToolTip(tip_text("\n".join((*(one.words for one in repairs), "(Ctrl+.)"))))
+            self._place()
+
+    def _follow(self) -> None:
+        if self.isVisible():
+            self._place()
+
+    def _place(self) -> None:
+        """Behind the line; where that has no room, at the edge and a row above or below."""
+        editor, cursor = self._editor, self._editor.textCursor()
+        row = editor.cursorRect(cursor)
+        cursor.movePosition(cursor.MoveOperation.EndOfBlock)
+        left, edge = editor.cursorRect(cursor).right() + 8, editor.viewport().width() - self.width()
+        top = row.center().y() - SIDE // 2
+        if left > edge - 2:
+            left, top = edge - 2, top + (row.height() if top < row.height() else -row.height())
+        self.move(left, top)
+
+
+def repair_menu(pane: SourcePane, repairs: Sequence[TextRepair]) -> QMenu:
+    """A menu of fixes."""
+    menu = _passing(pane)
+    _add_repairs(menu, repairs)
+    return menu
+
+
+def text_menu(pane: SourcePane, repairs: Sequence[TextRepair], at: QPoint) -> QMenu:
+    """The menu at the pointer."""
+    editor, menu = pane.editor, _passing(pane)
+    _add_repairs(menu, repairs)
+    if repairs:
+        menu.addSeparator()
+    marked, free = editor.textCursor().hasSelection(), not editor.isReadOnly()
+    pasted = QApplication.clipboard().mimeData()
+    place = editor.place_of(editor.cursorForPosition(at))
+    leads = pane.elements.definition(*place) is not None
+    for words, call, enabled in (
+        ("Cut", editor.cut, marked and free),
+        ("Copy", editor.copy, marked),
+        ("Paste", editor.paste, free and editor.canInsertFromMimeData(pasted)),
+        ("Select all", editor.selectAll, True),
+        ("", None, False),
+        (
+            "Go to what this stands for",
+            lambda: pane.pointing.jump_from(*place),
+            leads,
+        ),
+        ("Fold", lambda: pane.folding.fold_line(place[0]), pane.folding.can_fold(place[0])),
+        ("Fold every State Branch", pane.folding.fold_all, True),
+        ("Unfold everything", pane.folding.unfold_all, bool(editor.folds.all)),
+        ("", None, False),
+        ("Find…", lambda: pane.find_bar.open_bar(False), True),
+        ("Replace…", lambda: pane.find_bar.open_bar(True), free),
+    ):
+        if call is None:
+            menu.addSeparator()
+        else:
+            menu.addAction(words, call).setEnabled(enabled)
+    return menu
+
+
+def _add_repairs(menu: QMenu, repairs: Sequence[TextRepair]) -> None:
+    for repair in repairs:
+        menu.addAction(as_it_is(repair.words), repair.apply)
+
+
+def _passing(pane: SourcePane) -> QMenu:
+    menu = QMenu(pane)
+    menu.aboutToHide.connect(menu.deleteLater)
+    return menu

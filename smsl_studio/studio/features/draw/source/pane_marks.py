@@ -1,0 +1,87 @@
+"""Marking: what is selected, what is found and what is wrong, shown in one pane's text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import ReadError
+from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.source import marks
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.draw.source.pane import SourcePane
+
+MOST_BANDS = 4000
+
+
+class PaneMarks:
+    """Keeps the bands and wavy lines of a pane's text, and the marks of its gutter."""
+
+    def __init__(self, pane: SourcePane, session: Session) -> None:
+        self._pane, self._session = pane, session
+        self._findings: tuple[Finding, ...] = ()
+        self.active: tuple[Address, ...] = ()
+
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """Underline what findings are about, and mark their lines."""
+        self._findings = tuple(findings)
+        self.mark()
+
+    def set_active(self, addresses: Iterable[Address]) -> None:
+        """Light the lines of what is active in a run."""
+        found = tuple(addresses)
+        if found != self.active:
+            self.active = found
+            self.mark()
+
+    def faults_here(self) -> tuple[ReadError, ...]:
+        """The faults of the text that is shown, as it is shown."""
+        broken = self._session.broken
+        if broken is None or broken.file != self._pane.file:
+            return ()
+        return broken.error.faults if broken.text == self._pane.editor.sheet.text else ()
+
+    def findings_here(self) -> tuple[Finding, ...]:
+        """The findings of the text that is shown, where it reads and is the one inspected."""
+        broken = self._session.broken
+        if (broken is not None and broken.file == self._pane.file) or not self._pane.elements.exact:
+            return ()
+        return tuple(one for one in self._findings if one.places_in(self._pane.file))
+
+    def mark(self) -> None:
+        """Draw bands and wavy lines anew; while one types the old ones move with the text."""
+        pane, editor = self._pane, self._pane.editor
+        if not pane.isVisible() or not pane.current or pane.typing.pending:
+            return
+        findings, faults = self.findings_here(), self.faults_here()
+        selected, active = self.lines_of_selection(), self._lines_of(self.active)
+        editor.gutter.marks = marks.by_line(editor.sheet, findings, faults, pane.file)
+        editor.gutter.banded, editor.gutter.active = frozenset(selected), frozenset(active)
+        colour = editor.tokens.accs
+        editor.setExtraSelections([
+            *(marks.band(editor, line, colour) for line in sorted({*selected, *active})),
+            *marks.of_findings(editor, findings, pane.file),
+            *marks.of_faults(editor, faults),
+            *marks.of_matches(editor, pane.find_bar.found.matches),
+        ])  # fmt: skip
+        editor.gutter.update()
+        pane.repairing.show_bulb()
+
+    def lines_of_selection(self) -> set[int]:
+        """The lines in which the selected elements are written."""
+        return self._lines_of(self._session.selection)
+
+    def _lines_of(self, addresses: Sequence[Address]) -> set[int]:
+        found: set[int] = set()
+        home, file = self._session.blueprint.home, self._pane.file
+        here = [one for one in addresses[:50] if home(one.branch).file == file]
+        elements = self._pane.elements
+        for address in here:
+            lines = elements.lines_of(address)
+            if lines is not None:
+                last = min(lines.last, lines.first + MOST_BANDS)
+                found.update(range(lines.first, last + 1))
+        return found

@@ -1,0 +1,112 @@
+"""Tidings of the inspection: everything in the window that shows findings hears of them here.
+
+A text that does not read has no findings; its faults are told in their place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import PurePath
+from typing import Protocol
+
+from PySide6.QtCore import QObject
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.inspection.rules.finding import Finding
+from smsl_studio.studio.base.words import faults_of, tally, worst
+from smsl_studio.studio.document.broken import Broken
+from smsl_studio.studio.document.inspector import Inspector
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
+from smsl_studio.studio.features.draw.panels.findings import Findings
+from smsl_studio.studio.shell.frame.status_line import StatusLine
+
+EMPTY = "R03"
+"""The rule that finds SBs without states."""
+
+
+class Marked(Protocol):
+    """What marks the elements that it shows with their findings."""
+
+    def set_findings(self, findings: Sequence[Finding]) -> None: ...
+
+
+class Tidings(QObject):
+    """Hands findings on to the list, the canvas, the status line and whatever marks elements."""
+
+    def __init__(
+        self,
+        session: Session,
+        inspector: Inspector,
+        findings: Findings,
+        editor: CanvasEditor,
+        line: StatusLine,
+        marked: Sequence[Marked],
+        then: Callable[[], object],
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._findings, self._editor, self._line = findings, editor, line
+        self._marked, self._then = tuple(marked), then
+        inspector.started.connect(self._checking)
+        inspector.found.connect(self._found)
+        session.opened.connect(self._opened)
+        session.broken_changed.connect(self._broken)
+        self._salvaged: Blueprint | None = None
+        self._inspector = inspector
+
+    def forget(self) -> None:
+        """Another file was opened: what was found in the last one says nothing about it."""
+        for part in self._marked:
+            part.set_findings(())
+        self._findings.forget()
+        self._editor.set_findings({})
+        self._line.show_findings("checking")
+
+    def _opened(self) -> None:
+        """Of a file that was opened broken, the blueprint is what could be read of it."""
+        self._salvaged = self._session.blueprint if self._session.broken is not None else None
+
+    def _broken(self) -> None:
+        broken = self._session.broken
+        self._findings.set_broken(broken)
+        self._editor.canvas.show_banner(self._said(broken))
+        if broken is not None:
+            self._line.show_findings(faults_of(broken))
+        elif self._inspector.current:
+            self._line.show_findings(self._told(self._findings.findings))
+        else:
+            self._line.show_findings("checking")
+
+    def _said(self, broken: Broken | None) -> str:
+        """What the canvas says of the drawing beside a text that does not read."""
+        if broken is None:
+            return ""
+        shown = self._session.blueprint
+        drawn = "Drawn is the last one that read."
+        if shown is self._salvaged:
+            drawn = "Drawn is what could be read." if len(shown) else "Nothing of it can be drawn."
+        return f"The text of {PurePath(broken.file).name} does not read. {drawn}"
+
+    def _checking(self) -> None:
+        self._findings.set_checking()
+
+    def _found(self, findings: tuple[Finding, ...]) -> None:
+        if self._session.broken is not None and self._session.blueprint is self._salvaged:
+            # What could not be read is missing in it: that is no finding, and no fix is one.
+            findings = ()
+        if not self._session.blueprint.state_count:
+            # Whoever has just begun has made no mistake, and nothing is there to be approved.
+            findings = tuple(finding for finding in findings if finding.rule != EMPTY)
+        for part in (self._findings, *self._marked):
+            part.set_findings(findings)
+        self._editor.set_findings(worst(findings))
+        if self._session.broken is None:
+            self._line.show_findings(self._told(findings))
+        self._then()
+
+    def _told(self, findings: Sequence[Finding]) -> str:
+        """What the findings come to; that nothing was found is not said of nothing."""
+        nothing = "no findings" if self._session.blueprint.state_count else "nothing to check"
+        return tally(findings) or nothing

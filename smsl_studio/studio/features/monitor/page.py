@@ -1,0 +1,213 @@
+"""The monitor page: a window of its own beside the run, which never asks and never hides it."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidget
+
+from smsl_studio.monitor.disturbance import NONE
+from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.regulation import Commanded, Disturbed, FaultInjected
+from smsl_studio.studio.base.controls import Elided, label, row, rule
+from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.rows import RowsView
+from smsl_studio.studio.base.screens import open_at
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.features.monitor.checks import Checks
+from smsl_studio.studio.features.monitor.disturb_bar import KINDS, DisturbBar
+from smsl_studio.studio.features.monitor.estimates import Estimates
+from smsl_studio.studio.features.monitor.fault_bar import FaultBar
+from smsl_studio.studio.features.monitor.network import network_rows
+from smsl_studio.studio.features.monitor.rows import MonitorRow, monitor_rows, of_lost, summary
+from smsl_studio.studio.features.monitor.table import MonitorTable
+from smsl_studio.studio.running.frames import head, panel, split
+from smsl_studio.studio.running.phase_badge import PhaseBadge
+from smsl_studio.studio.running.phases import phase_words
+from smsl_studio.studio.running.run_session import RunSession
+
+SIZE = 1240, 720
+SIDE = 330
+EMPTY = (
+    "Starts with the run. Every sensor of every fact stands here then: what it reads, "
+    "how old that is, and who says otherwise."
+)
+
+
+class MonitorPage(QDialog):
+    """Non-modal. It follows the run of its window, whichever that is."""
+
+    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowFlag(Qt.WindowType.WindowMaximizeButtonHint, True)
+        self.setWindowTitle("Monitor")
+        self._run = run
+        self._estimates = Estimates()
+        self._disturbed: dict[str, dict[str, str]] = {}
+        self._build(tokens)
+        self.set_tokens(tokens)
+        open_at(self, *SIZE)
+        run.changed.connect(self.refresh)
+        run.opened.connect(self._new_run)
+        run.events_told.connect(self._hear)
+
+    def _build(self, tokens: Tokens) -> None:
+        self.words, self._refusal = Elided(), label("", "refusal")
+        self._refusal.setWordWrap(False)
+        self._time = label("", "second")
+        self.table = MonitorTable(tokens)
+        self.network = RowsView(tokens)
+        self.network.setAccessibleName("Nodes and broker")
+        self.network.setSelectionMode(RowsView.SelectionMode.NoSelection)
+        self.checks = Checks(tokens)
+        self.bar, self.faults = DisturbBar(), FaultBar()
+        empty = label(EMPTY, "hint")
+        empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        empty.setContentsMargins(48, 0, 48, 0)
+        self._pages = QStackedWidget()
+        self._pages.addWidget(self.table)
+        self._pages.addWidget(empty)
+        self.table.row_chosen.connect(lambda _: self._show_bar())
+        self.table.disturb_wanted.connect(self._open_menu)
+        self.bar.wanted.connect(self._disturb)
+        self.faults.wanted.connect(self._inject)
+        # It may lie over the window: so it has a Stop of its own, alike in size, words and key.
+        self.phase, self.stop = PhaseBadge(), KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
+        self.stop.setToolTip("A controlled stop, at any time (F8)")
+        self.stop.clicked.connect(self._run.stop)
+        top = row(self.words, self._refusal, self._time, self.phase, self.stop)
+        top.setContentsMargins(12, 8, 12, 8)
+        left = QWidget()
+        left.setProperty("role", "panel")
+        left.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        column = QVBoxLayout(left)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for part in (self._pages, rule(), self.bar, rule(), self.faults):
+            column.addWidget(part, 1 if part is self._pages else 0)
+        side = split(
+            Qt.Orientation.Vertical,
+            (panel(self.network), panel(head("State checks"), self.checks)),
+            (250, 400),
+            (2, 3),
+        )
+        side.setMinimumWidth(180)
+        across = split(Qt.Orientation.Horizontal, (left, side), (SIZE[0] - SIDE, SIDE), (1, 0))
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addLayout(top)
+        whole.addWidget(rule())
+        whole.addWidget(across, 1)
+
+    # What is shown.
+
+    @property
+    def rows(self) -> tuple[MonitorRow, ...]:
+        """The rows of the table."""
+        return self.table.model_of_rows.rows
+
+    def refresh(self) -> None:
+        """Show how the run stands now; nothing is worked out while nobody looks."""
+        if not self.isVisible():
+            return
+        run = self._run
+        self.phase.show_phase(*phase_words(run.phase), run.sentence)
+        for part in (self.phase, self.stop):
+            part.setVisible(run.exists)
+        status, blueprint = run.status, run.blueprint
+        if status is None or blueprint is None or not status.configuration:
+            self._show_nothing()
+            return
+        if run.phase == "failed":
+            status = of_lost(status)
+        estimates = self._estimates.of(blueprint, status)
+        rows = monitor_rows(blueprint, status, estimates, self._kinds())
+        self._pages.setCurrentIndex(0)
+        self.table.show_rows(rows)
+        self.checks.show_checks(blueprint, status, estimates)
+        self._show_network()
+        over = "" if run.exists else ". The run is over; this is how it ended"
+        self.words.setText(f"{summary(rows)}{over}")
+        self._time.setText(f"at {status.time:.1f} s")
+        self._show_bar()
+
+    def _show_nothing(self) -> None:
+        self._pages.setCurrentIndex(1)
+        self.table.show_rows(())
+        self.checks.show_checks(None, None, {})
+        self._show_network()
+        self.words.setText("Opening the world" if self._run.exists else "No run")
+        self._time.setText("")
+        self._show_bar()
+
+    def _show_network(self) -> None:
+        run = self._run
+        world = run.choice.world if run.choice else ""
+        rows = network_rows(world, run.exists, run.sensors, run.remote())
+        self.network.show_rows(rows)
+
+    def _show_bar(self) -> None:
+        self.bar.show_row(self.table.chosen, self._run.exists)
+        self.faults.show_faults(self._run.faults, self._run.exists)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+        for part in (self.table, self.network, self.checks, self.stop):
+            part.set_tokens(tokens)
+        self.refresh()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.refresh()
+        self.table.setFocus()
+
+    # Disturbing.
+
+    def _kinds(self) -> dict[str, str]:
+        return {name: ", ".join(kinds) for name, kinds in self._disturbed.items() if kinds}
+
+    def _new_run(self) -> None:
+        self._disturbed.clear()
+        self._refusal.setText("")
+        self.refresh()
+
+    def _hear(self, events: tuple[Event, ...]) -> None:
+        for event in events:
+            if isinstance(event, Disturbed):
+                for sensor in event.sensors:
+                    kinds = self._disturbed.setdefault(sensor, {})
+                    if event.kind == NONE:
+                        kinds.clear()
+                    else:
+                        kinds[event.kind] = event.kind
+            elif isinstance(event, Commanded) and event.command == "disturb":
+                self._refusal.setText(capital(event.refused))
+            elif isinstance(event, FaultInjected):
+                self.faults.tell(event.fault, event.t)
+            elif isinstance(event, Commanded) and event.command == "inject":
+                self.faults.refuse(capital(event.refused))
+
+    def _disturb(self, sensor: str, kind: str, parameters: dict[str, float | str]) -> None:
+        self._run.disturb(sensor, kind, **parameters)
+
+    def _inject(self, fault: str, parameters: dict[str, float | str]) -> None:
+        self._run.inject(fault, **parameters)
+
+    def _open_menu(self, chosen: MonitorRow, at: QPoint) -> None:
+        """Every disturbance as it is by default; the line below has the parameters."""
+        if not chosen.sensor or not self._run.exists:
+            return
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for name, kind in KINDS.items():
+            action = menu.addAction(kind.words, partial(self._disturb, chosen.sensor, name, {}))
+            action.setToolTip(tip_text(kind.tip))
+        menu.addSeparator()
+        menu.addAction("End all", partial(self._disturb, chosen.sensor, NONE, {}))
+        menu.popup(at)

@@ -1,0 +1,29 @@
+"""The rows about people in the Run menu: who works here, how far they lead, what they are asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from smsl_studio.studio.base.actions import Action
+
+
+class PeopleActions(Protocol):
+    """What actions ask of the people of a window."""
+
+    def has_task(self) -> bool: ...
+    def may_edit_levels(self) -> bool: ...
+    def edit_persons(self) -> None: ...
+    def edit_levels(self) -> None: ...
+
+
+def people_actions(people: PeopleActions, open_task: Callable[[], object]) -> tuple[Action, ...]:
+    return (
+        Action("open_task", "Show the open task", open_task, "Run", "hand", ("F4",),
+               people.has_task, section=3, tip="Show in Supervise what people are asked"),
+        Action("levels", "Edit levels…", people.edit_levels, "Run", "shared", (),
+               people.may_edit_levels, section=3,
+               tip="Who does, senses, inspects and supervises, before a run"),
+        Action("persons", "Persons…", people.edit_persons, "Run", "person", (), section=3,
+               tip="Who works at this window; the record of a run has their names"),
+    )  # fmt: skip

@@ -1,0 +1,94 @@
+"""The lower part of a card: who answers, why not yet, and the one button that decides."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.lines.line import Sentence
+from smsl_studio.studio.base.theme import CONTROL_DECISION
+from smsl_studio.studio.features.people.card_view import CardView, OptionView
+from smsl_studio.studio.features.people.who import Who
+from smsl_studio.studio.running.persons import Persons
+
+CHOOSE, WHO, PIN = "Choose an answer", "Say who you are", "Type your PIN"
+
+
+class Decide(QPushButton):
+    """Enter decides once; a key that is held down does not decide twice."""
+
+    def sizeHint(self) -> QSize:
+        return QSize(super().sizeHint().width(), CONTROL_DECISION)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            if not event.isAutoRepeat():
+                self.click()
+            return
+        super().keyPressEvent(event)
+
+
+class AnswerPart(QWidget):
+    """Says what is missing for an answer, and gives it when nothing is."""
+
+    decided = Signal()
+
+    def __init__(self, persons: Persons) -> None:
+        super().__init__()
+        self.who = Who(persons)
+        self.objection = Sentence("hint")
+        self.refusal = Sentence("refusal")
+        self.button = Decide(CHOOSE)
+        self.button.setProperty("role", "primary")
+        self.button.setEnabled(False)
+        self.sentence = label("", "hint")
+        self._persons = persons
+        self.enter = QPushButton("Enter who works here…")
+        self.enter.setToolTip("Nobody is known yet: name, role and PIN of who answers")
+        self.enter.clicked.connect(self.who.edit_wanted)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(8)
+        for part in (
+            self.who,
+            self.objection,
+            self.enter,
+            self.refusal,
+            self.button,
+            self.sentence,
+        ):
+            column.addWidget(part)
+        self.button.clicked.connect(self.decided)
+        self.who.pin.returnPressed.connect(self._pin_typed)
+
+    def show_card(self, card: CardView, chosen: OptionView | None, refusal: str) -> None:
+        """What stands below the answers of this card while ``chosen`` is marked."""
+        self.sentence.setText(card.sentence)
+        self.objection.say(card.objection)
+        self.enter.setVisible(not self._persons.all)
+        self.refusal.say(refusal)
+        ready, words = self._state(card, chosen)
+        self.button.setEnabled(ready)
+        self.button.setText(words)
+        self.button.setAccessibleName(plain_text(words))
+
+    def _state(self, card: CardView, chosen: OptionView | None) -> tuple[bool, str]:
+        if self.who.person is None:
+            return False, WHO
+        if chosen is None or card.objection:
+            return False, CHOOSE
+        if not self.who.opens():
+            return False, PIN
+        return True, f"{_short(chosen.words)}: press Enter"
+
+    def _pin_typed(self) -> None:
+        """Enter in the PIN leads to the button: one Enter more decides."""
+        if self.button.isEnabled():
+            self.button.setFocus()
+
+
+def _short(words: str) -> str:
+    return words if len(words) <= 28 else f"{words[:27].rstrip()}…"

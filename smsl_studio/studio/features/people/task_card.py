@@ -1,0 +1,258 @@
+"""The task card: what people are asked while a run waits, and how it ended.
+
+Without a task and without an outcome to read it takes no space. One answer takes two acts: an
+option is chosen (a click, or its letter), and Enter or the button decides.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QLineEdit,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.dispatch.people.task import Task
+from smsl_studio.runlog.events import Event
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.room import Room
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.features.people.answer_part import AnswerPart
+from smsl_studio.studio.features.people.answers import Answers
+from smsl_studio.studio.features.people.card_head import CardHead
+from smsl_studio.studio.features.people.card_view import CardView, card_view
+from smsl_studio.studio.features.people.option_row import OptionRow
+from smsl_studio.studio.features.people.outcome_lines import OutcomeLines
+from smsl_studio.studio.features.people.outcomes import Outcomes
+from smsl_studio.studio.features.people.places import PersonPlaces
+from smsl_studio.studio.running.persons import Persons
+from smsl_studio.studio.running.run_session import RunSession
+
+PAD = 14
+
+
+class TaskCard(QWidget):
+    """One open task at a time, the one that ends first; below it how others ended."""
+
+    answered = Signal(str, str, str, str)
+    """(task, option, name, role): a person decided."""
+    changed = Signal()
+    """Another task, another time, or the card came into view or went out of it."""
+    persons_wanted = Signal()
+    """The persons of this window shall be edited."""
+
+    def __init__(self, persons: Persons, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.tasks: tuple[Task, ...] = ()
+        self._time = 0.0
+        self._shown = ""
+        self.outcomes = Outcomes()
+        self._build(persons, tokens)
+        self.answer.who.changed.connect(self._refresh)
+        self.answer.who.edit_wanted.connect(self.persons_wanted)
+        self.answer.decided.connect(self._decide)
+        self.answers.changed.connect(self._refresh)
+        self.answers.settled.connect(self._lead_to_button)
+        self.head.turned.connect(self._turn)
+        self._refresh()
+
+    def follow(self, run: RunSession) -> None:
+        """Show the tasks of this run, and answer them there."""
+
+        def look() -> None:
+            status = run.status
+            if status is None:
+                self.forget()
+            self.show_tasks(status.tasks if status and run.exists else (), run.story.time)
+
+        run.changed.connect(look)
+        run.events_told.connect(self.tell)
+        self.answered.connect(run.answer)
+        look()
+
+    # What is shown.
+
+    @property
+    def card(self) -> CardView | None:
+        """What the card says now; None where nobody is asked anything."""
+        task = self._task()
+        if task is None:
+            return None
+        person = self.answer.who.person
+        name, role = (person.name, person.role) if person else ("", "")
+        return card_view(task, self._time, name, role)
+
+    @property
+    def options(self) -> tuple[OptionRow, ...]:
+        """The rows of the answers, in order."""
+        return tuple(self.answers.rows)
+
+    def show_tasks(self, tasks: tuple[Task, ...], time: float) -> None:
+        """The open tasks at a simulated time."""
+        self.tasks, self._time = tasks, time
+        self.outcomes.see(tasks)
+        self._refresh()
+
+    def tell(self, events: tuple[Event, ...]) -> None:
+        """Take in what happened: answers that do not count, tasks that are over."""
+        self.outcomes.tell(events)
+        self._refresh()
+
+    def forget(self) -> None:
+        """Another run: nothing of the old one is shown."""
+        self.outcomes.clear()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for part in (self.head, self.answers, self._places, self.lines):
+            part.set_tokens(tokens)
+
+    def take_focus(self) -> None:
+        """Have the keys act on the card, with no answer chosen; who may not answer here is
+        led to the choice of persons."""
+        card = self.card
+        if card is not None and (card.objection or self.answer.who.person is None):
+            self.answer.who.choice.setFocus()
+        else:
+            self.answers.take_focus()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.changed.emit()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.changed.emit()
+
+    # Building.
+
+    def _build(self, persons: Persons, tokens: Tokens) -> None:
+        self.frame = QFrame()
+        self.frame.setObjectName("taskCard")
+        self.head, self.answers = CardHead(tokens), Answers(tokens)
+        self._places, self.lines = PersonPlaces(tokens), OutcomeLines(tokens)
+        self.lines.dismissed.connect(self._dismiss)
+        self.answer = AnswerPart(persons)
+        self._question, self._detail = label("", "question"), label("", "small")
+        inner = QWidget()
+        asked = QVBoxLayout(inner)
+        asked.setContentsMargins(PAD, 12, PAD, 4)
+        asked.setSpacing(6)
+        for text in (self._question, self._detail):
+            text.setWordWrap(True)
+            asked.addWidget(text)
+        asked.addSpacing(4)
+        asked.addWidget(self.answers)
+        self._room = Room(inner)
+        below = QVBoxLayout()
+        below.setContentsMargins(PAD, 6, PAD, 12)
+        below.setSpacing(10)
+        below.addWidget(self._places)
+        below.addWidget(self.answer)
+        column = QVBoxLayout(self.frame)
+        column.setContentsMargins(1, 1, 1, 1)
+        column.setSpacing(0)
+        column.addWidget(self.head)
+        column.addWidget(self._room, 1)
+        column.addLayout(below)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(8)
+        whole.addWidget(self.frame, 1)
+        whole.addWidget(self.lines)
+        self.setAccessibleName("Task")
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+
+    # How it goes on.
+
+    def _task(self) -> Task | None:
+        shown = next((task for task in self.tasks if task.name == self._shown), None)
+        return shown or min(self.tasks, key=lambda task: task.deadline, default=None)
+
+    def _turn(self, by: int) -> None:
+        names = [task.name for task in self.tasks]
+        if self._shown in names:
+            self._show(names[(names.index(self._shown) + by) % len(names)])
+
+    def _show(self, name: str) -> None:
+        """Another task: no answer is chosen, and the first asked is who works here."""
+        self._shown = name
+        self.answer.who.start_with_me()
+        card = self.card
+        self.answers.put(card.options if card else ())
+        self._refresh()
+
+    def _refresh(self) -> None:
+        task = self._task()
+        name = task.name if task else ""
+        if name != self._shown:
+            self._show(name)
+            return
+        card = self.card
+        self.frame.setVisible(card is not None)
+        self.lines.show_lines(self.outcomes.lines)
+        self.setVisible(card is not None or bool(self.outcomes.lines))
+        self.changed.emit()
+        if card is None:
+            return
+        at = [task.name for task in self.tasks].index(self._shown)
+        self.head.show_card(card, at + 1, len(self.tasks))
+        self._question.setText(card.question)
+        self._detail.setText(card.detail)
+        self._detail.setVisible(bool(card.detail))
+        self._places.show_persons(card.persons)
+        self._places.setVisible(len(card.persons) > 1 or card.persons[0].place != "Anybody")
+        self.answers.open(not card.objection)
+        self.answer.show_card(card, self.answers.chosen, self.outcomes.refusals.get(name, ""))
+
+    def _lead_to_button(self) -> None:
+        """The keys go to the button that decides, or to the PIN that is still to be typed; a tall
+        card is scrolled so that it is seen."""
+        button, above = self.answer.button, self.parentWidget()
+        who = self.answer.who
+        (who.pin if who.has_pin and not who.opens() else button).setFocus()
+        while above is not None:
+            if isinstance(above, QScrollArea):
+                above.ensureWidgetVisible(button)
+            above = above.parentWidget()
+
+    def _decide(self) -> None:
+        card, chosen, person = self.card, self.answers.chosen, self.answer.who.person
+        if card is None or chosen is None or person is None or not self.answer.button.isEnabled():
+            return
+        # What was said is seen by nobody who answers after.
+        self.answers.clear()
+        if len(card.persons) > 1:
+            self.answer.who.ask_again()
+        self.answer.who.pin.clear()
+        self.answered.emit(card.task, chosen.value, person.name, person.role)
+        # A disabled button would hand its focus on to the choice of persons, and letters with it.
+        self.setFocus()
+        self._refresh()
+
+    def _dismiss(self, line: object) -> None:
+        self.outcomes.lines = tuple(one for one in self.outcomes.lines if one != line)
+        self._refresh()
+
+    # Keys.
+
+    def press_letter(self, letter: str) -> bool:
+        """Choose the answer of a letter; whether there is one. It decides nothing yet."""
+        return self.answers.press(letter)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.answers.chosen is not None:
+            self.answers.clear()
+            return
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            # What is around the card would press the button to which this very key has led.
+            return
+        typing = isinstance(QApplication.focusWidget(), QLineEdit)
+        plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+        if not typing and plain and self.press_letter(event.text()):
+            return
+        super().keyPressEvent(event)

@@ -1,0 +1,135 @@
+"""A recorded run, opened: its log, whether that verifies, and the blueprint it is a run of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from smsl_studio import front
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import ReadError, StudioError
+from smsl_studio.runlog.events import RunStarted
+from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
+from smsl_studio.runlog.log import FORMAT
+from smsl_studio.runlog.playback import Playback
+from smsl_studio.smsl.forms import SUFFIXES
+from smsl_studio.smsl.inputs import read_ordinary
+from smsl_studio.studio.features.replay.as_status import as_status
+from smsl_studio.studio.features.replay.whole_story import WholeStory
+from smsl_studio.studio.running.lanes import Lane, lanes
+
+SUFFIX = ".jsonl"
+_FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
+READ, FOLDED, TOLD = 0.5, 0.75, 0.95
+"""Shares of the time it takes until a log is read, folded and told as a story."""
+ANOTHER = "It was recorded with another version of this blueprint"
+NO_BLUEPRINT = "Open the blueprint of this run first, then the recording again."
+
+
+def _nobody(share: float) -> None:
+    """Nobody waits."""
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A log that was read. ``differs`` says that ``blueprint`` is not the one that was run."""
+
+    path: Path
+    run: LoggedRun
+    retelling: Playback
+    blueprint: Blueprint
+    differs: bool
+    whole: WholeStory
+    lanes: tuple[Lane, ...]
+
+    @property
+    def doubt(self) -> str:
+        """Why the log does not verify; empty where it does."""
+        return str(self.run.doubt.sentence) if self.run.doubt is not None else ""
+
+    def asked(self, key: str) -> Any:
+        """What the header says; None where it says nothing."""
+        return self.run.header.get(key)
+
+
+def is_recording(path: Path) -> bool:
+    """Whether a file is a run log, by how it begins; false where it cannot be read."""
+    try:
+        return read_ordinary(path, len(_FIRST)).raw.startswith(_FIRST)
+    except (OSError, ValueError):
+        return False
+
+
+def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Recording:
+    """Read a log and find its blueprint: the one that is drawn, else where it was, else beside it.
+
+    ReadError where it is no log, or no blueprint is found that has the states it tells of.
+    ``going`` hears how far it is (0 to 1); what it raises is raised here, so that it can be given
+    up.
+    """
+    run = read_log(path, lambda share: going(share * READ))
+    started = next((event for event in run.events if isinstance(event, RunStarted)), None)
+    behaviour = _behaviour(run, started)
+    found = [one for one in _candidates(path, run, drawn) if _fits(one, started)]
+    same = next((one for one in found if one.behaviour == behaviour), None)
+    blueprint = same or next(iter(found), None)
+    if blueprint is None:
+        name = Path(str(run.header.get("file", ""))).name or "its blueprint"
+        raise ReadError(f"{name}, of which this is a run, is not found", advice=NO_BLUEPRINT)
+    events, by_hand = run.events, run.header.get("by_hand") is True
+    count, share = max(len(events), 1), FOLDED - READ
+    retelling = Playback(events, by_hand, lambda told: going(READ + share * told / count))
+    whole = WholeStory(retelling)
+    going(TOLD)
+    over = replace(as_status(blueprint, retelling.at(0)), running=None, running_since=None)
+    rows = lanes(blueprint, over, whole.story)
+    return Recording(path, run, retelling, blueprint, same is None, whole, rows)
+
+
+def recordings_in(folder: Path, most: int = 30) -> tuple[Path, ...]:
+    """The newest recordings of a folder, newest first."""
+    dated = []
+    for path in folder.glob(f"*{SUFFIX}"):
+        with suppress(OSError):  # a link to nothing, or gone by now
+            dated.append((path.stat().st_mtime, path))
+    return tuple(path for _, path in sorted(dated, reverse=True)[:most])
+
+
+def recording_words(path: Path) -> str:
+    """A recording in a menu: its name, and when it was made."""
+    made = datetime.fromtimestamp(path.stat().st_mtime)
+    return f"{path.stem}  ({made:%d %b %H:%M})"
+
+
+def _behaviour(run: LoggedRun, started: RunStarted | None) -> str:
+    digests = run.header.get("digests")
+    said = digests.get("behaviour") if isinstance(digests, dict) else None
+    return started.behaviour if started is not None else str(said or "")
+
+
+def _candidates(path: Path, run: LoggedRun, drawn: Blueprint) -> Iterable[Blueprint]:
+    yield drawn
+    said = run.header.get("file")
+    if not isinstance(said, str) or not said:
+        return
+    for place in (Path(said), path.parent / Path(said).name):
+        if place.suffix.lower() not in SUFFIXES:
+            continue  # A log comes from anybody, and may name any file.
+        try:
+            yield front.read(place)
+        except StudioError:
+            continue
+
+
+def _fits(blueprint: Blueprint, started: RunStarted | None) -> bool:
+    """Whether a blueprint has the states in which the run began."""
+    if started is None:
+        return bool(blueprint.state_count)
+    return all(
+        name in blueprint.branches and state in blueprint[name].table
+        for name, state in started.start.items()
+    )

@@ -1,0 +1,167 @@
+"""One recorded run being shown: which moment, whether it plays, how fast. It commands nothing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from time import monotonic
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.runlog.retold import Retold
+from smsl_studio.studio.features.replay.as_status import as_status
+from smsl_studio.studio.features.replay.recorded_run import Recording
+from smsl_studio.studio.features.replay.whole_story import WholeStory
+from smsl_studio.studio.running.story import Story
+
+FRAME = 33
+"""Milliseconds between two moments while it plays."""
+
+
+class Replay(QObject):
+    """Reads like a run (see ``ShownRun``) of which nothing can be commanded.
+
+    ``index`` is how many events have happened, ``time`` the simulated seconds that are shown: while
+    it plays they go on between two events as well.
+    """
+
+    changed = Signal()
+    """Another moment is shown, or another recording."""
+    opened = Signal()
+    """Another recording is shown, from its beginning; or none."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.recording: Recording | None = None
+        self.told = Retold()
+        self.status: DispatchStatus | None = None
+        self.story = Story()
+        self.time, self.speed = 0.0, 1.0
+        self._last = 0.0
+        self._clock = QTimer(self)
+        self._clock.setInterval(FRAME)
+        self._clock.timeout.connect(self._go_on)
+
+    @property
+    def blueprint(self) -> Blueprint | None:
+        return self.recording.blueprint if self.recording is not None else None
+
+    @property
+    def whole(self) -> WholeStory | None:
+        return self.recording.whole if self.recording is not None else None
+
+    @property
+    def shown(self) -> bool:
+        """Whether a recording is there."""
+        return self.recording is not None
+
+    @property
+    def foreign(self) -> bool:
+        """A replay has no drawing beside it but its own."""
+        return False
+
+    def is_another(self, drawn: Blueprint) -> bool:
+        """The same: what is shown is what was recorded."""
+        return False
+
+    @property
+    def exists(self) -> bool:
+        """Nothing that is over can be commanded."""
+        return False
+
+    @property
+    def phase(self) -> str:
+        return self.told.phase if self.recording is not None else ""
+
+    @property
+    def sentence(self) -> str:
+        return self.told.sentence
+
+    @property
+    def index(self) -> int:
+        return self.told.index
+
+    @property
+    def count(self) -> int:
+        return len(self.recording.retelling) if self.recording is not None else 0
+
+    @property
+    def end(self) -> float:
+        return self.recording.retelling.end if self.recording is not None else 0.0
+
+    @property
+    def playing(self) -> bool:
+        return self._clock.isActive()
+
+    def show(self, recording: Recording | None) -> None:
+        """Show another recording from where it begins; None: none."""
+        self._clock.stop()
+        self.recording = recording
+        self.told, self.status, self.story, self.time = Retold(), None, Story(), 0.0
+        self.opened.emit()
+        self.to_time(0.0)
+
+    def play(self) -> None:
+        """Go on; from the end it begins again."""
+        if self.recording is None:
+            return
+        if self.index >= self.count:
+            self.to_index(0)
+        self._last = monotonic()
+        self._clock.start()
+        self.changed.emit()
+
+    def pause(self) -> None:
+        self._clock.stop()
+        self.changed.emit()
+
+    def turn(self) -> None:
+        """Play where it rests, rest where it plays."""
+        if self.playing:
+            self.pause()
+        else:
+            self.play()
+
+    def step(self, events: int = 1) -> None:
+        """So many events on, or back; a replay that plays rests there."""
+        self._clock.stop()
+        self.to_index(self.index + events)
+
+    def to_index(self, index: int) -> None:
+        """Show the run after its first ``index`` events."""
+        if self.recording is not None:
+            told = self.recording.retelling.at(index)
+            self._show(told, told.time)
+
+    def to_time(self, time: float) -> None:
+        """Show the run at a simulated second."""
+        if self.recording is not None:
+            time = min(max(time, 0.0), self.end)
+            retelling = self.recording.retelling
+            self._show(retelling.at(retelling.index_at(time)), time)
+
+    def set_speed(self, speed: float) -> None:
+        """Simulated seconds per wall second."""
+        self.speed = speed
+
+    def _show(self, told: Retold, time: float) -> None:
+        assert self.recording is not None
+        assert self.whole is not None
+        if told.index != self.told.index or self.status is None:
+            self.told = told
+            self.status = as_status(self.recording.blueprint, told)
+            self.story = self.whole.until(told)
+        self.time = time
+        self.status = replace(self.status, time=max(time, told.time))
+        self.changed.emit()
+
+    def _go_on(self) -> None:
+        now = monotonic()
+        time = self.time + (now - self._last) * self.speed
+        self._last = now
+        if time >= self.end:
+            self._clock.stop()
+            self.to_index(self.count)
+        else:
+            self.to_time(time)

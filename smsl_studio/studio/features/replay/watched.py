@@ -1,0 +1,40 @@
+"""What the keys of a run reach: the run of the window, or the replay while that is shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from smsl_studio.studio.base.feature import RunActions
+from smsl_studio.studio.features.replay.replay import Replay
+
+
+class Watched:
+    """A transport: it asks of the replay what is asked while Replay mode is shown."""
+
+    def __init__(self, run: RunActions, replay: Replay, mode: Callable[[], str]) -> None:
+        self._run, self._replay, self._mode = run, replay, mode
+
+    @property
+    def _replays(self) -> bool:
+        return self._mode() == "replay"
+
+    def play(self) -> None:
+        if self._replays:
+            self._replay.turn()
+        else:
+            self._run.play()
+
+    def pause(self) -> None:
+        if self._replays:
+            self._replay.pause()
+        else:
+            self._run.pause()
+
+    def step(self) -> None:
+        if self._replays:
+            self._replay.step()
+        else:
+            self._run.step()
+
+    def show_monitor(self) -> None:
+        self._run.show_monitor()

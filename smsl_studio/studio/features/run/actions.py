@@ -1,0 +1,35 @@
+"""The Run menu."""
+
+from __future__ import annotations
+
+from smsl_studio.studio.base.actions import Action
+from smsl_studio.studio.base.feature import RunActions, Shell
+from smsl_studio.studio.shell.windows import Windows
+
+
+def run_actions(run: RunActions, windows: Windows, shell: Shell) -> tuple[Action, ...]:
+    def play() -> None:
+        watch()
+        run.play()
+
+    def step() -> None:
+        watch()
+        run.step()
+
+    def watch() -> None:
+        """Who supervises or watches a replay goes on with it; anybody else sees the run."""
+        if shell.mode not in ("supervise", "replay"):
+            shell.set_mode("run")
+
+    return (
+        Action("run_play", "Run", play, "Run", "play", ("F5",),
+               tip="Start the run, or go on with it"),
+        Action("run_pause", "Pause", run.pause, "Run", "pause", ("F6",)),
+        Action("run_step", "One operation", step, "Run", "step", ("F10",)),
+        Action("monitor", "Monitor", run.show_monitor, "View", "signal", ("Ctrl+M",), section=1,
+               tip="Every sensor, fact, node and state check of the run"),
+        Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
+               tip="A controlled stop, from anywhere"),
+        Action("reload_plugins", "Look for plugins again", windows.plugins.look_anew, "Run", "", (),
+               section=4, tip="Read edited and added plugins; a run always has them as they are"),
+    )  # fmt: skip

@@ -1,0 +1,79 @@
+"""The next run: what the transport's choices come to, and when they are those of the run shown."""
+
+from __future__ import annotations
+
+from smsl_studio import front
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.run.transport import Transport
+from smsl_studio.studio.running import view
+from smsl_studio.studio.running.next_levels import NextLevels
+from smsl_studio.studio.running.run_session import RunChoice, RunSession
+
+Wanted = tuple[Blueprint, str, int, Loaded]
+
+
+class NextRun:
+    """Fills the choices of ``transport`` from the drawing, and reads them.
+
+    While a run exists, and while the results of another version than the drawing are shown, the
+    choices are those of that run and cannot be changed. ``loaded`` are the plugins as they were
+    found last; None while nobody knows.
+    """
+
+    def __init__(
+        self, session: Session, run: RunSession, transport: Transport, levels: NextLevels
+    ) -> None:
+        self._session, self._run, self._transport, self._levels = session, run, transport, levels
+        self._offered = False
+        self.loaded: Loaded | None = None
+
+    @property
+    def wanted(self) -> Wanted | None:
+        """Blueprint, world, seed and plugins of the run that Play would begin; None where there is
+        none."""
+        world = self._transport.world.currentData()
+        if self._run.exists or self.loaded is None or self._session.broken is not None or not world:
+            return None
+        if self.is_fixed:
+            return None
+        seed = int(self._transport.seed.text() or 0)
+        return self._session.blueprint, world, seed, self.loaded
+
+    @property
+    def choice(self) -> RunChoice:
+        """What the next run is, as it is chosen now."""
+        transport = self._transport
+        return RunChoice(
+            world=transport.world.currentData(),
+            start=transport.start.currentData() or "",
+            goal=transport.goal.currentData() or "",
+            seed=int(transport.seed.text() or 0),
+            by_hand=transport.by_hand.isChecked(),
+            levels=self._levels.set,
+        )
+
+    @property
+    def is_fixed(self) -> bool:
+        """Whether the choices are those of the run that is shown."""
+        return self._run.exists or self._run.is_another(self._session.blueprint)
+
+    def forget_offer(self) -> None:
+        """Another drawing, or other plugins: what can be chosen is looked up anew."""
+        self._offered = False
+
+    def offer(self) -> None:
+        """Have the transport offer what fits: the drawing's choices, else those of the run."""
+        if self.is_fixed:
+            choice = self._run.choice
+            if choice is not None:
+                self._transport.show_choice(choice.world, choice.start, choice.goal, choice.seed)
+        elif not self._offered:
+            self._offered = True
+            blueprint = self._session.blueprint
+            starts, goals = view.choices(blueprint)
+            known = self.loaded is not None
+            worlds = front.worlds_for(blueprint, loaded=self.loaded) if known else ()
+            self._transport.offer(worlds, starts, goals)
+        self._transport.lock(self.is_fixed)

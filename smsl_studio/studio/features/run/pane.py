@@ -1,0 +1,392 @@
+"""The run pane: canvas, world, facts, what is possible now, and the timeline of one run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.errors import StudioError
+from smsl_studio.library.loading import Loaded
+from smsl_studio.runlog.events import Event, OperationRefused
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.tabs import Tabs
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.monitor.opener import MonitorOpener
+from smsl_studio.studio.features.run.camera import VIEWS
+from smsl_studio.studio.features.run.event_list import EventList
+from smsl_studio.studio.features.run.next_run import NextRun
+from smsl_studio.studio.features.run.possible_panel import PossiblePanel
+from smsl_studio.studio.features.run.transport import Transport
+from smsl_studio.studio.features.run.world_view import WorldView
+from smsl_studio.studio.running import decisions, view
+from smsl_studio.studio.running.facts_table import FactsTable, as_they_were
+from smsl_studio.studio.running.frames import (
+    head,
+    laid_over,
+    panel,
+    split,
+    tool,
+    tools_over,
+    words_over,
+)
+from smsl_studio.studio.running.lanes import lanes
+from smsl_studio.studio.running.next_levels import NextLevels
+from smsl_studio.studio.running.run_canvas import RunCanvas
+from smsl_studio.studio.running.run_session import RunSession
+from smsl_studio.studio.running.state_check import StateCheckView
+from smsl_studio.studio.running.status_words import Words, status_words
+from smsl_studio.studio.running.timeline import Timeline
+
+FACTS = 380
+"""The least width of the facts, so that their words are not cut."""
+FRAME = 33
+"""Milliseconds between two pictures of the world."""
+
+
+class RunPane(QWidget):
+    """The body of Run mode. ``transport`` is a row for the mode bar.
+
+    ``play``, ``pause``, ``step`` and ``stop`` are what the keys F5, F6, F10 and F8 call; they work
+    in every mode.
+    """
+
+    run_exists = Signal(bool)
+    """Whether there is a run that can be stopped."""
+    said = Signal()
+    """Other ``words`` tell how the run stands."""
+    reset_wanted = Signal()
+    """A stop shall be unlatched, and what is shown instead of this has to ask for it."""
+    named = Signal()
+    """``other`` may be another one than it was."""
+    moved = Signal(object, str)
+    """(active state of every SB, SB in which an operation runs): empty where there is no run."""
+
+    def __init__(self, session: Session, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._tokens = tokens
+        self.run = RunSession(self)
+        self.levels = NextLevels(session)
+        self.transport = Transport(tokens)
+        self.canvas = RunCanvas(session, self.run, tokens)
+        self.world = WorldView(tokens)
+        self.facts = FactsTable(tokens)
+        self.check = StateCheckView(tokens)
+        self.possible = PossiblePanel(self.run, tokens)
+        self.timeline = Timeline(tokens)
+        self.events = EventList()
+        self.monitoring = MonitorOpener(self.run, tokens, self)
+        self.next = NextRun(session, self.run, self.transport, self.levels)
+        self._asked = False
+        self._begin_later: bool | None = None
+        self.recordings: Callable[[], Path | None] = lambda: None
+        """The folder into which runs are recorded; None: they are not."""
+        self._build()
+        self._connect()
+        self._frames = QTimer(self)
+        self._frames.setInterval(FRAME)
+        self._frames.timeout.connect(self._draw_world)
+        self._refresh()
+
+    @property
+    def words(self) -> Words:
+        """Short sentences for the status line, for its left and its right: how the run stands."""
+        return status_words(self.run, self.transport.speed.currentData(), self.canvas.moved_on)
+
+    # What is asked of the run.
+
+    def play(self) -> None:
+        """Start a run, or go on with the one that is paused, holds or waits for a hand. One that is
+        about to pause goes on from there. Of one that is stopped it is asked whether it shall be
+        reset."""
+        if self.run.phase == "stopped" and self.run.exists:
+            self._ask_reset()
+        elif not self.run.exists:
+            self._begin(stepping=False)
+        elif self.run.pausing:
+            self.transport.by_hand.setChecked(False)
+            self.run.play_on()
+        elif self.run.phase != "running":
+            self.transport.by_hand.setChecked(False)
+            self.run.play()
+
+    def _ask_reset(self) -> None:
+        if self.isVisible():
+            self._lists.show_page("Possible now")
+            self.possible.ask(decisions.offered(decisions.RESET_OFFER))
+        else:
+            self.reset_wanted.emit()
+
+    def pause(self) -> None:
+        self.run.pause()
+
+    def step(self) -> None:
+        """One operation, then pause; starts the run where there is none."""
+        if self.run.exists:
+            self.run.step()
+        else:
+            self._begin(stepping=True)
+
+    def stop(self) -> None:
+        """A controlled stop, from anywhere."""
+        self.run.stop()
+
+    def ask(self, address: Address) -> None:
+        """Have one operation carried out by hand; where it may not be, the reason is said."""
+        if self.run.exists:
+            self.run.ask(address)
+        else:
+            self.canvas.say("Nothing runs. Play or Step starts a run")
+
+    def show_monitor(self) -> None:
+        """Show every sensor, fact, node and state check of the run, in a window beside it; where
+        that is in front already, close it."""
+        self.monitoring.toggle()
+
+    def shut(self) -> None:
+        """End the run and free what it holds; for closing the window."""
+        self._frames.stop()
+        self.monitoring.close()
+        self.run.close()
+        self.world.close_graphics()
+
+    def set_plugins(self, loaded: Loaded) -> None:
+        """The plugins were found: worlds can be offered, and what waited for that begins."""
+        self.next.loaded = loaded
+        self.next.forget_offer()
+        if self.isVisible() or self._begin_later is not None:
+            self.next.offer()
+        stepping, self._begin_later = self._begin_later, None
+        if stepping is not None and not self.run.exists:
+            self._begin(stepping)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        for part in (self.transport, self.canvas, self.world, self.facts, self.check):
+            part.set_tokens(tokens)
+        self.possible.set_tokens(tokens)
+        self.timeline.set_tokens(tokens)
+        self.monitoring.set_tokens(tokens)
+        self.monitor_button.setIcon(icon("signal", tokens))
+        self._views.setIcon(icon("camera", tokens))
+        self._home.setIcon(icon("fit", tokens))
+        self._refresh()
+
+    @property
+    def other(self) -> str:
+        """The file of the run that is shown where another one is drawn; else the empty text."""
+        run = self.run
+        shown = run.foreign and run.shown and run.blueprint is not None
+        return Path(run.blueprint.file).name if shown and run.blueprint is not None else ""
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.next.offer()
+
+    def _begin(self, stepping: bool) -> None:
+        if self._session.broken is not None:
+            self._say_refused(self._session.broken.refusal)
+            return
+        if self.canvas.moved_on:
+            self.run.forget()
+        self.next.offer()
+        if self.next.loaded is None:
+            # Where the plugins are still being looked at nobody knows which worlds there are.
+            self._begin_later = stepping
+            self.canvas.say("Looking at the plugins, the run begins when they are known")
+            return
+        choice = self.next.choice
+        self.events.clear()
+        self.world.clear()
+        self.canvas.show_refusal("")
+        self.run.recordings = self.recordings()
+        speed = self.transport.speed.currentData()
+        self.run.begin(self._session.blueprint, choice, speed, stepping, self.next.loaded)
+        self.named.emit()
+        self._frames.start()
+
+    # Building.
+
+    def _build(self) -> None:
+        whole = split(
+            Qt.Orientation.Vertical,
+            (
+                split(
+                    Qt.Orientation.Horizontal,
+                    (self.canvas, self._right()),
+                    (628, 811),
+                    (44, 56),
+                ),
+                self.timeline,
+            ),
+            (626, 160),
+            (1, 0),
+        )
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(whole)
+
+    def _right(self) -> QWidget:
+        self._facts_rate, self._facts_note = label("", "small"), label("", "small")
+        self.monitor_button = tool(
+            "Monitor", "signal", "Every sensor and node (Ctrl+M)", self._tokens
+        )
+        self.monitor_button.clicked.connect(self.show_monitor)
+        top = head("Facts", self._facts_rate, None, self._facts_note, self.monitor_button)
+        facts = panel(top, self.facts, self.check)
+        facts.setMinimumWidth(FACTS)
+        self._lists = Tabs()
+        cost = label("cost", "small")
+        cost.setContentsMargins(0, 0, 8, 0)
+        self._lists.add("Possible now", self.possible, cost)
+        self._lists.add("Events", self.events)
+        below = split(Qt.Orientation.Horizontal, (facts, self._lists), (428, 383), (45, 55))
+        return split(Qt.Orientation.Vertical, (self._world(), below), (300, 325), (1, 1))
+
+    def _world(self) -> QWidget:
+        self._views = tool("Front right", "camera", "Where to look from", self._tokens)
+        self._views.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self._views)
+        for name in VIEWS:
+            menu.addAction(name, partial(self._look, name))
+        self._views.setMenu(menu)
+        self._home = tool("", "fit", "Back to where one looks from", self._tokens)
+        self._home.clicked.connect(self.world.come_back)
+        self._world_name = label("", "second")
+        words = words_over(label("World", "heading"), self._world_name)
+        words.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._world_tools = tools_over(self._views, self._home)
+        self._world_tools.hide()
+        return laid_over(self.world, words, self._world_tools)
+
+    def _connect(self) -> None:
+        transport = self.transport
+        transport.play_wanted.connect(self.play)
+        transport.pause_wanted.connect(self.pause)
+        transport.step_wanted.connect(self.step)
+        transport.stop_wanted.connect(self.stop)
+        transport.speed_changed.connect(self.run.set_speed)
+        transport.by_hand_changed.connect(lambda on: self.run.set_automatic(not on))
+        self.run.changed.connect(self._refresh)
+        self.run.opened.connect(self._show_world)
+        self.run.events_told.connect(self._tell)
+        self.run.exists_changed.connect(self.run_exists)
+        self.run.refused.connect(self._say_refused)
+        self.possible.chosen.connect(self.ask)
+        self.canvas.chosen.connect(self.ask)
+        self.canvas.drawing_wanted.connect(self.show_drawing)
+        self.events.jump_wanted.connect(self.canvas.jump)
+        self._session.opened.connect(self._another_file)
+        self._session.blueprint_changed.connect(self._drawing_changed)
+        self._session.broken_changed.connect(self._text_repaired)
+
+    # What is shown.
+
+    def file_asked(self) -> None:
+        """Another file shall be opened; until it is, questions may stay open for long."""
+        self._asked = self.run.exists
+
+    def _another_file(self) -> None:
+        """What was shown of another file's run says nothing about this one. A run that was there
+        when the file was asked for is shown on, also when it has ended meanwhile; and the outline,
+        which shows the new file, no longer speaks of it."""
+        self.run.foreign = self.run.exists or (self._asked and self.run.shown)
+        self._asked = False
+        if not self.run.foreign:
+            self.show_drawing()
+        self.named.emit()
+        self._refresh()
+
+    def show_drawing(self) -> None:
+        """Let go of the results of a run that is over, and show what is drawn."""
+        self.events.clear()
+        self.world.clear()
+        self._world_name.setText("")
+        self._world_tools.hide()
+        self.run.forget()
+        self.named.emit()
+
+    def _drawing_changed(self) -> None:
+        self.next.forget_offer()
+        if self.isVisible():
+            self.next.offer()
+        self.canvas.drawing_changed()
+        self._say()
+
+    def _text_repaired(self) -> None:
+        if self._session.broken is None:
+            self.canvas.show_refusal("")
+
+    def _refresh(self) -> None:
+        run, status, blueprint = self.run, self.run.status, self.run.blueprint
+        self.transport.show_phase(run.phase, run.exists, run.sentence)
+        if self.isVisible():
+            self.next.offer()
+        self.canvas.refresh()
+        self._say()
+        if status is None or blueprint is None:
+            self._show_nothing()
+            return
+        lost = run.phase == "failed"
+        facts = view.fact_rows(blueprint, status, lost)
+        self.facts.show_rows(facts if run.exists else as_they_were(facts))
+        rows = view.possible_rows(blueprint, status) if run.exists else ()
+        choosable = run.exists and status.phase in view.CHOOSABLE
+        self.possible.show_rows(rows, choosable, capital(run.sentence) or "Nothing is possible")
+        self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.story.time)
+        check = status.check or view.last_check(blueprint, status, lost)
+        self.check.show_check(blueprint, check, waiting=status.running is not None)
+        running = status.running
+        self._facts_note.setText(f"{running.operation} in transit" if running else "")
+        active = {} if run.foreign else status.configuration
+        self.moved.emit(active, running.branch if running and active else "")
+
+    def _show_nothing(self) -> None:
+        self.facts.show_rows(())
+        empty = "Opening the world" if self.run.exists else "Starts with the run"
+        self.possible.show_rows((), False, empty)
+        self.timeline.show_lanes((), 0.0)
+        self.check.show_check(None, None, waiting=False)
+        self._facts_rate.setText("")
+        self._facts_note.setText("")
+        self.moved.emit({}, "")
+
+    def _say(self) -> None:
+        self.said.emit()
+
+    def _tell(self, events: tuple[Event, ...]) -> None:
+        self.events.add_events(events)
+        for event in events:
+            if isinstance(event, OperationRefused):
+                self.canvas.say("; ".join(map(capital, event.reasons)))
+
+    def _show_world(self) -> None:
+        name = self.run.choice.world if self.run.choice else ""
+        self._world_name.setText(f"{name}, from poses" if self.run.shapes else name)
+        self._world_tools.setVisible(bool(self.run.shapes))
+        self._facts_rate.setText(view.rate_words(self.run.sensors))
+        self.world.load(self.run.shapes, name)
+        self._draw_world()
+
+    def _draw_world(self) -> None:
+        if self.world.isVisible():
+            self.world.show_poses(self.run.poses(), self.run.words())
+        if not self.run.exists:
+            self._frames.stop()
+
+    def _look(self, name: str) -> None:
+        self._views.setText(name)
+        self.world.set_view(name)
+
+    def _say_refused(self, error: StudioError) -> None:
+        self._frames.stop()
+        self.canvas.show_refusal(f"{capital(error.sentence)} {error.advice}".strip())

@@ -1,0 +1,106 @@
+"""Possible now, with what may be done about it in Run: why it holds and the offers, and pruning."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.room import Room
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.running import decisions
+from smsl_studio.studio.running.confirmation import ConfirmBox
+from smsl_studio.studio.running.decisions import Decision
+from smsl_studio.studio.running.hold_card import HoldCard
+from smsl_studio.studio.running.possible_list import PRUNABLE, PossibleList, PossibleRow
+from smsl_studio.studio.running.run_session import RunSession
+
+
+class PossiblePanel(QWidget):
+    """The list, and above it a card while the run holds, and the line in which one prunes."""
+
+    chosen = Signal(object)
+    """The address of a permitted operation that a person chose."""
+
+    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "panel")
+        self._run = run
+        self.list = PossibleList(tokens)
+        self.hold, self.asking = HoldCard(brief=True), ConfirmBox()
+        inset = QVBoxLayout()
+        inset.setContentsMargins(8, 8, 8, 0)
+        inset.setSpacing(8)
+        inset.addWidget(self.hold)
+        inset.addWidget(self.asking)
+        inner = QWidget()
+        inner.setLayout(inset)
+        # It scrolls rather than push the panels around it away.
+        self._above = Room(inner)
+        self._above.hide()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._above)
+        column.addWidget(self.list, 1)
+        self.list.chosen.connect(self.chosen)
+        self.list.restore_wanted.connect(run.restore)
+        self.list.prune_wanted.connect(self._ask_prune)
+        self.hold.wanted.connect(self.ask)
+        self.asking.confirmed.connect(self._do)
+        self.asking.dropped.connect(self._fit)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.list.set_tokens(tokens)
+
+    def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
+        """Follow the run: the rows, whether they may be chosen, and what is said without any."""
+        decision = self.asking.decision
+        open_ones = [row.address for row in rows if row.kind in PRUNABLE]
+        if (
+            decision is not None
+            and decision.address not in open_ones
+            and not self._offers(decision)
+        ):
+            self.asking.show_decision(None)
+        self._fit()
+        self.list.show_rows(rows, by_hand, empty)
+
+    def row_widgets(self) -> list[QWidget]:
+        """The lines of the list in order."""
+        return self.list.row_widgets()
+
+    def _ask_prune(self, address: Address) -> None:
+        status = self._run.status
+        if status is not None:
+            self.ask(decisions.prune(address, status))
+
+    def ask(self, decision: Decision) -> None:
+        """Ask once more; Enter does it, as in Supervise."""
+        self.asking.show_decision(decision)
+        self._fit()
+        self.asking.take_focus()
+
+    def _offers(self, decision: Decision) -> bool:
+        """Whether that may still be done about a run that holds or is stopped."""
+        status = self._run.status
+        if status is None or not self._run.exists:
+            return False
+        return (decision.command, decision.address) in [
+            (one.command, one.address) for one in map(decisions.offered, decisions.offers(status))
+        ]
+
+    def _do(self, decision: Decision, reason: str = "") -> None:
+        self.asking.show_decision(None)
+        self.list.setFocus()
+        said = [] if decision.address is None else [decision.address]
+        self._run.command(decision.command, *said, *([reason] if decision.reasoned else []))
+        self._fit()
+
+    def _fit(self) -> None:
+        if self.asking.decision is None:
+            self.hold.show_status(self._run.status, self._run.exists)
+        else:
+            # What is asked stands in the place of what led to it, so that it is in sight.
+            self.hold.hide()
+        self._above.setVisible(not self.hold.isHidden() or not self.asking.isHidden())

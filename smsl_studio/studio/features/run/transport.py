@@ -1,0 +1,227 @@
+"""The transport: what to run, how fast, and the buttons that play, step, pause and stop it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtGui import QIntValidator, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Combo, Field, label, rule
+from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.precedence import Precedence
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.running.phase_badge import PhaseBadge
+from smsl_studio.studio.running.phases import phase_words
+from smsl_studio.studio.running.runner import FASTEST
+
+SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}
+LONGEST = 150
+WIDE, NARROW, SEEDED, NARROWEST = 1140, 990, 850, 720
+"""Pixels from which the choices have labels, buttons their words, the seed is shown, and choices
+are shown at all."""
+
+
+class Transport(QWidget):
+    """A row for the mode bar. It knows no run: it offers choices and says what was pressed."""
+
+    play_wanted = Signal()
+    pause_wanted = Signal()
+    step_wanted = Signal()
+    stop_wanted = Signal()
+    speed_changed = Signal(float)
+    by_hand_changed = Signal(bool)
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._running = self._stopped = False
+        self._labels: list[QLabel] = []
+        self._choices = QWidget()
+        self._choices.setMinimumWidth(0)
+        self._choices.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        chosen = QHBoxLayout(self._choices)
+        chosen.setContentsMargins(0, 0, 0, 0)
+        chosen.setSpacing(8)
+        self.world = self._choice(chosen, "World", 92, "Where the blueprint is run")
+        self.start = self._choice(chosen, "Start", 60, "The state the run starts in")
+        self.goal = self._choice(chosen, "Goal", 60, "The state the run ends in")
+        self.seed = self._seed(chosen)
+        chosen.addStretch(1)
+        across = QHBoxLayout(self)
+        across.setContentsMargins(0, 0, 0, 0)
+        across.setSpacing(8)
+        across.addWidget(self._choices, 1)
+        across.addStretch(0)
+        self.phase = PhaseBadge()
+        across.addWidget(self.phase)
+        self.by_hand = self._by_hand()
+        self.speed = self._speed()
+        self.step = KeyButton("Step", "F10", "step", "", tokens)
+        self.step.setToolTip("One operation, then pause (F10)")
+        self.step.clicked.connect(self.step_wanted)
+        self.play = KeyButton("Play", "F5", "play", "primary", tokens)
+        self.play.setMinimumWidth(112)
+        self.play.clicked.connect(
+            lambda: self.pause_wanted.emit() if self._running else self.play_wanted.emit()
+        )
+        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
+        self.stop.clicked.connect(self.stop_wanted)
+        line = rule(vertical=True, length=24)
+        for part in (self.by_hand, self.speed, self.step, self.play, line, self.stop):
+            across.addWidget(part)
+        self._precedence = Precedence(
+            self, self._choices, line, self.speed, self.by_hand, self.phase, self.step, self.play
+        )
+        self._name_play()
+        self.show_phase("", exists=False)
+
+    def offer(
+        self,
+        worlds: Sequence[str],
+        starts: Sequence[tuple[str, str]],
+        goals: Sequence[tuple[str, str]],
+    ) -> None:
+        """Fill the choices with pairs (what is shown, address); the first one is the default.
+
+        What a person chose is kept where it still exists.
+        """
+        _fill(self.world, [(name, name) for name in worlds])
+        _fill(self.start, starts)
+        _fill(self.goal, goals)
+
+    def show_choice(self, world: str, start: str, goal: str, seed: int) -> None:
+        """Show what a run was begun with; an empty address is the first choice, the default."""
+        for combo, data in ((self.world, world), (self.start, start), (self.goal, goal)):
+            at = combo.findData(data) if data else 0
+            if at >= 0 and at != combo.currentIndex():
+                combo.setCurrentIndex(at)
+        if self.seed.text() != str(seed):
+            self.seed.settle(str(seed))
+
+    def lock(self, locked: bool) -> None:
+        """While a run exists, what it started from cannot be changed."""
+        for widget in (self.world, self.start, self.goal, self.seed):
+            widget.setEnabled(not locked)
+
+    def show_phase(self, phase: str, exists: bool, tip: str = "") -> None:
+        """Show how the run stands; ``exists`` says whether there is one to stop."""
+        self.phase.show_phase(*phase_words(phase), tip)
+        self.stop.setToolTip(
+            tip_text("A controlled stop, at any time (F8)" if exists else "Nothing runs now")
+        )
+        running, stopped = phase in ("running", "opening"), exists and phase == "stopped"
+        if (running, stopped) != (self._running, self._stopped):
+            self._running, self._stopped = running, stopped
+            self._name_play()
+        self._precedence.fit()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for button in (self.step, self.play, self.stop):
+            button.set_tokens(tokens)
+
+    def _name_play(self) -> None:
+        if self._running:
+            words, key, tip = "Pause", "F6", "Hold the run at the next tick (F6)"
+        elif self._stopped:
+            words, key, tip = "Reset", "F5", "Unlatch the stop; the run is paused then (F5)"
+        else:
+            words, key, tip = "Play", "F5", "Run to the goal (F5)"
+        self.play.set_words(words, key, "pause" if self._running else "play")
+        self.play.setToolTip(tip_text(tip))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is narrow, words give way before buttons; Stop never does."""
+        super().resizeEvent(event)
+        wide = self.width()
+        for words in self._labels:
+            words.setVisible(wide >= WIDE)
+        for button in (self.step, self.play):
+            button.set_short(wide < NARROW)
+        self.seed.setVisible(wide >= SEEDED)
+        self.play.setMinimumWidth(112 if wide >= NARROW else 0)
+        self._precedence.want(self._choices, wide >= NARROWEST)
+        self._precedence.fit()
+
+    def _by_hand(self) -> QToolButton:
+        button = QToolButton()
+        button.setText("By hand")
+        button.setProperty("role", "tool")
+        button.setFixedHeight(32)
+        button.setCheckable(True)
+        button.setToolTip("Nothing moves until you choose an operation: click its arrow")
+        button.toggled.connect(self.by_hand_changed)
+        return button
+
+    def _speed(self) -> Combo:
+        speed = Combo()
+        speed.setFixedWidth(64)
+        speed.setToolTip("Simulated seconds for each second")
+        speed.setAccessibleName("Speed")
+        for words, factor in SPEEDS.items():
+            speed.addItem(words, factor)
+        speed.setCurrentText("1×")
+        speed.currentIndexChanged.connect(lambda _: self.speed_changed.emit(speed.currentData()))
+        return speed
+
+    def _seed(self, across: QHBoxLayout) -> Field:
+        self._label(across, "Seed")
+        seed = Field()
+        seed.setFixedWidth(44)
+        seed.setValidator(QIntValidator(0, 999_999, seed))
+        seed.settle("0")
+        seed.setToolTip("Draws the jitter of the world; the same seed gives the same run")
+        seed.setAccessibleName("Seed")
+        across.addWidget(seed)
+        return seed
+
+    def _label(self, across: QHBoxLayout, words: str) -> None:
+        self._labels.append(label(words, "small"))
+        across.addWidget(self._labels[-1])
+
+    def _choice(self, across: QHBoxLayout, words: str, width: int, tip: str) -> _Choice:
+        self._label(across, words)
+        combo = _Choice(width, tip)
+        combo.setAccessibleName(plain_text(words))
+        across.addWidget(combo)
+        return combo
+
+
+class _Choice(Combo):
+    """A choice as wide as the longest of its words, within reason."""
+
+    def __init__(self, least: int, tip: str) -> None:
+        super().__init__()
+        self._least, self._tip = least, tip
+        self.currentTextChanged.connect(lambda _: self.say())
+        self.say()
+        self.setMinimumWidth(least)
+        self.setMaximumWidth(LONGEST)
+
+    def say(self) -> None:
+        """The tooltip has the whole of what is chosen, for where there is no room to show it."""
+        chosen = self.currentText()
+        self.setToolTip(tip_text(f"{self._tip}: {chosen}" if chosen else self._tip))
+
+    def sizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        words = (self.itemText(at) for at in range(min(self.count(), 500)))
+        widest = max((metrics.horizontalAdvance(text) for text in words), default=0) + 38
+        return QSize(min(max(widest, self._least), LONGEST), super().sizeHint().height())
+
+
+def _fill(combo: _Choice, items: Sequence[tuple[str, str]]) -> None:
+    """Replace the items; keeps a choice that was made and still exists, else takes the first."""
+    before = combo.currentData() if combo.currentIndex() > 0 else None
+    blocked = combo.blockSignals(True)
+    combo.clear()
+    for words, data in items:
+        combo.addItem(words, data)
+    known = [data for _, data in items]
+    combo.setCurrentIndex(known.index(before) if before in known else 0)
+    combo.blockSignals(blocked)
+    combo.say()
+    combo.updateGeometry()

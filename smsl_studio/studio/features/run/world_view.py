@@ -1,0 +1,248 @@
+"""The world as a picture drawn from poses, with an orbit camera under the mouse.
+
+Drag turns, Shift-drag or the middle button pans, the wheel zooms, a double click comes back. Where
+no OpenGL is to be had the pane says so; the run goes on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from time import perf_counter
+
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFontMetricsF,
+    QImage,
+    QLinearGradient,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_CONTROL, Tokens, mono_font, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.run.camera import VIEWS, WorldCamera
+from smsl_studio.studio.features.run.renderer import Renderer, RenderStyle, open_renderer
+from smsl_studio.world.protocol import Shape
+
+LIMIT = 0.025
+"""Wall seconds a smooth picture may take, so that all pictures are smooth."""
+REST = 160
+"""Milliseconds without a move after which a rough picture is made smooth."""
+
+
+class WorldView(QWidget):
+    """Shows shapes at poses. ``show_poses`` is cheap where nothing moved."""
+
+    drawn = Signal()
+    """A new picture is on the screen."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._camera = VIEWS["Front right"]
+        self._home = self._camera
+        self._renderer: Renderer | str | None = None
+        self._shapes: tuple[Shape, ...] = ()
+        self._poses: tuple[float, ...] = ()
+        self._status: tuple[str, ...] = ()
+        self._sentence = "Starts with the run"
+        self._image: QImage | None = None
+        self._drag: QPointF | None = None
+        self._frames: list[float] = []
+        self._fine = self._quick = True
+        self.patient = False
+        """Draw every picture with smooth edges, however long it takes."""
+        self._took = 0.0
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(REST)
+        self._rest.timeout.connect(self._refine)
+        self.setMinimumSize(240, 160)
+        self.setAccessibleName("World")
+        self.setToolTip("Drag turns, Shift-drag pans, the wheel zooms, a double click comes back")
+
+    @property
+    def has_picture(self) -> bool:
+        """Whether there is something to see: shapes, and a place to draw them."""
+        return bool(self._shapes) and isinstance(self._renderer, Renderer)
+
+    @property
+    def sentence(self) -> str:
+        """What is said in place of a picture; the empty text where there is one."""
+        return "" if self.has_picture and self._poses else self._sentence
+
+    def load(self, shapes: Sequence[Shape], world: str) -> None:
+        """Show another world; without shapes it has nothing to draw and says so."""
+        self._shapes, self._poses, self._image = tuple(shapes), (), None
+        if not shapes:
+            self._sentence = (
+                f"The {world} world has nothing to draw. The facts beside tell its state"
+            )
+        else:
+            self._renderer = self._renderer or open_renderer()
+            if isinstance(self._renderer, Renderer):
+                self._renderer.load(self._shapes)
+            else:
+                self._sentence = "No graphics here. The run goes on"
+                self.setToolTip(tip_text(f"OpenGL is not to be had: {self._renderer}"))
+        self.update()
+
+    def clear(self) -> None:
+        """No run: say so."""
+        self.load((), "")
+        self._sentence = "Starts with the run"
+        self._status = ()
+
+    def show_poses(self, poses: tuple[float, ...], status: Mapping[str, str]) -> None:
+        """Draw the newest poses, if they moved."""
+        words = tuple(f"{key.capitalize()} {value}".strip() for key, value in status.items())
+        if words != self._status:
+            self._status = words
+            self.update()
+        early = self._frames and perf_counter() - self._frames[-1] < 2 * self._took
+        if poses != self._poses and not early:
+            self._poses = poses
+            self._moving()
+
+    def set_view(self, name: str) -> None:
+        """Look from one of the named places (``VIEWS``)."""
+        self._home = VIEWS[name]
+        self._look(self._home)
+
+    def come_back(self) -> None:
+        """Look from where the named place is again."""
+        self._look(self._home)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens, self._image = tokens, None
+        self.update()
+
+    def close_graphics(self) -> None:
+        """Free what OpenGL holds."""
+        if isinstance(self._renderer, Renderer):
+            self._renderer.close()
+        self._renderer = None
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_sky(painter)
+        if not self.has_picture or not self._poses:
+            self._paint_sentence(painter)
+            return
+        image = self._image or self._render()
+        painter.drawImage(self.rect(), image)
+        self._paint_labels(painter)
+        self._paint_chips(painter)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._drag = event.position()
+        self.setCursor(Qt.CursorShape.ClosedHandCursor)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._drag is None:
+            return
+        moved, self._drag = event.position() - self._drag, event.position()
+        pan = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        if pan or event.buttons() & Qt.MouseButton.MiddleButton:
+            scale = self._camera.distance / max(self.height(), 1)
+            self._look(self._camera.panned(-moved.x() * scale, moved.y() * scale))
+        else:
+            self._look(self._camera.orbited(moved.x() * 0.008, moved.y() * 0.008))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._drag = None
+        self.unsetCursor()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self.come_back()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        self._look(self._camera.zoomed(0.999 ** event.angleDelta().y()))
+        event.accept()
+
+    def _look(self, camera: WorldCamera) -> None:
+        self._camera = camera
+        self._moving()
+
+    def _render(self) -> QImage:
+        """Draw anew; where smooth edges take too long, only once nothing moves any more."""
+        assert isinstance(self._renderer, Renderer)
+        began, ratio = perf_counter(), self.devicePixelRatioF()
+        fine = self._quick or self.patient or not self._rest.isActive()
+        size = round(self.width() * ratio), round(self.height() * ratio)
+        image = self._renderer.draw(
+            self._poses, self._camera, RenderStyle(*size, self._tokens.dark, fine)
+        )
+        image.setDevicePixelRatio(ratio)
+        self._image, self._fine = image, fine
+        if fine:
+            self._quick = perf_counter() - began <= LIMIT
+        self._took = perf_counter() - began
+        self._frames = [*self._frames[-29:], perf_counter()]
+        self.drawn.emit()
+        return image
+
+    def _moving(self) -> None:
+        """Something moved: the picture is old, and may be rough until it rests."""
+        self._image = None
+        self._rest.start()
+        self.update()
+
+    def _refine(self) -> None:
+        if not self._fine:
+            self._image = None
+            self.update()
+
+    def _paint_sky(self, painter: QPainter) -> None:
+        sky = QLinearGradient(0, 0, 0, self.height())
+        top = self._tokens.win if self._tokens.dark else QColor("#e9edf3")
+        sky.setColorAt(0, top)
+        sky.setColorAt(1, self._tokens.canvas)
+        painter.fillRect(self.rect(), sky)
+
+    def _paint_sentence(self, painter: QPainter) -> None:
+        painter.setFont(text_font(13))
+        painter.setPen(self._tokens.tx3)
+        room = self.rect().adjusted(24, 24, -24, -24)
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        painter.drawText(room, flags, plain_text(self._sentence))
+
+    def _paint_labels(self, painter: QPainter) -> None:
+        painter.setFont(mono_font(12, 600))
+        for index, shape in enumerate(self._shapes):
+            if not shape.label or len(self._poses) < 7 * index + 3:
+                continue
+            x, y, _ = self._poses[7 * index : 7 * index + 3]
+            at = self._camera.project((x, y, 0.0), self.width(), self.height())
+            if at is not None:
+                box = QRectF(at[0] - 9, at[1] + 8, 18, 18)
+                self._paint_box(painter, box, shape.label, self._tokens.tx)
+
+    def _paint_chips(self, painter: QPainter) -> None:
+        painter.setFont(text_font(12))
+        left, bottom = 12.0, self.height() - 12.0
+        for words in self._status:
+            width = QFontMetricsF(painter.font()).horizontalAdvance(words) + 20
+            self._paint_box(painter, QRectF(left, bottom - 24, width, 24), words, self._tokens.tx2)
+            left += width + 8
+        if not self.patient and len(self._frames) > 2 and perf_counter() - self._frames[-1] < 1:
+            rate = (len(self._frames) - 1) / max(self._frames[-1] - self._frames[0], 1e-3)
+            painter.setPen(self._tokens.tx3)
+            room = QRectF(self.width() - 132, bottom - 24, 120, 24)
+            right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+            painter.drawText(room, right, f"{rate:.0f} frames/s")
+
+    def _paint_box(self, painter: QPainter, box: QRectF, words: str, colour: QColor) -> None:
+        radius = RADIUS_CHIP if box.width() <= 20 else RADIUS_CONTROL
+        painter.setPen(QPen(self._tokens.line2, 1))
+        painter.setBrush(self._tokens.surf)
+        painter.drawRoundedRect(box, radius, radius)
+        painter.setPen(colour)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, plain_text(words))

@@ -1,0 +1,128 @@
+"""What Supervise shows in the mode bar: goal, supervisor, how the run stands, step, pause, stop."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label, rule
+from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.precedence import Precedence
+from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.running.phase_badge import PhaseBadge
+from smsl_studio.studio.running.phases import phase_words
+
+NARROW = 620
+"""Pixels from which the buttons have their words."""
+LONGEST = 170
+"""Pixels that a goal and a name may take where it is narrow; a quarter of the bar where not."""
+
+
+class SuperviseBar(QWidget):
+    """Stop keeps the place and the size that it has in Run."""
+
+    step_wanted = Signal()
+    play_wanted = Signal()
+    pause_wanted = Signal()
+    stop_wanted = Signal()
+    reset_wanted = Signal()
+    end_wanted = Signal()
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._pauses = False
+        self._goal, self._person = label("", "strong"), label("", "strong")
+        self._said = [label("Goal", "small"), label("Supervisor", "small")]
+        self.phase = PhaseBadge()
+        self.step = KeyButton("Step", "F10", "step", "", tokens)
+        self.step.setToolTip("One operation, then pause (F10)")
+        self.step.clicked.connect(self.step_wanted)
+        self.play = KeyButton("Resume", "F5", "play", "", tokens)
+        self.play.clicked.connect(self._play_or_pause)
+        self.reset, self.end = QPushButton("Reset"), QPushButton("End run")
+        for pressed in (self.reset, self.end, self.step, self.play):
+            # So that Enter presses the one that has the focus, as it does in the body.
+            pressed.setAutoDefault(True)
+        self.reset.setToolTip("Unlatch the stop, to paused")
+        self.end.setToolTip("End the run for good")
+        self.reset.clicked.connect(self.reset_wanted)
+        self.end.clicked.connect(self.end_wanted)
+        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
+        self.stop.clicked.connect(self.stop_wanted)
+        across = QHBoxLayout(self)
+        across.setContentsMargins(0, 0, 0, 0)
+        across.setSpacing(8)
+        across.addWidget(self._said[0])
+        across.addWidget(self._goal)
+        across.addSpacing(4)
+        across.addWidget(self._said[1])
+        across.addWidget(self._person)
+        across.addStretch(1)
+        across.addWidget(self.phase)
+        for button in (self.reset, self.end):
+            button.setFixedHeight(CONTROL_DECISION)
+            across.addWidget(button)
+        across.addWidget(self.step)
+        across.addWidget(self.play)
+        line = rule(vertical=True, length=24)
+        across.addWidget(line)
+        across.addWidget(self.stop)
+        self._precedence = Precedence(
+            self, self._said[1], self._person, self._said[0], self._goal, line, self.phase,
+            self.step, self.end, self.play, self.reset,
+        )  # fmt: skip
+        self.show_run("", exists=False, tip="", goal="", person="")
+
+    def show_run(self, phase: str, exists: bool, tip: str, goal: str, person: str) -> None:
+        """Show how the run stands, where it goes, and in whose name one commands it."""
+        self.phase.show_phase(*phase_words(phase), tip)
+        pairs = ((self._goal, goal), (self._person, person))
+        for before, (part, said) in zip(self._said, pairs, strict=True):
+            part.setToolTip(tip_text(said))
+            metrics = part.fontMetrics()
+            room = max(LONGEST, self.width() // 4)
+            part.setText(metrics.elidedText(plain_text(said), Qt.TextElideMode.ElideMiddle, room))
+            self._precedence.want(part, bool(said))
+            self._precedence.want(before, bool(said))
+        latched = phase == "stopped" and exists
+        for button in (self.reset, self.end):
+            self._precedence.want(button, latched)
+        # What would only be refused is not offered: step in is where one gives back.
+        for button in (self.step, self.play):
+            self._precedence.want(button, not latched and phase != "taken_over")
+        self._pauses = exists and phase in ("running", "opening", "waiting")
+        if self._pauses:
+            self.play.set_words("Pause", "F6", "pause")
+            self.play.setToolTip("Hold the run at the next tick (F6)")
+        else:
+            words = {"paused": "Resume", "ready": "Play"}.get(phase, "Resume")
+            self.play.set_words(words if exists else "Run", "F5", "play")
+            self.play.setToolTip(tip_text("Go on (F5)" if exists else "Run to the goal (F5)"))
+        tip = "A controlled stop, at any time (F8)" if exists else "Nothing runs now"
+        self.stop.setToolTip(tip_text(tip))
+        self._precedence.fit()
+
+    @property
+    def person(self) -> str:
+        """In whose name one commands; empty where nobody said who works here."""
+        return self._person.text()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        for button in (self.step, self.play, self.stop):
+            button.set_tokens(tokens)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Where it is narrow, words give way before buttons; Stop never does."""
+        super().resizeEvent(event)
+        for button in (self.step, self.play):
+            button.set_short(self.width() < NARROW)
+        self._precedence.fit()
+
+    def _play_or_pause(self) -> None:
+        (self.pause_wanted if self._pauses else self.play_wanted).emit()

@@ -1,0 +1,96 @@
+"""The board of the partial view: where one came from, where one is, and what may be done."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QRect, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.features.supervise.card import CardButton
+from smsl_studio.studio.features.supervise.columns import Columns
+from smsl_studio.studio.features.supervise.spot import StateSpot
+from smsl_studio.studio.features.supervise.surface import PartialSurface
+from smsl_studio.studio.running.partial import PartialView
+
+
+class Board(QScrollArea):
+    """Scrolls where there are more operations than room; the states stay in sight."""
+
+    card_chosen = Signal(object)
+    """The address of an operation whose card was pressed."""
+    columns_moved = Signal(object)
+    """Where the columns stand now (``Columns``)."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._inner = PartialSurface(tokens)
+        self._inner.card_chosen.connect(self.card_chosen)
+        self._inner.seen_wanted.connect(self._see)
+        self.setWidget(self._inner)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setAccessibleName("Partial view")
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        for bar in (self.verticalScrollBar(), self.horizontalScrollBar()):
+            bar.valueChanged.connect(lambda _: self._follow())
+
+    @property
+    def inner(self) -> QWidget:
+        """What scrolls: cards and states stand in it."""
+        return self._inner
+
+    @property
+    def cards(self) -> list[CardButton]:
+        """The cards in order."""
+        return self._inner.cards
+
+    @property
+    def view(self) -> PartialView | None:
+        return self._inner.view
+
+    @property
+    def columns(self) -> Columns | None:
+        """Where the columns stand."""
+        return self._inner.columns
+
+    @property
+    def shift(self) -> int:
+        """How far it is scrolled to the right."""
+        return self.horizontalScrollBar().value()
+
+    @property
+    def spots(self) -> list[StateSpot]:
+        """The states that are shown: the previous one, the active one, the neighbours."""
+        return self._inner.shown_spots()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._inner.set_tokens(tokens)
+
+    def show_view(
+        self,
+        blueprint: Blueprint | None,
+        view: PartialView | None,
+        chosen: Address | None,
+        sensed: tuple[tuple[int, str], ...] = (),
+    ) -> None:
+        """Show one SB; ``chosen`` is the operation that a decision is open on, ``sensed`` says
+        which facts of the active state are sensed to differ or are unknown."""
+        self._inner.show_view(blueprint, view, chosen, sensed)
+        self._follow()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._follow()
+
+    def _follow(self) -> None:
+        corner = QPoint(self.horizontalScrollBar().value(), self.verticalScrollBar().value())
+        self._inner.set_window(QRect(corner, self.viewport().size()))
+        found = self._inner.columns
+        if found is not None:
+            self.columns_moved.emit(found)
+
+    def _see(self, card: QWidget) -> None:
+        self.ensureWidgetVisible(card, 0, 12)

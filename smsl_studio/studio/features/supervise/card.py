@@ -1,0 +1,241 @@
+"""A card of the partial view: one operation out of the active state, as a button that shows it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QAbstractButton, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.icons import ACTOR_ICON, draw
+from smsl_studio.studio.base.paint.ink import Type, draw_sub_mark, faded, hatch, pen, rounded_rect
+from smsl_studio.studio.base.theme import RADIUS_NODE, Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.running.partial import (
+    NEXT,
+    NUMBERED,
+    ONE_AT_A_TIME,
+    PAUSED,
+    POSSIBLE,
+    PRUNED,
+    REFUSED,
+    RISKY,
+    RUNNING,
+    UNKNOWN,
+    VETOED,
+    WAITS,
+    OperationCard,
+)
+
+HEIGHT = 50
+ROOM = 160
+"""Pixels that a reason needs on a card to say anything; else it is told when the card is chosen."""
+INSET = 3
+"""Around the border, for the ring of a card that is chosen or has the focus."""
+RISKS = {"low": 1, "medium": 2, "high": 3}
+BADGES = {
+    RUNNING: "running",
+    PAUSED: "paused",
+    WAITS: "waits for you",
+    UNKNOWN: "unknown fact",
+    PRUNED: "pruned",
+    RISKY: "risky",
+    VETOED: "vetoed once",
+    REFUSED: "not now",
+}
+ACTORS = {"human": "a person acts", "shared": "a person and the robot act", "robot": "automatic"}
+
+
+class CardButton(QAbstractButton):
+    """Choosing it does nothing yet: a decision asks once more."""
+
+    step_wanted = Signal(int)
+    """The card so many places further on is wanted."""
+
+    def __init__(self, card: OperationCard, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.card, self._tokens = card, tokens
+        self._chosen = False
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_Hover)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.show_card(card, chosen=False)
+
+    def show_card(self, card: OperationCard, chosen: bool) -> None:
+        """Show another standing of the same operation, or another operation."""
+        self.card, self._chosen = card, chosen
+        self.setAccessibleName(plain_text(card_words(card, chosen)))
+        self.setToolTip(tip_text(_tip(card)))
+        self.update()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(265 + 2 * INSET, HEIGHT + 2 * INSET)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        steps = {
+            Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1,
+        }  # fmt: skip
+        step = steps.get(Qt.Key(event.key()))
+        if step is None:
+            super().keyPressEvent(event)
+        else:
+            self.step_wanted.emit(step)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        box = QRectF(self.rect()).adjusted(INSET, INSET, -INSET, -INSET)
+        self._ground(painter, box)
+        left = box.left() + 12
+        if self.card.mark:
+            draw_sub_mark(painter, left + 4, box.top() + 17, self.card.mark, self._tokens.acc,
+                          self._tokens.surf)  # fmt: skip
+            left += 14
+        right = self._badge(painter, box)
+        self._name(painter, left, box.top() + 17, right - 8 - left)
+        self._second_line(painter, box)
+        painter.end()
+
+    def _ground(self, painter: QPainter, box: QRectF) -> None:
+        t, standing = self._tokens, self.card.standing
+        dashes: tuple[float, ...] = ()
+        fill, line, wide = t.surf, t.nl, 1.2
+        if standing in (WAITS, RUNNING, PAUSED):
+            fill, line, wide = t.accs, t.acc, 1.6
+        elif standing == NEXT:
+            line, wide, dashes = t.acc, 1.6, (4.0, 3.0)
+        elif standing == UNKNOWN:
+            dashes = (6.0, 3.0)
+        elif standing == PRUNED:
+            dashes = (2.0, 3.0)
+        elif standing == RISKY:
+            line = t.risk
+        elif standing in (REFUSED, VETOED):
+            fill, line = t.win, t.line2
+        if self._chosen or self.hasFocus():
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.setPen(QPen(t.acc if self._chosen else t.accl, 2))
+            ring = box.adjusted(-2, -2, 2, 2)
+            painter.drawRoundedRect(ring, RADIUS_NODE + 2, RADIUS_NODE + 2)
+        if self.underMouse() and standing == POSSIBLE:
+            line = t.acc
+        painter.setPen(pen(line, wide, dashes))
+        painter.setBrush(fill)
+        painter.drawRoundedRect(box, RADIUS_NODE, RADIUS_NODE)
+
+    def _badge(self, painter: QPainter, box: QRectF) -> float:
+        """Paint the key, or what is special; where it begins."""
+        t, words = self._tokens, BADGES.get(self.card.standing, "")
+        if not words:
+            return self._key(painter, box)
+        kind = Type(text_font(11, 600))
+        sign = {UNKNOWN: "?", PRUNED: "barred", RISKY: "warning"}.get(self.card.standing, "")
+        wide = kind.width(words) + 14 + (15 if sign else 0)
+        place = QRectF(box.right() - 8 - wide, box.top() + 7, wide, 19)
+        fill, line, ink, dashes = {
+            RUNNING: (t.acc, t.acc, t.onacc, ()),
+            PAUSED: (t.surf, t.acc, t.acc, ()),
+            WAITS: (t.acc, t.acc, t.onacc, ()),
+            UNKNOWN: (t.unks, t.unk, t.unk, (3.0, 2.0)),
+            RISKY: (t.risks, t.risk, t.risk, ()),
+        }.get(self.card.standing, (t.sunk, t.line2, t.tx2, ()))
+        shape = rounded_rect(place.x(), place.y(), place.width(), place.height(), 5.0)
+        painter.fillPath(shape, fill)
+        if self.card.standing == UNKNOWN:
+            painter.fillPath(shape, hatch(faded(t.unk, 0.25)))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(pen(line, 1.0, dashes))
+        painter.drawPath(shape)
+        left = place.left() + 7
+        if sign == "?":
+            kind.draw_from(painter, left + 1, place.center().y(), "?", ink)
+        elif sign:
+            draw(painter, sign, QRectF(left - 1, place.center().y() - 6, 12, 12), ink, fill)
+        kind.draw_from(painter, left + (15 if sign else 0), place.center().y(), words, ink)
+        return place.left()
+
+    def _key(self, painter: QPainter, box: QRectF) -> float:
+        if self.card.number > NUMBERED:
+            return box.right() - 4
+        t = self._tokens
+        place = QRectF(box.right() - 8 - 24, box.top() + 7, 24, 19)
+        painter.setPen(QPen(t.line, 1))
+        painter.setBrush(t.win)
+        painter.drawRoundedRect(place, 4, 4)
+        kind = Type(text_font(11, 500))
+        centre = place.center()
+        kind.draw(painter, centre.x(), centre.y(), str(self.card.number), t.tx2)
+        return place.left()
+
+    def _name(self, painter: QPainter, left: float, middle: float, room: float) -> None:
+        t = self._tokens
+        font = text_font(13, 600)
+        font.setStrikeOut(self.card.standing == PRUNED)
+        quiet = self.card.standing in (PRUNED, REFUSED, VETOED)
+        kind = Type(font)
+        shown = kind.elided(self.card.name, room)
+        kind.draw_from(painter, left, middle, shown, t.tx2 if quiet else t.tx)
+
+    def _second_line(self, painter: QPainter, box: QRectF) -> None:
+        t, plain, y = self._tokens, Type(text_font(12)), box.top() + 36
+        left = box.left() + 12
+        ink = {"low": t.ok, "medium": t.risk, "high": t.bad}.get(self.card.risk, t.tx3)
+        for at in range(3):
+            filled = at < RISKS.get(self.card.risk, 0)
+            _triangle(painter, left + 5 + at * 10, y, ink if filled else None, t)
+        word = self.card.risk or "not rated"
+        plain.draw_from(painter, left + 33, y, word, ink if self.card.risk else t.tx3)
+        left += 33 + max(plain.width(word), plain.width("medium")) + 8
+        cost = f"cost {self.card.cost}"
+        plain.draw_from(painter, left, y, cost, t.tx2)
+        left += max(plain.width(cost), plain.width("cost 0.0")) + 8
+        icon = ACTOR_ICON.get(self.card.actor, "robot")
+        draw(painter, icon, QRectF(left, y - 7, 13, 13), t.tx2, t.surf)
+        left += 17
+        words, (reason, *_) = self.card.needs, (*self.card.reasons, "")
+        own = reason and not self.card.unmet and not reason.startswith(ONE_AT_A_TIME)
+        if self.card.standing == REFUSED and own and box.right() - 6 - left >= ROOM:
+            words = reason
+        ink = {"unknown": t.unk, "missing": t.risk}.get(self.card.unmet, t.tx2)
+        painter.setFont(plain.font)
+        painter.setPen(ink)
+        right = Qt.TextElideMode.ElideRight
+        shown = plain.metrics.elidedText(plain_text(words), right, box.right() - 6 - left)
+        painter.drawText(QPointF(left, y + plain.rise), shown)
+
+
+def _triangle(painter: QPainter, x: float, y: float, fill: QColor | None, tokens: Tokens) -> None:
+    corners = QPolygonF([QPointF(x, y - 4), QPointF(x + 4.4, y + 4), QPointF(x - 4.4, y + 4)])
+    painter.setPen(QPen(fill or tokens.line2, 1))
+    painter.setBrush(fill or Qt.BrushStyle.NoBrush)
+    painter.drawPolygon(corners)
+
+
+def card_words(card: OperationCard, chosen: bool = False) -> str:
+    """A card in words, for those who do not see it."""
+    words = [f"{card.number}, {card.name}"]
+    words.append(f"stays in {card.target}" if card.stays else f"to {card.target}")
+    words += ["chosen"] if chosen else []
+    words.append(BADGES.get(card.standing, "on the route" if card.on_route else "possible"))
+    words.append(f"risk {card.risk}" if card.risk else "risk not rated")
+    words += [f"cost {card.cost}", ACTORS.get(card.actor, card.actor)]
+    if card.needs != "Nothing":
+        words.append(f"needs {card.needs}")
+    return ", ".join([*words, *card.reasons])
+
+
+def _tip(card: OperationCard) -> str:
+    lines = [str(card.address), f"stays in {card.target}" if card.stays else f"to {card.target}"]
+    if card.mark:
+        words = {"rise": "turns a sub-SB's fact on", "fall": "turns a sub-SB's fact off",
+                 "mixed": "changes a sub-SB's fact with others"}  # fmt: skip
+        lines.append(words[card.mark])
+    lines += [f"Needs {card.needs}"] if card.needs != "Nothing" else []
+    lines += card.reasons
+    if card.number <= NUMBERED:
+        lines.append(f"Key {card.number}, then Enter")
+    return "\n".join(lines)

@@ -1,0 +1,151 @@
+"""How one decides: what is chosen, what is asked once more, and what becomes of the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QApplication, QWidget
+from shiboken6 import isValid
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.runlog.events import Commanded, Event, OperationRefused
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.features.supervise.step_in import StepIn
+from smsl_studio.studio.running import decisions
+from smsl_studio.studio.running.decisions import Decision
+from smsl_studio.studio.running.partial import PRUNED, RISKY, VETOED, OperationCard, PartialView
+from smsl_studio.studio.running.phases import LATCHED
+from smsl_studio.studio.running.run_session import RunSession
+
+
+class DecisionFlow(QObject):
+    """Asks in the box of step in, and commands the run when it was answered.
+
+    ``home`` takes the keys when nothing is asked and what had them before is gone.
+    """
+
+    changed = Signal()
+    """Something is chosen or asked, or no longer."""
+
+    def __init__(self, run: RunSession, step_in: StepIn, home: QWidget) -> None:
+        super().__init__(home)
+        self._run, self._step_in, self._home = run, step_in, home
+        self._asking = step_in.asking
+        self._came_from: QWidget | None = None
+        self._let_be: object = None
+        self.picked: Address | None = None
+        step_in.wanted.connect(self.ask)
+        step_in.asking.confirmed.connect(self._do)
+        step_in.asking.dropped.connect(self.drop)
+        run.events_told.connect(self._tell)
+
+    def pick(self, card: OperationCard) -> None:
+        """Choose an operation, and ask what shall be done with it."""
+        self.picked = card.address
+        self.ask(decisions.choose(card))
+
+    def ask(self, decision: Decision) -> None:
+        """Ask for a decision; the keys go there."""
+        if self._asking.decision is None:
+            focus = QApplication.focusWidget()
+            inside = focus is not None and self._home.isAncestorOf(focus)
+            self._came_from = focus if inside else None
+        self._step_in.say("")
+        self._asking.show_decision(decision)
+        self._asking.take_focus()
+        self.changed.emit()
+
+    def drop(self) -> None:
+        """Nothing is decided; what was chosen is let go of."""
+        status = self._run.status
+        self._let_be = status.candidates if status is not None else None
+        self._asking.show_decision(None)
+        self.picked = None
+        self._step_in.say("")
+        self._go_back()
+        self.changed.emit()
+
+    def confirm(self) -> bool:
+        """Do what is asked about; whether something is."""
+        if self._asking.decision is None:
+            return False
+        self._asking.confirm()
+        return True
+
+    def follow(self, status: DispatchStatus | None, view: PartialView | None) -> None:
+        """A question whose ground is gone is asked no more; a located state is asked about."""
+        if view is None or view.card(self.picked) is None:
+            self.picked = None
+        if self._run.exists and _tells(status, self._step_in.refusal):
+            # The card above says why the run holds: once is enough.
+            self._step_in.say("")
+        located = self._located(status)
+        decision = self._asking.decision
+        if decision is None:
+            if located and status is not None and status.candidates != self._let_be:
+                self._asking.show_decision(decisions.accept(status))
+            return
+        card = view.card(decision.address) if view is not None else None
+        about_card = decision.command in (decisions.ASK, "")
+        if (
+            not self._run.exists
+            or (about_card and card is None)
+            or (decision.command == decisions.ACCEPT and not located)
+        ):
+            self._asking.show_decision(None)
+        elif (
+            card is not None
+            and card.address == self.picked
+            and (about_card or _is_restored(decision, card))
+        ):
+            self._asking.show_decision(decisions.choose(card))
+
+    def _located(self, status: DispatchStatus | None) -> bool:
+        taken = status is not None and self._run.exists and status.phase == "taken_over"
+        return taken and status is not None and len(status.candidates) == 1
+
+    def _do(self, decision: Decision, reason: str) -> None:
+        run, address = self._run, decision.address
+        self._let_be = None
+        self._asking.show_decision(None)
+        commands: dict[str, Callable[[], None]] = {}
+        if address is not None:
+            commands = {
+                decisions.ASK: partial(run.ask, address),
+                decisions.VETO: partial(run.veto, address),
+                decisions.PRUNE: partial(run.prune, address, reason),
+                decisions.RESTORE: partial(run.restore, address),
+            }
+        commands.get(decision.command, partial(run.command, decision.command))()
+        self.picked = None
+        self._go_back()
+        self.changed.emit()
+
+    def _go_back(self) -> None:
+        """The keys go back to where they were before something was asked."""
+        back, self._came_from = self._came_from, None
+        there = back is not None and isValid(back) and back.isVisible()
+        (back if back is not None and there else self._home).setFocus()
+
+    def _tell(self, events: tuple[Event, ...]) -> None:
+        """What the run refused is said in place."""
+        for event in events:
+            if isinstance(event, Commanded) and event.refused:
+                self._step_in.say(capital(event.refused))
+            elif isinstance(event, OperationRefused):
+                self._step_in.say(" ".join(map(capital, event.reasons)))
+
+
+def _is_restored(decision: Decision, card: OperationCard) -> bool:
+    """Whether what was to be restored may be used again already."""
+    return decision.command == decisions.RESTORE and card.standing not in (PRUNED, RISKY, VETOED)
+
+
+def _tells(status: DispatchStatus | None, refusal: str) -> bool:
+    """Whether the sentence on why a run holds has all of a refusal."""
+    if status is None or status.phase not in LATCHED or not refusal:
+        return False
+    return refusal.rstrip(".").casefold() in status.sentence.casefold()

@@ -1,0 +1,170 @@
+"""The state check of the SB that is shown, fact by fact: pure functions from a run's status."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.check import CheckResult, Term, state_check, sub_below
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.written_check import written_check
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.monitor.facts import SourceState
+from smsl_studio.studio.base.chips import kind_of
+from smsl_studio.studio.running.facts_table import FactRow
+from smsl_studio.studio.running.freshness import age_of_nothing, limit_of, slow_words
+
+LOST = "process gone"
+SIGNS = {True: "true", False: "false", None: "unknown"}
+
+
+@dataclass(frozen=True)
+class CheckView:
+    """A state check: whose, how it stands, its facts, and its written form with every term.
+
+    ``kind`` dresses the verdict: good, held, unknown. ``awaited`` says that an operation which
+    leads to this state still runs.
+    """
+
+    state: str
+    verdict: str
+    kind: str
+    rows: tuple[FactRow, ...]
+    written: str
+    terms: str
+    awaited: bool = False
+
+
+def check_view(
+    blueprint: Blueprint, status: DispatchStatus, branch: str, lost: bool = False
+) -> CheckView | None:
+    """The check that decides next in an SB: of the state an operation leads to while it runs, of
+    the active state otherwise. ``lost``: the world is gone, and nothing is known of now."""
+    state = status.configuration.get(branch, "")
+    own = blueprint.branches.get(branch)
+    if own is None or state not in own.table:
+        return None
+    awaited = status.check
+    if awaited is None or awaited.branch != branch:
+        awaited = state_check(blueprint, branch, state, status.scene, status.configuration)
+    running = status.running is not None and awaited.state != state
+    truth = None if lost or (running and awaited.truth is False) else awaited.truth
+    verdict, kind = {
+        True: ("True", "good"),
+        False: ("Not true", "held"),
+        None: ("Not yet known" if running else "Unknown", "unknown"),
+    }[truth]
+    said = written_check(blueprint, awaited)
+    return CheckView(
+        state=awaited.state,
+        verdict=verdict,
+        kind=kind,
+        rows=_rows(blueprint, own, status, awaited, state, lost),
+        written=f"{said.name} := {said.text}",
+        terms="\n".join(f"{term.text}: {SIGNS[term.truth]}, {term.why}" for term in said.terms),
+        awaited=running,
+    )
+
+
+def sensed_marks(
+    blueprint: Blueprint, status: DispatchStatus, branch: str
+) -> tuple[tuple[int, str], ...]:
+    """The facts of the active state that are sensed to differ, or unknown, while nothing moves."""
+    state = status.configuration.get(branch, "")
+    own = blueprint.branches.get(branch)
+    if own is None or state not in own.table or status.running is not None:
+        return ()
+    found = []
+    for digit, believed in enumerate(own.facts(state)):
+        reading = status.scene.get(branch, digit)
+        if reading is not None and reading.sensed and reading.value != believed:
+            found.append((digit, "unknown" if reading.value is None else "differs"))
+    return tuple(found)
+
+
+def _rows(
+    blueprint: Blueprint,
+    own: StateBranch,
+    status: DispatchStatus,
+    check: CheckResult,
+    state: str,
+    lost: bool,
+) -> tuple[FactRow, ...]:
+    terms = {term.fact: term for term in check.terms}
+    moving = check.state != state
+    return tuple(
+        _row(blueprint, own, status, terms.get((own.name, digit)), state, digit, moving, lost)
+        for digit in range(len(own.facts(state)))
+    )
+
+
+def _row(
+    blueprint: Blueprint,
+    own: StateBranch,
+    status: DispatchStatus,
+    term: Term | None,
+    state: str,
+    digit: int,
+    moving: bool,
+    lost: bool,
+) -> FactRow:
+    believed, name = own.facts(state)[digit], own.fact_name(digit)
+    chip, sub = kind_of(own, state, digit), sub_below(blueprint, own, digit)
+    if sub is not None:
+        return _sub_row(name, believed, chip, sub, status, term)
+    reading = status.scene.get(own.name, digit)
+    if reading is None or not reading.sensed:
+        words = "believed, nobody senses it"
+        return FactRow(name, believed, "", None, "believed", words, chip=chip)
+    if lost or reading.value is None:
+        words = LOST if lost else reading.reason or "no reading"
+        age = None if lost else age_of_nothing(reading)
+        return FactRow(name, believed, None, age, "unknown", words, chip=chip)
+    wanted = term.wanted if term is not None else believed
+    if moving and wanted != believed:
+        quality, words = "transit", f"moving, expects {wanted}"
+    else:
+        quality = "agrees" if reading.value == believed else "differs"
+        words = _sources(status.sources, (own.name, digit), reading.value)
+        words = words if quality == "agrees" else f"not {believed}; {words}"
+    limit = limit_of(status.sources, (own.name, digit), reading.value, reading.age)
+    words += slow_words(reading.age, limit)
+    return FactRow(
+        name, believed, reading.value, reading.age, quality, words, chip=chip, limit=limit
+    )
+
+
+def _sub_row(
+    name: str,
+    believed: str,
+    chip: str,
+    sub: StateBranch,
+    status: DispatchStatus,
+    term: Term | None,
+) -> FactRow:
+    """A fact that a sub-SB expands has no sensor: it is the sub-SB's state check."""
+    words = f"{sub.name} in {status.configuration.get(sub.name, 'no state')}"
+    sensed = term.reading if term is not None else None
+    if term is not None and term.truth is None and term.reason:
+        words = f"{words}; {term.reason}"
+    quality = "unknown" if sensed is None else "agrees" if sensed == believed else "differs"
+    ages = [
+        reading.age
+        for (branch, _), reading in status.scene.readings.items()
+        if branch == sub.name and reading.sensed
+    ]
+    age = max(ages, default=None)
+    return FactRow(name, believed, sensed, age, quality, words, chip=chip, sub=True)
+
+
+def _sources(sources: Sequence[SourceState], fact: tuple[str, int], value: str) -> str:
+    """Who says so; and who does not."""
+    here = [one.said for one in sources if one.fact == fact]
+    # Where a person has said it, that is what counts.
+    here.sort(key=lambda said: not said.human)
+    agree = [said.source for said in here if said.value == value]
+    silent = [said.source for said in here if said.value != value]
+    if not here:
+        return "agrees"
+    words = ", ".join(agree) + (" agree" if len(agree) > 1 else "")
+    return f"{words}; not {', '.join(silent)}" if silent else words

@@ -1,0 +1,173 @@
+"""The line above the partial view: which State Branch, what its columns are, and the full map."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import row
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.paint.ink import Type
+from smsl_studio.studio.base.theme import Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.features.supervise.columns import Columns
+from smsl_studio.studio.features.supervise.surface import draw_dots
+from smsl_studio.studio.running.frames import tool
+
+HIGH, LOW = 64, 40
+"""With the names of the columns, and without."""
+TOP = 40
+
+
+class PartialHead(QWidget):
+    """With several SBs one button each; the one in which something happens is chosen unasked,
+    until a person chooses."""
+
+    branch_wanted = Signal(str)
+    map_wanted = Signal(bool)
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._columns: Columns | None = None
+        self._previous = False
+        self._shift = 0
+        self._names: tuple[str, ...] = ()
+        self._shown = self._live = ""
+        self._mapped: tuple[bool, bool] | None = None
+        self.setFixedHeight(HIGH)
+        self.map = tool("Show full map, logged", "map", "", tokens)
+        self.map.setCheckable(True)
+        self.map.clicked.connect(lambda on: self.map_wanted.emit(on))
+        self.map.setProperty("role", "mapTool")
+        self.map.setFixedHeight(28)
+        inner = QWidget()
+        self._buttons = QHBoxLayout(inner)
+        self._buttons.setContentsMargins(0, 0, 0, 0)
+        self._buttons.setSpacing(2)
+        top = row(inner, None, self.map)
+        top.setContentsMargins(6, 6, 12, 0)
+        top.setAlignment(Qt.AlignmentFlag.AlignTop)
+        self.setLayout(top)
+
+    def branches(self) -> list[QToolButton]:
+        """The buttons of the SBs, in order."""
+        return [
+            button
+            for at in range(self._buttons.count())
+            if (item := self._buttons.itemAt(at)) is not None
+            and isinstance(button := item.widget(), QToolButton)
+            and not button.isHidden()
+        ]
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._dress_map()
+        self.update()
+
+    def show_columns(self, columns: Columns | None, previous: bool, shift: int) -> None:
+        """Name the columns where they stand; None: there are none. ``shift`` says how far what is
+        below is scrolled to the right, ``previous`` whether there is a state before."""
+        told = (columns, previous, shift)
+        if told != (self._columns, self._previous, self._shift):
+            self._columns, self._previous, self._shift = told
+            self.update()
+
+    def show_branches(self, names: Sequence[str], shown: str, live: str) -> None:
+        """``live`` is the SB in which an operation runs."""
+        told = (tuple(names), shown, live)
+        if told == (self._names, self._shown, self._live):
+            return
+        self._names, self._shown, self._live = told
+        self._fill()
+
+    def show_map(self, on: bool, possible: bool) -> None:
+        """Whether the full map is shown, and whether it may be asked for."""
+        if (on, possible) == self._mapped:
+            self.map.setChecked(on)
+            return
+        self._mapped = (on, possible)
+        self.map.setChecked(on)
+        self.map.setText("Back to the partial view" if on else "Show full map, logged")
+        self.map.setEnabled(possible)
+        self.map.setToolTip(
+            "Every state and operation of this State Branch. That it was looked at stands in the "
+            "record." if possible else "It is logged in a run's record, and no run is there."
+        )  # fmt: skip
+        self.map.setAccessibleName(plain_text(self.map.text().strip()))
+        self._dress_map()
+
+    def _dress_map(self) -> None:
+        colour = self._tokens.acc if self.map.isChecked() else self._tokens.tx2
+        self.map.setIcon(icon("map", self._tokens, 16, colour))
+
+    def _fill(self) -> None:
+        while self._buttons.count() < len(self._names):
+            button = QToolButton()
+            button.setProperty("role", "branch")
+            button.setCheckable(True)
+            at = self._buttons.count()
+            button.clicked.connect(lambda _=False, at=at: self._choose(at))
+            self._buttons.addWidget(button)
+        middle = Qt.TextElideMode.ElideMiddle
+        metrics = QFontMetrics(text_font(13, 600))
+        share = (self.width() - 220) // max(len(self._names), 1) - 14
+        for at in range(self._buttons.count()):
+            item = self._buttons.itemAt(at)
+            found = item.widget() if item else None
+            assert isinstance(found, QToolButton)
+            found.setVisible(at < len(self._names))
+            if at < len(self._names):
+                name = self._names[at]
+                words = metrics.elidedText(plain_text(name), middle, max(share, 30))
+                found.setText(as_it_is(words))
+                found.setToolTip(tip_text(f"Show {name}"))
+                found.setAccessibleName(plain_text(name))
+                found.setChecked(name == self._shown)
+                live = name == self._live and len(self._names) > 1
+                if bool(found.property("live")) != live:
+                    found.setProperty("live", live)
+                    found.style().unpolish(found)
+                    found.style().polish(found)
+
+    def _choose(self, at: int) -> None:
+        self._fill()
+        self.branch_wanted.emit(self._names[at])
+
+    def sizeHint(self) -> QSize:
+        return QSize(600, HIGH)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, HIGH)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._names:
+            self._fill()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self._tokens.canvas)
+        draw_dots(painter, self.rect(), self._tokens)
+        found = self._columns
+        if found is not None:
+            painter.setRenderHint(QPainter.RenderHint.TextAntialiasing)
+            kind = Type(text_font(12))
+            painter.setFont(kind.font)
+            painter.setPen(self._tokens.tx2)
+            long = "Permitted operations: risk, cost, who acts, needs"
+            cards = long if kind.width(long) < found.cards[1] + 60 else "Permitted operations"
+            for (x, wide), words in (
+                (found.previous, "Previous" if self._previous else ""),
+                (found.current, "Current"),
+                (found.cards, cards),
+                (found.neighbours, "Neighbours"),
+            ):
+                room = QRectF(x - 40 - self._shift, TOP, wide + 80, 18)
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, plain_text(words))
+        painter.end()

@@ -1,0 +1,77 @@
+"""The legend of the partial view: what its marks mean, where there is room to say so."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPolygonF
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.paint.ink import Type, draw_sub_mark
+from smsl_studio.studio.base.theme import Tokens, text_font
+from smsl_studio.studio.features.supervise.wires import wire_pen
+from smsl_studio.studio.running.partial import PRUNED, UNKNOWN
+
+LINE, LEFT, WORDS = 22, 20, 62
+
+
+class PartialLegend(QWidget):
+    """Four lines; the last one only where sub-SBs expand facts."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self._sub = ""
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._say()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def show_sub(self, fact: str) -> None:
+        """Name the fact that a sub-SB expands; empty where there is none."""
+        if fact != self._sub:
+            self._sub = fact
+            self._say()
+            self.resize(self.sizeHint())
+            self.update()
+
+    def _lines(self) -> list[str]:
+        lines = ["risk: low, medium, high", "held back by an unknown fact", "pruned until restored"]
+        return [*lines, f"“{self._sub}” turns on, off, or with others"] if self._sub else lines
+
+    def _say(self) -> None:
+        self.setAccessibleName(plain_text("Legend: " + "; ".join(self._lines())))
+
+    def sizeHint(self) -> QSize:
+        kind = Type(text_font(12))
+        widest = max(kind.width(words) for words in self._lines())
+        return QSize(round(WORDS + widest) + 8, len(self._lines()) * LINE + 8)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        t, kind = self._tokens, Type(text_font(12))
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for at, words in enumerate(self._lines()):
+            y = at * LINE + LINE / 2
+            self._sign(painter, at, y)
+            kind.draw_from(painter, WORDS, y, words, t.tx2)
+        painter.end()
+
+    def _sign(self, painter: QPainter, at: int, y: float) -> None:
+        t = self._tokens
+        if at == 0:
+            for one in range(3):
+                x = LEFT + 5 + one * 10
+                painter.setPen(t.risk if one < 2 else t.line2)
+                painter.setBrush(t.risk if one < 2 else Qt.BrushStyle.NoBrush)
+                painter.drawPolygon(
+                    QPolygonF([QPointF(x, y - 4), QPointF(x + 4.4, y + 4), QPointF(x - 4.4, y + 4)])
+                )
+        elif at < 3:
+            painter.setPen(wire_pen(UNKNOWN if at == 1 else PRUNED, t))
+            painter.drawLine(QPointF(LEFT, y), QPointF(LEFT + 30, y))
+        else:
+            for one, mark in enumerate(("rise", "fall", "mixed")):
+                draw_sub_mark(painter, LEFT + 5 + one * 11, y, mark, t.acc, t.canvas)

@@ -1,0 +1,75 @@
+"""What Supervise says where no run is there: how one starts, or how the last one ended."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.words import capital
+from smsl_studio.studio.running.phases import phase_words
+from smsl_studio.studio.running.run_session import RunSession
+
+
+class Notice(QWidget):
+    """A sentence, what to do, and a button that does it."""
+
+    pressed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setProperty("role", "ground")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._title, self._why = label("", "title"), label("", "second")
+        self.begin = QPushButton("Run   F5")
+        self.begin.setProperty("role", "primary")
+        self.begin.setFixedWidth(140)
+        self.begin.clicked.connect(self.pressed)
+        self._refusal = ""
+        column = QVBoxLayout(self)
+        column.setContentsMargins(32, 24, 32, 72)
+        column.setSpacing(10)
+        column.addStretch(1)
+        for part in (self._title, self._why):
+            part.setAlignment(Qt.AlignmentFlag.AlignCenter)
+            part.setWordWrap(True)
+            column.addWidget(part)
+        column.addSpacing(6)
+        column.addWidget(self.begin, 0, Qt.AlignmentFlag.AlignCenter)
+        column.addStretch(1)
+
+    @property
+    def words(self) -> str:
+        """Everything that is said."""
+        return f"{self._title.text()} {self._why.text()}"
+
+    def say(self, why: str) -> None:
+        """Why a run could not begin."""
+        self._refusal = capital(why.strip())
+        self._why.setText(self._refusal)
+
+    def show_run(self, run: RunSession, drawn: Blueprint) -> None:
+        """Follow the run; ``drawn`` is what the next one would be of."""
+        if run.exists:
+            self._refusal = ""
+            self._title.setText("Opening the world")
+            self._why.setText("")
+        elif run.story.finished is not None:
+            self._title.setText(phase_words(run.phase)[0])
+            again = (
+                f"F5 runs {Path(drawn.file).name} as it is drawn now."
+                if run.is_another(drawn)
+                else "F5 starts another run."
+            )
+            self._why.setText(f"{capital(run.sentence)}\n{again}")
+        else:
+            self._title.setText("No run")
+            self._why.setText(
+                self._refusal
+                or "F5 starts one, in the world that is chosen in Run mode. Its current state and "
+                "the operations out of it are shown here."
+            )
+        self.begin.setVisible(not run.exists)

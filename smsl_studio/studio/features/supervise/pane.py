@@ -1,0 +1,358 @@
+"""The body of Supervise: the partial view, what decides, and the column in which one steps in."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.studio.base.controls import rule
+from smsl_studio.studio.base.room import Room
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.supervise.bar import SuperviseBar
+from smsl_studio.studio.features.supervise.board import Board
+from smsl_studio.studio.features.supervise.check_panel import CheckPanel
+from smsl_studio.studio.features.supervise.decision_flow import DecisionFlow
+from smsl_studio.studio.features.supervise.facts import sensed_marks
+from smsl_studio.studio.features.supervise.head import HIGH, LOW, PartialHead
+from smsl_studio.studio.features.supervise.notice import Notice
+from smsl_studio.studio.features.supervise.step_in import StepIn
+from smsl_studio.studio.running import decisions
+from smsl_studio.studio.running.hold_card import HoldCard
+from smsl_studio.studio.running.partial import PartialView, partial_view, shown_branch
+from smsl_studio.studio.running.run_canvas import RunCanvas
+from smsl_studio.studio.running.run_session import RunSession
+
+RIGHT = 396
+BELOW = 246
+"""The height of the panels below the partial view, as designed."""
+
+
+class SupervisePane(QWidget):
+    """Shows the run of this window; it never runs anything by itself.
+
+    ``task_slot`` and ``level_slot`` take the widgets that ask people, and say how far they lead.
+    """
+
+    begin_wanted = Signal()
+    """A run shall start."""
+
+    def __init__(
+        self, session: Session, run: RunSession, tokens: Tokens, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._run = session, run
+        self._chosen_branch = self._branch = ""
+        self._view: PartialView | None = None
+        self.setAccessibleName("Supervise")
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.bar = SuperviseBar(tokens)
+        self.head, self.board = PartialHead(tokens), Board(tokens)
+        self.full_map = RunCanvas(session, run, tokens)
+        self.notice = Notice()
+        self.check = CheckPanel(tokens)
+        self.hold, self.step_in = HoldCard(), StepIn(tokens)
+        self._wearing = (self.bar, self.head, self.board, self.full_map, self.check, self.step_in)
+        self.deciding = DecisionFlow(run, self.step_in, self)
+        self._build()
+        self._connect()
+        self.refresh()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for part in self._wearing:
+            part.set_tokens(tokens)
+        self.refresh()
+
+    # What is asked of it.
+
+    @property
+    def view(self) -> PartialView | None:
+        """What the partial view shows now."""
+        return self._view
+
+    @property
+    def subject(self) -> Address | None:
+        """The operation that a veto or a prune would be about: the chosen one, else the next."""
+        status = self._run.status
+        if self._view is not None and self._view.card(self.deciding.picked) is not None:
+            return self.deciding.picked
+        if status is None or not self._run.exists:
+            return None
+        return status.running or status.carrying or next(iter(status.route), None)
+
+    def choose(self, number: int) -> None:
+        """Choose the operation with this key; Enter does the rest."""
+        card = self._view.numbered(number) if self._view is not None else None
+        if card is not None and self._run.exists:
+            self.pick(card.address)
+
+    def pick(self, address: Address) -> None:
+        """Choose one operation and ask what shall be done with it."""
+        card = self._view.card(address) if self._view is not None else None
+        if card is not None and self._run.exists:
+            self.deciding.pick(card)
+
+    def accept(self) -> None:
+        """Ask for the state that was located, where one was."""
+        status = self._run.status
+        if status is not None and self.is_located():
+            self.deciding.ask(decisions.accept(status))
+
+    def set_full_map(self, on: bool) -> None:
+        """Show the whole of the SB; that it was looked at stands in the run's record."""
+        if self._run.exists:
+            self._run.full_map(on)
+            if on:
+                self.full_map.show_branch(self._branch)
+
+    def show_branch(self, name: str) -> None:
+        """Show this SB from now on, whatever happens elsewhere."""
+        self._chosen_branch = name
+        self.deciding.drop()
+        self.refresh()
+
+    # What the actions ask.
+
+    def run_exists(self) -> bool:
+        return self._run.exists
+
+    def is_located(self) -> bool:
+        status = self._run.status
+        taken = status is not None and status.phase == "taken_over"
+        return taken and status is not None and len(status.candidates) == 1
+
+    def is_stopped(self) -> bool:
+        return self._run.exists and self._run.phase == "stopped"
+
+    def is_held(self) -> bool:
+        return self._run.exists and self._run.phase in ("stopped", "fault_hold", "no_route")
+
+    def is_mapped(self) -> bool:
+        return self._run.exists and self._run.status is not None and self._run.status.full_map
+
+    def choose_first(self) -> None:
+        """Lead the keys to the first card."""
+        if self.board.cards:
+            self.board.cards[0].setFocus()
+
+    def ask_veto(self) -> None:
+        self.step_in.ask_veto()
+
+    def ask_prune(self) -> None:
+        self.step_in.ask_prune()
+
+    def ask_hand(self) -> None:
+        self.step_in.ask_hand()
+
+    def ask_reset(self) -> None:
+        self.deciding.ask(decisions.offered(decisions.RESET_OFFER))
+
+    def ask_end(self) -> None:
+        self.deciding.ask(decisions.offered(decisions.END_OFFER))
+
+    def turn_map(self) -> None:
+        self.set_full_map(not self.is_mapped())
+
+    # Building.
+
+    def _build(self) -> None:
+        self.pages = QStackedWidget()
+        for page in (self.board, self.full_map, self.notice):
+            self.pages.addWidget(page)
+        top = _column(self.head, self.pages)
+        self.level_slot = QVBoxLayout()
+        self.level_slot.setContentsMargins(0, 0, 0, 0)
+        level = QWidget()
+        level.setProperty("role", "panel")
+        level.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        level.setLayout(self.level_slot)
+        self.below = _split(Qt.Orientation.Horizontal, self.check, level)
+        self.below.setSizes([583, 424])
+        self.level = level
+        level.hide()
+        left = _split(Qt.Orientation.Vertical, top, self.below)
+        left.setStretchFactor(0, 1)
+        left.setSizes([560, BELOW])
+        right = self._right()
+        right.setMinimumWidth(330)
+        self._sides = _split(Qt.Orientation.Horizontal, left, right)
+        self._sides.setStretchFactor(0, 1)
+        self._sides.setSizes([1044, RIGHT])
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self._sides)
+
+    def _right(self) -> QWidget:
+        """What people are asked and why it holds scroll where they need more than there is, and
+        stepping in stays in view below them."""
+        inner = QWidget()
+        column = QVBoxLayout(inner)
+        column.setContentsMargins(12, 12, 12, 0)
+        column.setSpacing(12)
+        self.task_slot = QVBoxLayout()
+        self.task_slot.setContentsMargins(0, 0, 0, 0)
+        self.task_slot.setSpacing(12)
+        column.addLayout(self.task_slot)
+        column.addWidget(self.hold)
+        below = QVBoxLayout()
+        below.setContentsMargins(12, 12, 12, 12)
+        below.addWidget(self.step_in)
+        right = QWidget()
+        right.setProperty("role", "panel")
+        right.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        whole = QVBoxLayout(right)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        room, edge = Room(inner), rule()
+        edge.hide()
+        # The line says that what stands above it goes on.
+        room.verticalScrollBar().rangeChanged.connect(lambda _, most: edge.setVisible(most > 0))
+        whole.addWidget(room)
+        whole.addWidget(edge)
+        whole.addLayout(below)
+        whole.addStretch(1)
+        return right
+
+    def add_levels(self, widget: QWidget) -> None:
+        """Show how far people and automation lead, beside the state check."""
+        self.level_slot.addWidget(widget)
+        self.level.show()
+
+    def _connect(self) -> None:
+        run, bar = self._run, self.bar
+        run.changed.connect(self.refresh)
+        self._session.blueprint_changed.connect(lambda *_: self.refresh())
+        run.refused.connect(lambda error: self.notice.say(f"{error.sentence} {error.advice}"))
+        self.board.card_chosen.connect(self.pick)
+        self.board.columns_moved.connect(lambda _: self._place_heads())
+        self.full_map.chosen.connect(self.pick)
+        self.head.branch_wanted.connect(self.show_branch)
+        self.head.map_wanted.connect(self.set_full_map)
+        self.deciding.changed.connect(self.refresh)
+        self.hold.wanted.connect(self.deciding.ask)
+        self.notice.pressed.connect(self.begin_wanted)
+        bar.play_wanted.connect(lambda: run.play() if run.exists else self.begin_wanted.emit())
+        bar.pause_wanted.connect(run.pause)
+        bar.stop_wanted.connect(run.stop)
+        bar.reset_wanted.connect(self.ask_reset)
+        bar.end_wanted.connect(self.ask_end)
+
+    # What is shown.
+
+    def refresh(self) -> None:
+        """Show the run as it stands."""
+        run, status, blueprint = self._run, self._run.status, self._run.blueprint
+        here = status is not None and blueprint is not None
+        branch = ""
+        self._view = None
+        if status is not None and blueprint is not None:
+            branch = shown_branch(status, self._chosen_branch, self._branch)
+            self._branch = branch
+            self._view = partial_view(blueprint, status, branch)
+        self._show_bar(status)
+        if not self.isVisible():
+            return
+        self.deciding.follow(status, self._view)
+        mapped = bool(here and run.exists and status is not None and status.full_map)
+        board = here and run.exists and self._view is not None
+        self.pages.setCurrentWidget(
+            self.full_map if mapped else self.board if board else self.notice
+        )
+        sensed = sensed_marks(blueprint, status, branch) if blueprint and status else ()
+        self.board.show_view(blueprint, self._view if board else None, self.deciding.picked, sensed)
+        self._place_heads()
+        self.head.setFixedHeight(LOW if mapped else HIGH)
+        names = list(status.configuration) if status is not None and not mapped else []
+        live = status.running.branch if status is not None and status.running else ""
+        self.head.show_branches(names if run.exists else [], branch, live)
+        self.head.show_map(mapped, run.exists and status is not None)
+        if mapped:
+            self.full_map.refresh()
+        self.notice.show_run(run, self._session.blueprint)
+        self.check.show_status(
+            blueprint, status, self._view, run.phase == "failed", over=not run.exists
+        )
+        self.hold.show_status(status, run.exists)
+        self.step_in.show_status(blueprint, status, run.exists, self.subject)
+
+    def _place_heads(self) -> None:
+        shown = self.pages.currentWidget() is self.board
+        came = self._view is not None and self._view.via is not None
+        self.head.show_columns(self.board.columns if shown else None, came, self.board.shift)
+
+    def _show_bar(self, status: DispatchStatus | None) -> None:
+        run = self._run
+        goals = ", ".join(goal.state for goal in status.goals) if status is not None else ""
+        person = run.who()
+        named = "" if person == "a person" else person
+        self.bar.show_run(run.phase, run.exists, run.sentence, goals, named)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.refresh()
+
+    # Keys.
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        plain = event.modifiers() in (
+            Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier,
+        )  # fmt: skip
+        if plain and not event.isAutoRepeat() and self._press(Qt.Key(event.key())):
+            return
+        super().keyPressEvent(event)
+
+    def _press(self, key: Qt.Key) -> bool:
+        """Obey a key; whether it means something here."""
+        step_in = self.step_in
+        if Qt.Key.Key_1 <= key <= Qt.Key.Key_9:
+            self.choose(key - Qt.Key.Key_0)
+        elif key == Qt.Key.Key_V:
+            step_in.ask_veto()
+        elif key == Qt.Key.Key_P:
+            step_in.ask_prune()
+        elif key == Qt.Key.Key_T:
+            step_in.ask_hand()
+        elif key == Qt.Key.Key_Escape:
+            self.deciding.drop()
+        elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            return self._enter()
+        else:
+            return False
+        return True
+
+    def _enter(self) -> bool:
+        """Enter presses the button that has the focus, else it does what was asked about."""
+        focus = QApplication.focusWidget()
+        if isinstance(focus, QAbstractButton) and self.isAncestorOf(focus):
+            focus.click()
+            return True
+        return self.deciding.confirm()
+
+
+def _column(*parts: QWidget) -> QWidget:
+    made = QWidget()
+    column = QVBoxLayout(made)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    for at, part in enumerate(parts):
+        column.addWidget(part, at)
+    return made
+
+
+def _split(way: Qt.Orientation, *parts: QWidget) -> QSplitter:
+    made = QSplitter(way)
+    made.setHandleWidth(1)
+    made.setChildrenCollapsible(False)
+    for part in parts:
+        made.addWidget(part)
+    return made

@@ -1,0 +1,96 @@
+"""A state of the partial view: its box, and what stands below it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.legible import plain_text
+from smsl_studio.picture.levels import FULL_SIZE
+from smsl_studio.picture.picture import Face
+from smsl_studio.studio.base.paint.ink import Ink, Type
+from smsl_studio.studio.base.paint.node_paint import NodeLook, full_width, paint_node
+from smsl_studio.studio.base.theme import text_font
+from smsl_studio.studio.base.tips import tip_text
+
+AROUND = 26
+"""Room for the glow and the ring."""
+BELOW = 38
+"""Room for two lines of words below the box."""
+
+
+class StateSpot(QWidget):
+    """Shows one state; ``place`` puts the middle of its box somewhere."""
+
+    def __init__(self, ink: Ink, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._ink = ink
+        self._face: Face | None = None
+        self._look = NodeLook()
+        self._strong = self._soft = ""
+        self._wide = FULL_SIZE[0]
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    @property
+    def wide(self) -> float:
+        """The width of the box."""
+        return self._wide
+
+    def set_ink(self, ink: Ink) -> None:
+        self._ink = ink
+        self.update()
+
+    def show_state(
+        self,
+        branch: StateBranch,
+        face: Face,
+        look: NodeLook,
+        role: str,
+        most: float,
+        words: tuple[str, str] = ("", ""),
+    ) -> None:
+        """Show a state at most ``most`` pixels wide; ``words`` stand below it, strong and soft."""
+        self._wide = min(full_width(face, self._ink), most)
+        # Arrows arrive where an initial state has its own: that mark belongs to the map.
+        face = replace(face, initial=False)
+        self._face, self._look, (self._strong, self._soft) = face, look, words
+        facts = [f"{branch.fact_name(digit)}: {chip.text}" for digit, chip in enumerate(face.chips)]
+        title = [face.title] if face.title else []
+        self.setAccessibleName(plain_text(", ".join([f"{role} state {face.name}", *title, *facts])))
+        self.setToolTip(tip_text("\n".join([face.name, *title, *facts])))
+        self.resize(self.sizeHint())
+        self.update()
+
+    def place(self, centre: QPointF) -> None:
+        """Put the middle of the box at a point of the parent."""
+        self.move(round(centre.x() - self.width() / 2), round(centre.y() - AROUND - 27))
+
+    def sizeHint(self) -> QSize:
+        return QSize(round(self._wide) + 2 * AROUND, round(FULL_SIZE[1]) + 2 * AROUND + BELOW)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._face is None:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.translate(self.width() / 2, AROUND + FULL_SIZE[1] / 2)
+        paint_node(painter, self._face, self._wide, False, self._look, self._ink)
+        painter.resetTransform()
+        y = AROUND + FULL_SIZE[1] + 16.0
+        t = self._ink.tokens
+        for words, kind, ink in (
+            (self._strong, Type(text_font(12, 600)), t.tx),
+            (self._soft, Type(text_font(12)), t.tx2),
+        ):
+            if words:
+                room = QRectF(4, y - 9, self.width() - 8, 18)
+                painter.setFont(kind.font)
+                painter.setPen(ink)
+                shown = kind.elided(words, room.width())
+                painter.drawText(room, Qt.AlignmentFlag.AlignCenter, shown)
+                y += 17
+        painter.end()

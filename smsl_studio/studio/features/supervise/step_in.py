@@ -1,0 +1,167 @@
+"""Step in: veto, prune, take over and give back, and the box in which each is asked once more."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.features.supervise.buttons import StepInButton
+from smsl_studio.studio.running import decisions
+from smsl_studio.studio.running.confirmation import ConfirmBox
+from smsl_studio.studio.running.decisions import Decision
+
+OVER = ("", "opening", "idle", "done", "finished")
+NOBODY_MOVES = ("stopped", "taken_over")
+
+
+class StepIn(QWidget):
+    """What a person may do about the operation that is next, or that they chose."""
+
+    wanted = Signal(object)
+    """A decision to ask for."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self.setAccessibleName("Step in")
+        self.asking = ConfirmBox()
+        self._status: DispatchStatus | None = None
+        self._subject: Address | None = None
+        self._on = label("", "second")
+        self._on.setMinimumWidth(40)
+        self.veto = StepInButton("Veto once", "V", "close", tokens)
+        self.prune = StepInButton("Prune…", "P", "scissors", tokens)
+        self.hand = StepInButton("Take over", "T", "hand", tokens, "automation is locked out")
+        self.veto.clicked.connect(self.ask_veto)
+        self.prune.clicked.connect(self.ask_prune)
+        self.hand.clicked.connect(self.ask_hand)
+        self._detour = label("", "small")
+        self._detour.setWordWrap(True)
+        self._why = label("", "refusal")
+        first = QHBoxLayout()
+        first.addWidget(label("Step in", "heading"))
+        first.addStretch(1)
+        first.addWidget(self._on)
+        both = QHBoxLayout()
+        both.setSpacing(8)
+        both.addWidget(self.veto)
+        both.addWidget(self.prune)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(8)
+        column.addLayout(first)
+        column.addLayout(both)
+        for part in (self.hand, self.asking, self._why, self._detour):
+            column.addWidget(part)
+        self._why.hide()
+
+    @property
+    def detour(self) -> str:
+        """The sentence on what would follow a veto."""
+        return self._detour.text()
+
+    @property
+    def refusal(self) -> str:
+        """Why what was pressed last could not be done; empty where it could."""
+        return "" if self._why.isHidden() else self._why.text()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        for button in (self.veto, self.prune, self.hand):
+            button.set_tokens(tokens)
+
+    def show_status(
+        self,
+        blueprint: Blueprint | None,
+        status: DispatchStatus | None,
+        exists: bool,
+        subject: Address | None,
+    ) -> None:
+        """Follow the run; ``subject`` is the operation that a veto or a prune is about."""
+        self._status = status if exists else None
+        self._subject = subject if exists else None
+        whole = f"on {subject.operation}" if self._subject and subject else ""
+        metrics = self._on.fontMetrics()
+        self._on.setText(
+            metrics.elidedText(plain_text(whole), Qt.TextElideMode.ElideMiddle, self.width() - 90)
+        )
+        self._on.setToolTip(tip_text(str(self._subject or "")))
+        for button, why in (
+            (self.veto, self._no_veto()),
+            (self.prune, self._no_prune()),
+            (self.hand, self._no_hand()),
+        ):
+            button.setEnabled(not why)
+            button.setToolTip(tip_text(why))
+        taken = self._status is not None and self._status.phase == "taken_over"
+        if taken:
+            self.hand.set_words("Give back", "the scene is read first", "hand")
+        else:
+            self.hand.set_words("Take over", "automation is locked out", "hand")
+        if self._status is not None and self._why.text().rstrip(".") in self._status.sentence:
+            # Why it holds stands above already.
+            self.say("")
+        item = decisions.possible(self._subject, status) if status is not None else None
+        if item is not None and item.pruned:
+            self.prune.set_words("Restore…", "", "check")
+        else:
+            self.prune.set_words("Prune…", "", "scissors")
+        said = ""
+        if self._status is not None and blueprint is not None:
+            said = decisions.detour_words(blueprint, self._status, subject)
+        self._detour.setText(said)
+        self._detour.setVisible(bool(said))
+
+    def ask_veto(self) -> None:
+        self._want(self._no_veto(), lambda: decisions.veto(*self._about()))
+
+    def ask_prune(self) -> None:
+        self._want(self._no_prune(), lambda: decisions.prune(*self._about()))
+
+    def ask_hand(self) -> None:
+        """Take over, or give back what was taken over."""
+        taken = self._status is not None and self._status.phase == "taken_over"
+        self._want(self._no_hand(), decisions.give_back if taken else decisions.take_over)
+
+    def say(self, why: str) -> None:
+        """Say why something was not done; empty takes it away."""
+        self._why.setText(why)
+        self._why.setVisible(bool(why))
+
+    def _want(self, why: str, make: object) -> None:
+        self.say(why)
+        if not why and callable(make):
+            decision = make()
+            assert isinstance(decision, Decision)
+            self.wanted.emit(decision)
+
+    def _about(self) -> tuple[Address, DispatchStatus]:
+        assert self._subject is not None
+        assert self._status is not None
+        return self._subject, self._status
+
+    def _no_veto(self) -> str:
+        if self._no_hand():
+            return self._no_hand()
+        assert self._status is not None
+        if self._status.phase in NOBODY_MOVES:
+            return "Nothing is about to move."
+        return "" if self._subject else "No operation is next. Choose one with 1 to 9."
+
+    def _no_prune(self) -> str:
+        if self._no_hand():
+            return self._no_hand()
+        return "" if self._subject else "No operation is next. Choose one with 1 to 9."
+
+    def _no_hand(self) -> str:
+        if self._status is None or self._status.phase in OVER:
+            return "No run is there to step into."
+        return "The run is stopped. Reset it, or end it." if self._stopped() else ""
+
+    def _stopped(self) -> bool:
+        return self._status is not None and self._status.phase == "stopped"

@@ -1,0 +1,87 @@
+"""The wires of the partial view: from the active state to the cards, and on to their targets."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
+
+from smsl_studio.studio.base.paint.ink import faded, pen
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.running.partial import (
+    NEXT,
+    PAUSED,
+    PRUNED,
+    REFUSED,
+    RISKY,
+    RUNNING,
+    UNKNOWN,
+    VETOED,
+    WAITS,
+)
+
+HEAD = 8.0
+LIT = (WAITS, RUNNING, PAUSED, NEXT)
+FAN = 5.0
+"""Pixels between two wires where they leave the state."""
+
+
+def wire_pen(standing: str, tokens: Tokens) -> QPen:
+    """How the wire of an operation is drawn; dashes say the same as colours."""
+    t = tokens
+    if standing in (WAITS, RUNNING, PAUSED):
+        return pen(t.acc, 2.2)
+    if standing == NEXT:
+        return pen(t.acc, 1.8, (4.0, 4.0))
+    if standing == UNKNOWN:
+        return pen(t.edge, 1.4, (6.0, 3.0))
+    if standing == PRUNED:
+        return pen(t.edge, 1.5, (2.0, 4.0))
+    if standing == RISKY:
+        return pen(t.risk, 1.5)
+    return pen(t.dim if standing in (REFUSED, VETOED) else t.edge, 1.4)
+
+
+def curve(start: QPointF, end: QPointF) -> QPainterPath:
+    """A line that leaves and arrives level."""
+    path = QPainterPath(start)
+    bend = max((end.x() - start.x()) * 0.55, 16.0)
+    path.cubicTo(QPointF(start.x() + bend, start.y()), QPointF(end.x() - bend, end.y()), end)
+    return path
+
+
+def draw_wire(
+    painter: QPainter, start: QPointF, end: QPointF, standing: str, tokens: Tokens, head: bool
+) -> None:
+    """Draw one wire; ``head`` ends it in an arrow."""
+    line = wire_pen(standing, tokens)
+    stop = QPointF(end.x() - (HEAD - 2 if head else 0), end.y())
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(line)
+    painter.drawPath(curve(start, stop))
+    if head:
+        draw_head(painter, end, line.color())
+
+
+def draw_head(painter: QPainter, tip: QPointF, colour: QColor) -> None:
+    """The head of an arrow that arrives from the left."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawPolygon(
+        QPolygonF([tip, tip + QPointF(-HEAD, -HEAD / 2), tip + QPointF(-HEAD, HEAD / 2)])
+    )
+
+
+def draw_way(painter: QPainter, start: QPointF, end: QPointF, tokens: Tokens) -> None:
+    """The way that led here: a line on its band."""
+    stop = QPointF(end.x() - HEAD + 2, end.y())
+    painter.setPen(pen(faded(tokens.acc, 0.16), 9))
+    painter.drawLine(start, stop)
+    painter.setPen(pen(tokens.acc, 2.4))
+    painter.drawLine(start, stop)
+    draw_head(painter, end, tokens.acc)
+
+
+def fan(count: int) -> list[float]:
+    """How far from the middle each of so many wires leaves the state; they stay within it."""
+    apart = min(FAN, 36.0 / max(count, 1))
+    return [(at - (count - 1) / 2) * apart for at in range(count)]

@@ -1,0 +1,158 @@
+"""The box in which a decision is asked once more: Enter does it, Escape lets it be."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QFrame, QLabel, QLineEdit, QPushButton, QVBoxLayout
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label, row
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is, capital
+from smsl_studio.studio.running.decisions import Decision
+
+SIDE, GAP = 12, 6
+AROUND = 28
+"""Pixels of a button beside its words."""
+
+
+class ConfirmBox(QFrame):
+    """Takes no room while nothing is to be decided."""
+
+    confirmed = Signal(object, str)
+    """(the decision, the reason that was given)."""
+    dropped = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("asking")
+        self.setAccessibleName("Decision")
+        self.decision: Decision | None = None
+        self._sentence, self._detail = label("", "strong"), label("", "hint")
+        self._sentence.setWordWrap(True)
+        self.reason = QLineEdit()
+        self.reason.setPlaceholderText("Why, for the record")
+        self.reason.setAccessibleName("Reason")
+        self.reason.textEdited.connect(lambda _: self.refuse(""))
+        self._refusal = label("", "refusal")
+        self.do = QPushButton("Do it")
+        self.do.setProperty("role", "primary")
+        self.do.clicked.connect(self.confirm)
+        self.leave = QPushButton("Let it be")
+        self.leave.clicked.connect(self.drop)
+        self._keys = (_key("Enter"), _key("Esc"))
+        column = QVBoxLayout(self)
+        column.setContentsMargins(SIDE, 10, SIDE, 12)
+        column.setSpacing(6)
+        for part in (self._sentence, self._detail, self.reason, self._refusal):
+            column.addWidget(part)
+        # One button above the other where both do not fit side by side.
+        self._buttons = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._buttons.setSpacing(GAP)
+        for button, key in ((self.do, self._keys[0]), (self.leave, self._keys[1])):
+            pair = row(button, key, spacing=GAP)
+            self._buttons.addLayout(pair)
+            self._buttons.setAlignment(pair, Qt.AlignmentFlag.AlignLeft)
+        self._buttons.addStretch(1)
+        self.do.setMinimumWidth(1)
+        column.addSpacing(2)
+        column.addLayout(self._buttons)
+        self.hide()
+
+    @property
+    def words(self) -> str:
+        """Everything that is said, in one line."""
+        parts = (self._sentence, self._detail, self._refusal)
+        return " ".join(part.text() for part in parts if not part.isHidden() and part.text())
+
+    def show_decision(self, decision: Decision | None) -> None:
+        """Ask for one decision, or for none."""
+        if decision == self.decision:
+            return
+        anew = decision is None or self.decision is None or (
+            decision.command, decision.address
+        ) != (self.decision.command, self.decision.address)  # fmt: skip
+        self.decision = decision
+        self.setVisible(decision is not None)
+        if decision is None:
+            return
+        _say(self._sentence, decision.sentence)
+        _say(self._detail, decision.detail)
+        self.reason.setVisible(decision.reasoned)
+        for part in (self.do, self._keys[0]):
+            part.setVisible(bool(decision.verb))
+        self.leave.setText("Let it be" if decision.verb else "Close")
+        self._fit()
+        if anew:
+            self.refuse("")
+            self.reason.clear()
+
+    def _fit(self) -> None:
+        """The buttons side by side or one above the other; a name that is longer still is cut in
+        its middle."""
+        verb = plain_text(self.decision.verb) if self.decision is not None else ""
+        self.do.ensurePolished()
+        metrics, (enter, escape) = self.do.fontMetrics(), self._keys
+        room = self.contentsRect().width() - 2 * SIDE
+        first = room - GAP - enter.sizeHint().width()
+        second = self.leave.sizeHint().width() + GAP + escape.sizeHint().width()
+        beside = metrics.horizontalAdvance(verb) + AROUND <= first - GAP - second
+        way = QBoxLayout.Direction
+        self._buttons.setDirection(way.LeftToRight if beside else way.TopToBottom)
+        words = metrics.elidedText(verb, Qt.TextElideMode.ElideMiddle, first - AROUND)
+        self.do.setText(as_it_is(words))
+        self.do.setAccessibleName(verb)
+        self.do.setToolTip(tip_text("" if words == verb else verb))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def take_focus(self) -> None:
+        """Lead the keys here: to the reason where one is needed, else to what Enter does."""
+        decision = self.decision
+        if decision is not None:
+            part = self.reason if decision.reasoned else self.do if decision.verb else self.leave
+            part.setFocus()
+
+    def refuse(self, why: str) -> None:
+        """Say why it was not done; the decision stays open."""
+        _say(self._refusal, capital(why))
+
+    def confirm(self) -> None:
+        """Do it, if it can be done and its reason is given."""
+        decision = self.decision
+        if decision is None or not decision.verb:
+            return
+        reason = self.reason.text().strip()
+        if decision.reasoned and not reason:
+            self.refuse("A reason is needed: it stands in the record")
+            self.reason.setFocus()
+            return
+        self.confirmed.emit(decision, reason)
+
+    def drop(self) -> None:
+        self.show_decision(None)
+        self.dropped.emit()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter in it does it, or leaves where that button has the focus; Escape leaves."""
+        enter = event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        if event.key() == Qt.Key.Key_Escape or (enter and self.leave.hasFocus()):
+            self.drop()
+        elif enter:
+            self.confirm()
+        else:
+            super().keyPressEvent(event)
+
+
+def _say(part: QLabel, words: str) -> None:
+    part.setText(words)
+    part.setVisible(bool(words))
+
+
+def _key(words: str) -> QLabel:
+    made = label(words, "key")
+    made.setAlignment(Qt.AlignmentFlag.AlignCenter)
+    return made

@@ -1,0 +1,172 @@
+"""Decisions: what a key or a button asks for, said in a sentence before Enter makes it happen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.status import DispatchStatus, Offer, Possible
+from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.running.partial import (
+    PAUSED,
+    PRUNED,
+    RISKY,
+    RUNNING,
+    VETOED,
+    WAITS,
+    OperationCard,
+)
+
+ASK, VETO, PRUNE, RESTORE, TAKE_OVER, GIVE_BACK, ACCEPT = (
+    "ask", "veto", "prune", "restore", "take_over", "give_back", "accept",
+)  # fmt: skip
+
+
+VERBS = {
+    "restore": "Restore",
+    "adopt": "Adopt",
+    "ask": "Carry out",
+    "resume": "Resume",
+    "take_over": "Take over",
+    "reset": "Reset",
+    "end": "End run",
+}
+
+
+@dataclass(frozen=True)
+class Decision:
+    """One thing to decide: ``verb`` stands on the button that does it; empty: it cannot be done,
+    and ``sentence`` says why. ``reasoned`` asks for a reason in a line."""
+
+    command: str
+    sentence: str
+    verb: str
+    address: Address | None = None
+    detail: str = ""
+    reasoned: bool = False
+
+
+def choose(card: OperationCard) -> Decision:
+    """What choosing a card offers: to carry it out, to restore it, or why neither."""
+    name, target = card.name, card.target
+    if card.standing in (PRUNED, RISKY):
+        return _restore(card.address, card.reasons, card.standing)
+    if card.standing == WAITS:
+        return Decision("", f"{name} waits for an answer to its task.", "", card.address)
+    if card.permitted or card.standing == VETOED:
+        to = f"It stays in {target}." if card.stays else f"It leads to {target}."
+        detail = f"{to} Cost {card.cost}." + (f" Risk {card.risk}." if card.risk else "")
+        return Decision(ASK, f"Carry out {name} now?", f"Carry out {name}", card.address, detail)
+    if card.standing in (RUNNING, PAUSED):
+        return Decision("", f"{name} is being carried out.", "", card.address)
+    why = " ".join(map(capital, card.reasons)) or "It may not be asked for now."
+    return Decision("", f"{name} is not possible now.", "", card.address, why)
+
+
+def possible(address: Address | None, status: DispatchStatus) -> Possible | None:
+    """How an operation stands out of the active states; None for one out of another state."""
+    return next((one for one in status.possible if one.address == address), None)
+
+
+def _restore(address: Address, reasons: tuple[str, ...], standing: str) -> Decision:
+    """To let an operation be used again; ``standing`` is said where no reason is known."""
+    words, why = f"Restore {address.operation}", "; ".join(reasons) or f"It is {standing}"
+    return Decision(RESTORE, f"{words}?", words, address, capital(why))
+
+
+def veto(address: Address, status: DispatchStatus) -> Decision:
+    """To have the next operation skipped once."""
+    name = address.operation
+    if status.running == address:
+        why = (
+            "It already moves: a veto comes too late. Stop brakes it, Prune stops it and shuts it."
+        )
+        return Decision("", f"{name} is being carried out.", "", address, why)
+    item = possible(address, status)
+    if item is not None and (item.pruned or item.vetoed):
+        return _restore(address, item.reasons, PRUNED if item.pruned else "vetoed once")
+    detail = "It is skipped once, and another route is looked for."
+    return Decision(VETO, f"Veto {name} once?", f"Veto {name}", address, detail)
+
+
+def prune(address: Address, status: DispatchStatus) -> Decision:
+    """To shut an operation out until somebody restores it."""
+    item = possible(address, status)
+    if item is not None and item.pruned:
+        return _restore(address, item.reasons, PRUNED)
+    name = address.operation
+    moving = "It is stopped and held. " if status.running == address else ""
+    detail = f"{moving}It stays shut out until it is restored. Why?"
+    return Decision(PRUNE, f"Prune {name}?", f"Prune {name}", address, detail, reasoned=True)
+
+
+def take_over() -> Decision:
+    """To lock the automation out."""
+    detail = "The automation is locked out and only observes, until you give back."
+    return Decision(TAKE_OVER, "Take over?", "Take over", detail=detail)
+
+
+def give_back() -> Decision:
+    """To have the scene located, so that the automation may go on from it."""
+    detail = "The scene is read. Exactly one state must check true, and you accept it."
+    return Decision(GIVE_BACK, "Give back?", "Give back", detail=detail)
+
+
+def accept(status: DispatchStatus) -> Decision:
+    """To have the automation go on from the state that was located."""
+    located = ", ".join(f"{sb} in {state}" for sb, state in status.candidates[0].items())
+    detail = "The run goes on from here, paused. What was interrupted is never resumed."
+    return Decision(ACCEPT, f"Located: {located}.", "Accept this state", detail=detail)
+
+
+def offered(offer: Offer) -> Decision:
+    """What an offer of a run that holds would do."""
+    address = Address(*Address.split(offer.address)) if offer.address else None
+    verb = VERBS.get(offer.command, offer.command.replace("_", " ").capitalize())
+    named = f"{verb} {address.operation}" if address is not None and address.operation else verb
+    return Decision(offer.command, f"{named}?", named, address, capital(offer.sentence))
+
+
+ELSEWHERE = ("give_back", "accept", "stop")
+"""What has a button of its own beside the offers."""
+RESET_OFFER = Offer("reset", "", "It unlatches the stop, to paused; nothing moves until you say so")
+END_OFFER = Offer("end", "", "It ends the run for good; its record is closed")
+
+
+def offers(status: DispatchStatus) -> tuple[Offer, ...]:
+    """What may be done about a run that holds or is stopped; there is always a way out."""
+    found = [offer for offer in status.offers if offer.command not in ELSEWHERE]
+    known = {offer.command for offer in found}
+    if status.phase == "stopped" and "reset" not in known:
+        found.insert(0, RESET_OFFER)
+    if status.phase in ("stopped", "fault_hold", "no_route") and "end" not in known:
+        found.append(END_OFFER)
+    return tuple(found)
+
+
+def detour_words(blueprint: Blueprint, status: DispatchStatus, subject: Address | None) -> str:
+    """What would follow a veto of ``subject``, with its length and cost compared.
+
+    Empty where it is not the next operation, or moves already: a veto would change no route then.
+    """
+    if not status.route or status.phase in ("done", "stopped", "taken_over"):
+        return ""
+    if status.carrying is not None or subject != status.route[0]:
+        return ""
+    if status.detour is None:
+        return "If you veto, no other route leads to the goal: the run holds."
+    if not status.detour:
+        return ""
+    first, *rest = status.detour
+    said = f"If you veto, the next route is {first.operation}"
+    if rest:
+        said += f", then {rest[0].operation} from {rest[0].state}"
+    left = len(rest) - 1
+    if left > 0:
+        said += f", and {left} more"
+    longer = len(status.detour) - len(status.route)
+    more = "longer" if longer > 0 else "shorter"
+    length = f"{counted(abs(longer), 'operation')} {more}" if longer else "Same length"
+    cost = sum(blueprint[one.branch].cost(one.state, one.operation) for one in status.detour)
+    return f"{said}. {length}, cost {cost:.1f}."

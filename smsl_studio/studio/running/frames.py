@@ -1,0 +1,145 @@
+"""How the parts of the run pane are framed: heads, tools that float over a picture, splitters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QRectF, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QSplitter,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import label, rule
+from smsl_studio.studio.base.icons import draw, icon
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.tips import tip_text
+
+HEAD = 36
+MIDDLE = 22
+"""Where the words and tools over a picture have their middle, from its top."""
+
+
+def head(title: str, *rest: QWidget | None) -> QWidget:
+    """A heading with widgets beside it; None stands for the gap that stretches."""
+    made = QWidget()
+    made.setFixedHeight(HEAD)
+    across = QHBoxLayout(made)
+    across.setContentsMargins(12, 0, 12, 0)
+    across.setSpacing(8)
+    across.addWidget(label(title, "heading"))
+    for part in rest:
+        if part is None:
+            across.addStretch(1)
+        else:
+            across.addWidget(part)
+    return made
+
+
+def words_over(*parts: QWidget) -> QWidget:
+    """Words that stand on a picture, at its top left."""
+    made = QWidget()
+    made.setFixedHeight(2 * MIDDLE)
+    across = QHBoxLayout(made)
+    across.setContentsMargins(12, 0, 0, 0)
+    across.setSpacing(8)
+    for part in parts:
+        across.addWidget(part)
+    return made
+
+
+def tools_over(*tools: QWidget) -> QWidget:
+    """Tools in a box that floats on a picture, at its top right."""
+    box = QFrame()
+    box.setProperty("role", "float")
+    across = QHBoxLayout(box)
+    across.setContentsMargins(2, 0, 2, 0)
+    across.setSpacing(0)
+    for index, part in enumerate(tools):
+        if index:
+            across.addWidget(rule(vertical=True, length=16))
+        across.addWidget(part)
+    made = QWidget()
+    outer = QHBoxLayout(made)
+    outer.setContentsMargins(0, 8, 12, 0)
+    outer.addWidget(box)
+    return made
+
+
+def laid_over(base: QWidget, left: QWidget, right: QWidget) -> QWidget:
+    """A picture with words at its top left and tools at its top right."""
+    made = QWidget()
+    grid = QGridLayout(made)
+    grid.setContentsMargins(0, 0, 0, 0)
+    grid.addWidget(base, 0, 0)
+    side = Qt.AlignmentFlag
+    grid.addWidget(left, 0, 0, side.AlignTop | side.AlignLeft)
+    grid.addWidget(right, 0, 0, side.AlignTop | side.AlignRight)
+    return made
+
+
+def panel(*parts: QWidget) -> QWidget:
+    """Parts one below the other on the panel's ground."""
+    made = QWidget()
+    made.setProperty("role", "panel")
+    made.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+    column = QVBoxLayout(made)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    for part in parts:
+        column.addWidget(part, 1 if isinstance(part, QAbstractScrollArea) else 0)
+    column.addStretch(0)
+    return made
+
+
+def split(
+    way: Qt.Orientation, parts: Sequence[QWidget], sizes: Sequence[int], grow: Sequence[int]
+) -> QSplitter:
+    """Parts side by side with a line between; ``grow`` are their shares of a larger window."""
+    made = QSplitter(way)
+    made.setHandleWidth(1)
+    made.setChildrenCollapsible(False)
+    for index, part in enumerate(parts):
+        made.addWidget(part)
+        made.setStretchFactor(index, grow[index])
+    made.setSizes(list(sizes))
+    return made
+
+
+def tool(words: str, name: str, tip: str, tokens: Tokens) -> QToolButton:
+    """A tool of a floating box."""
+    made = _Tool()
+    made.setProperty("role", "over")
+    made.setText(words)
+    made.setIcon(icon(name, tokens))
+    made.setIconSize(QSize(16, 16))
+    style = Qt.ToolButtonStyle
+    made.setToolButtonStyle(style.ToolButtonTextBesideIcon if words else style.ToolButtonIconOnly)
+    made.setFixedHeight(26)
+    made.setToolTip(tip_text(tip))
+    made.setAccessibleName(plain_text(words or tip))
+    return made
+
+
+class _Tool(QToolButton):
+    """A tool whose words keep off its icon, with a chevron where it opens a menu."""
+
+    def setText(self, words: str) -> None:
+        super().setText(f" {words}" if words else "")
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.menu() is not None:
+            painter = QPainter(self)
+            ink, paper = self.palette().buttonText().color(), self.palette().base().color()
+            box = QRectF(self.width() - 20, self.height() / 2 - 5.5, 12, 12)
+            draw(painter, "chevron-down", box, ink, paper)
+            painter.end()

@@ -1,0 +1,148 @@
+"""Why a run does not go on, edge by edge, and what may be done about it; no hold, no space."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
+
+from smsl_studio.dispatch.status import DispatchStatus, Offer
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Label, label, row
+from smsl_studio.studio.base.room import Room
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is, capital
+from smsl_studio.studio.running.decisions import Decision, offered, offers
+from smsl_studio.studio.running.phases import HOLDS, LATCHED, phase_words
+
+BUTTON = 132
+WIDEST, AROUND = 280, 30
+"""A button with a long name, and what it has beside its words."""
+MOST = 180
+"""Pixels of the reasons before they scroll."""
+
+
+class HoldCard(QFrame):
+    """Shown while nothing moves until a person has decided."""
+
+    wanted = Signal(object)
+    """A decision to ask for."""
+
+    def __init__(self, brief: bool = False) -> None:
+        """``brief`` leaves out the reasons, where something beside it has them."""
+        super().__init__()
+        self._brief = brief
+        self.setObjectName("holdCard")
+        self.setAccessibleName("Why it holds")
+        self._heading, self._sentence = label("", "strong"), label("", "small")
+        self._sentence.setWordWrap(True)
+        self._details = Label()
+        self._details.setProperty("role", "small")
+        self._details.setWordWrap(True)
+        self._details.setAlignment(Qt.AlignmentFlag.AlignTop)
+        inner = QWidget()
+        rows = QVBoxLayout(inner)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addWidget(self._details)
+        self._room = Room(inner)
+        self._room.setMaximumHeight(MOST)
+        self._buttons = QVBoxLayout()
+        self._buttons.setSpacing(6)
+        self._shown: tuple[Offer, ...] = ()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(12, 10, 12, 12)
+        column.setSpacing(6)
+        for part in (self._heading, self._sentence, self._room):
+            column.addWidget(part)
+        column.addLayout(self._buttons)
+        self.hide()
+
+    @property
+    def details(self) -> str:
+        """The reasons, one a line."""
+        return "" if self.isHidden() else self._details.text()
+
+    def buttons(self) -> list[QPushButton]:
+        """What is offered, in order."""
+        return [] if self.isHidden() else self.findChildren(QPushButton)
+
+    def show_status(self, status: DispatchStatus | None, exists: bool) -> None:
+        """Follow the run."""
+        held = status is not None and exists and status.phase in LATCHED
+        self.setVisible(held)
+        if status is None or not held:
+            self._offer(())
+            return
+        words, kind = phase_words(status.phase)
+        words = HOLDS.get(status.reason, words) if status.phase == "fault_hold" else words
+        self._heading.setText(words + (f" by {status.by}" if status.by else ""))
+        sentence = capital(status.sentence)
+        if sentence == f"{self._heading.text()}.":
+            sentence = ""
+        if status.phase == "taken_over":
+            sentence = "The automation is locked out and only observes. Give it back with T."
+        self._sentence.setText(sentence)
+        self._sentence.setVisible(bool(sentence) and not self._brief)
+        reasons = [_plain(one) for one in status.details if one not in sentence]
+        self._details.setText("\n".join(reasons))
+        self._room.setVisible(bool(reasons) and not self._brief)
+        self._offer(offers(status))
+        if self.property("kind") != kind:
+            self.setProperty("kind", kind)
+            self.style().unpolish(self)
+            self.style().polish(self)
+
+    def _offer(self, found: Sequence[Offer]) -> None:
+        if tuple(found) == self._shown:
+            return
+        self._shown = tuple(found)
+        while self._buttons.count():
+            item = self._buttons.takeAt(0)
+            old = item.widget() if item else None
+            if old is not None:
+                old.hide()
+                old.setParent(None)
+                old.deleteLater()
+        for offer in self._shown:
+            self._buttons.addWidget(self._row(offered(offer)))
+
+    def _row(self, decision: Decision) -> QWidget:
+        """The button, and what it does beside it."""
+        line = QWidget()
+        button = QPushButton()
+        button.ensurePolished()
+        metrics = button.fontMetrics()
+        middle, verb = Qt.TextElideMode.ElideMiddle, plain_text(decision.verb)
+        needed = metrics.horizontalAdvance(verb) + AROUND
+        whole = needed <= BUTTON
+        wide = BUTTON if whole else min(WIDEST, needed)
+        button.setText(as_it_is(metrics.elidedText(verb, middle, wide - AROUND + 2)))
+        button.setFixedWidth(wide)
+        button.setAccessibleName(plain_text(decision.verb))
+        button.setToolTip(tip_text(f"{decision.verb}: {decision.detail}"))
+        button.clicked.connect(lambda _=False: self._want(decision))
+        said = label(decision.detail, "hint")
+        across = row(button)
+        if not whole:
+            # A long name takes the line, and what it does stands below.
+            across.addStretch(1)
+            both = QVBoxLayout(line)
+            both.setContentsMargins(0, 0, 0, 0)
+            both.setSpacing(2)
+            both.addLayout(across)
+            both.addWidget(said)
+            return line
+        across.addWidget(said, 1)
+        line.setLayout(across)
+        return line
+
+    def _want(self, decision: Decision) -> None:
+        self.wanted.emit(decision)
+
+
+def _plain(detail: str) -> str:
+    """A reason that names its edge once: ``SB/State/Op is pruned``, not ``SB/State/Op: SB/State/Op
+    is pruned``."""
+    edge, colon, why = detail.partition(": ")
+    return why if colon and why.startswith(f"{edge} ") else detail

@@ -1,0 +1,134 @@
+"""Lanes: what the timeline shows, row by row, told from a run's story."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.host.protocol import SensorInfo
+from smsl_studio.studio.running.story import Span, Story
+from smsl_studio.studio.running.view import expected_duration, short_name
+
+
+@dataclass(frozen=True)
+class Block:
+    """One span of a lane, as it is painted. ``end`` None: it still holds.
+
+    ``look`` is ``past``, ``now``, ``bad``, ``predicted``, or for a fact ``unknown`` and ``beyond``
+    (a value that no state has).
+    """
+
+    start: float
+    end: float | None
+    words: str
+    look: str
+
+
+@dataclass(frozen=True)
+class Lane:
+    """One row: its label, its kind (state, operation, fact) and its blocks in order of time."""
+
+    label: str
+    kind: str
+    blocks: tuple[Block, ...]
+
+
+Sensed = Sequence[SensorInfo]
+
+
+def lanes(
+    blueprint: Blueprint, status: DispatchStatus, story: Story, sensors: Sensed = ()
+) -> tuple[Lane, ...]:
+    """The rows of the timeline: states of each SB, operations, then facts."""
+    words = {(sensor.branch, sensor.digit): sensor.words for sensor in sensors}
+    several = len(blueprint) > 1
+    soon = _soon(blueprint, status, story)
+    found = []
+    for branch in blueprint:
+        if branch.name in story.states:
+            coming = soon[1:] if status.running and status.running.branch == branch.name else ()
+            blocks = (*_states(branch, story), *coming)
+        elif branch.name in status.configuration:
+            # Until people have said what holds, the start is believed and nobody has confirmed it.
+            name = short_name(branch, status.configuration[branch.name])
+            blocks = (Block(0.0, None, name, "unknown"),)
+        else:
+            continue
+        found.append(Lane(branch.name if several else "State", "state", blocks))
+    if found:
+        found += _operations(story, status.running, soon[:1])
+    for branch in blueprint:
+        for digit in range(branch.num_facts if branch.table else 0):
+            spans = story.facts.get((branch.name, digit))
+            if spans:
+                name = branch.fact_name(digit)
+                label = f"{branch.name} {name}" if several else name
+                found.append(Lane(label, "fact", tuple(_facts(branch, digit, spans, words))))
+    return tuple(found)
+
+
+def _soon(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[Block, ...]:
+    """The rest of the running operation and the state after it, where its duration is known."""
+    whole, running = expected_duration(blueprint, status, story), status.running
+    if whole is None or running is None or status.running_since is None:
+        return ()
+    end = status.running_since + whole
+    if end <= status.time:
+        return ()
+    branch = blueprint[running.branch]
+    target = short_name(branch, branch.table[running.state][running.operation])
+    return (
+        Block(status.time, end, f"to {end:.1f} s", "predicted"),
+        Block(end, end + whole, target, "predicted"),
+    )
+
+
+def _states(branch: StateBranch, story: Story) -> Iterator[Block]:
+    ended = story.finished is not None
+    for span in story.states[branch.name]:
+        look = "now" if span.end is None and not ended else "past"
+        yield Block(span.start, span.end, short_name(branch, span.words), look)
+
+
+def _operations(story: Story, running: Address | None, soon: tuple[Block, ...]) -> Iterator[Lane]:
+    """The operations, in as many rows as are under way at the same time; ``soon`` is the rest of
+    the running one, and stands behind it."""
+    rows: list[list[Span]] = [[]]
+    for span in story.operations:
+        free = (row for row in rows if not row or _is_over(row[-1], span.start))
+        row = next(free, None)
+        if row is None:
+            row = []
+            rows.append(row)
+        row.append(span)
+    name = str(running) if running is not None else ""
+    going = next((row for row in rows if row and row[-1].words == name), rows[0])
+    for number, row in enumerate(rows, 1):
+        label = "Operation" if number == 1 else f"Operation {number}"
+        rest = soon if row is going else ()
+        yield Lane(label, "operation", (*map(_operation, row), *rest))
+
+
+def _is_over(span: Span, time: float) -> bool:
+    return span.end is not None and span.end <= time
+
+
+def _operation(span: Span) -> Block:
+    look = "now" if span.end is None else "past" if span.good else "bad"
+    return Block(span.start, span.end, span.words.rpartition("/")[2], look)
+
+
+def _facts(
+    branch: StateBranch,
+    digit: int,
+    spans: Sequence[Span],
+    words: Mapping[tuple[str, int], Mapping[str, str]],
+) -> Iterator[Block]:
+    known, said = branch.alphabet[digit], words.get((branch.name, digit), {})
+    for span in spans:
+        look = "past" if span.words in known else "beyond"
+        shown = span.words if span.words in known else said.get(span.words, span.words)
+        yield Block(span.start, span.end, shown, look if span.good else "unknown")

@@ -1,0 +1,110 @@
+"""Who works at this window: names and roles as the record of a run will have them.
+
+The first one that is added is "you"; whoever is chosen later is remembered. Nobody has to say who
+they are: then the record says "a person".
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict, dataclass, replace
+
+from PySide6.QtCore import QObject, Signal
+
+from smsl_studio.dispatch.people.names import same_name
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.running.pin import SHORTEST, hashed, matches
+
+PERSONS, ME = "people/persons", "people/me"
+
+
+@dataclass(frozen=True)
+class Person:
+    """One person. ``role`` may be empty, and so is ``kept``, the hash of a PIN, without one."""
+
+    name: str
+    role: str = ""
+    kept: str = ""
+
+    @property
+    def has_pin(self) -> bool:
+        return bool(self.kept)
+
+    def opens_with(self, pin: str) -> bool:
+        """Whether this person may answer: the PIN is right, or none is asked."""
+        return not self.kept or (len(pin) >= SHORTEST and matches(pin, self.kept))
+
+    def with_pin(self, pin: str) -> Person:
+        """The same person with this PIN; the empty text takes it away."""
+        return replace(self, kept=hashed(pin) if pin else "")
+
+    @property
+    def words(self) -> str:
+        """``L. Brandt, surgeon``."""
+        return f"{self.name}, {self.role}" if self.role else self.name
+
+
+SOMEBODY = Person("a person")
+
+
+class Persons(QObject):
+    """The persons of this account, in the order they were added; names are unlike each other."""
+
+    changed = Signal()
+
+    def __init__(self, settings: Settings) -> None:
+        super().__init__()
+        self._settings = settings
+        self._all = _read(settings.text_of(PERSONS))
+
+    @property
+    def all(self) -> tuple[Person, ...]:
+        return self._all
+
+    @property
+    def me(self) -> Person:
+        """Who commands a run from this window."""
+        return self.named(self._settings.text_of(ME)) or next(iter(self._all), SOMEBODY)
+
+    def named(self, name: str) -> Person | None:
+        """The person of a name, however it is typed."""
+        wanted = same_name(name)
+        return next((one for one in self._all if wanted and same_name(one.name) == wanted), None)
+
+    def choose(self, person: Person) -> None:
+        """From now on this is who commands."""
+        self._settings.store_text(ME, person.name)
+        self.changed.emit()
+
+    def put(self, person: Person, instead: Person | None = None) -> None:
+        """Add a person, or put one in the place of another."""
+        mine = instead is not None and instead == self.me
+        if instead in self._all:
+            self._all = tuple(person if one == instead else one for one in self._all)
+        else:
+            self._all = (*self._all, person)
+        self._write()
+        if mine:
+            self._settings.store_text(ME, person.name)
+        self.changed.emit()
+
+    def remove(self, person: Person) -> None:
+        self._all = tuple(one for one in self._all if one != person)
+        self._write()
+        self.changed.emit()
+
+    def _write(self) -> None:
+        self._settings.store_text(PERSONS, json.dumps([asdict(one) for one in self._all]))
+
+
+def _read(text: str) -> tuple[Person, ...]:
+    """The persons that are written; what does not fit is left out."""
+    try:
+        found = json.loads(text or "[]")
+    except ValueError:
+        return ()
+    rows = [one for one in found if isinstance(one, dict)] if isinstance(found, list) else []
+    persons = (
+        Person(*(str(row.get(word, "")) for word in ("name", "role", "kept"))) for row in rows
+    )
+    return tuple(person for person in persons if person.name.strip())

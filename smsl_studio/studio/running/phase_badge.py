@@ -1,0 +1,39 @@
+"""PhaseBadge: how a run stands, in a word."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QSizePolicy
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Label
+from smsl_studio.studio.base.tips import tip_text
+
+HIGH = 32
+
+
+class PhaseBadge(Label):
+    """The state of a run as one word in its colour; every bar that has Stop shows the same."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._kind = ""
+        self._said: tuple[str, str, str] | None = None
+        self.setProperty("role", "phase")
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setFixedHeight(HIGH)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def show_phase(self, words: str, kind: str, tip: str = "") -> None:
+        """Show the word of a run state, dressed as its ``kind`` asks for; it is told each frame."""
+        if (words, kind, tip) == self._said:
+            return
+        self._said = words, kind, tip
+        self.setText(words if kind == "quiet" else f"●  {words}")
+        self.setToolTip(tip_text(tip))
+        self.setAccessibleName(plain_text(f"The run: {words}"))
+        if kind != self._kind:
+            self._kind = kind
+            self.setProperty("kind", kind)
+            self.style().unpolish(self)
+            self.style().polish(self)

@@ -1,0 +1,261 @@
+"""Possible now: every operation out of the active states; beside what is not, the reason why."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import Label, label
+from smsl_studio.studio.base.icons import icon, pixmap
+from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is
+
+ROW = 35
+REASONED = ("refused", "pruned")
+PRUNABLE = ("running", "route", "possible", "waits")
+WIDEST = (160, 80)
+"""Pixels for the names of operations and of targets."""
+PADDING = 24
+"""Pixels of a button beside its words."""
+
+
+@dataclass(frozen=True)
+class PossibleRow:
+    """One operation: what it is called, where it leads, and how it stands.
+
+    ``kind`` is running, route, possible, waits, refused, pruned, or next and later for what
+    follows the running operation; ``words`` say it in full. ``note`` stands beside its group.
+    """
+
+    address: Address
+    name: str
+    target: str
+    kind: str
+    words: str
+    cost: str
+    group: str
+    note: str = ""
+
+
+BESIDE = 2 * 12 + 16 + 5 * 8 + 30 + 26
+"""Pixels of a row that are neither names nor words: its edges, mark, gaps, cost and scissors."""
+ENOUGH = 110
+"""Pixels in which the beginning of a sentence tells what it says; the tooltip has the rest."""
+
+
+class PossibleList(QScrollArea):
+    """A list of widgets, so that each line has focus; permitted operations are buttons."""
+
+    chosen = Signal(object)
+    """The address of a permitted operation that a person chose."""
+    restore_wanted = Signal(object)
+    """The address of a pruned or risky operation that a person wants back."""
+
+    prune_wanted = Signal(object)
+    """The address of an operation that a person wants shut out."""
+
+    def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._tokens = tokens
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setAccessibleName("Possible now")
+        self._rows: tuple[PossibleRow, ...] = ()
+        self._by_hand = False
+        self._empty = "Starts with the run"
+        self._narrow = False
+        self._rebuild()
+
+    def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
+        """Replace the list; nothing is touched where nothing changed, so that focus stays."""
+        if (rows, by_hand, empty) == (self._rows, self._by_hand, self._empty):
+            return
+        self._rows, self._by_hand, self._empty = rows, by_hand, empty
+        self._rebuild()
+
+    def row_widgets(self) -> list[QWidget]:
+        """The lines in order, for keyboards and tests."""
+        inner = self.widget()
+        return list(inner.findChildren(QFrame, "possibleRow")) if inner else []
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._is_narrow() != self._narrow:
+            self._rebuild()
+
+    def _is_narrow(self) -> bool:
+        """Whether what is said of a row has no room beside its name that tells anything: then it
+        stands below."""
+        words = [row.words for row in self._rows if row.kind not in REASONED]
+        metrics = QFontMetricsF(text_font(12))
+        longest = max((metrics.horizontalAdvance(one) for one in words), default=0.0)
+        needed = min(longest, ENOUGH)
+        columns = sum(self._column_width(column) for column in (0, 1)) if words else 0
+        return columns + needed + BESIDE > self.viewport().width()
+
+    def _rebuild(self) -> None:
+        self._narrow = self._is_narrow()
+        bar = self.verticalScrollBar().value()
+        inner = QWidget()
+        inner.setProperty("role", "panel")
+        column = QVBoxLayout(inner)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        group = ""
+        for row in self._rows:
+            if row.group != group:
+                group = row.group
+                column.addWidget(self._group(group, row.note))
+            column.addWidget(self._line(row))
+        if not self._rows:
+            empty = label(self._empty, "hint")
+            empty.setContentsMargins(12, 8, 12, 8)
+            column.addWidget(empty)
+        column.addStretch(1)
+        self.setWidget(inner)
+        self.verticalScrollBar().setValue(bar)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._rebuild()
+
+    @staticmethod
+    def _group(words: str, note: str) -> QWidget:
+        line = QFrame()
+        line.setObjectName("possibleGroup")
+        line.setFixedHeight(28)
+        across = QHBoxLayout(line)
+        across.setContentsMargins(12, 0, 12, 0)
+        across.addWidget(label(words, "small"))
+        across.addStretch(1)
+        across.addWidget(label(note, "small"))
+        return line
+
+    def _line(self, row: PossibleRow) -> QWidget:
+        line = QFrame()
+        line.setObjectName("possibleRow")
+        line.setProperty("kind", row.kind)
+        whole = QVBoxLayout(line)
+        whole.setContentsMargins(12, 0, 12, 0)
+        whole.setSpacing(0)
+        across = QHBoxLayout()
+        across.setSpacing(8)
+        across.addStrut(ROW)
+        whole.addLayout(across)
+        across.addWidget(self._mark(row.kind))
+        if row.kind in ("route", "possible") and self._by_hand:
+            hint = f"Carry out {row.address}"
+            button = self._button(row.name, hint, self.chosen, row)
+            across.addWidget(self._fixed(button, 0))
+            # Names of operations often begin alike; what is left out stands in the tooltip.
+            room = button.maximumWidth() - PADDING
+            middle = Qt.TextElideMode.ElideMiddle
+            metrics = QFontMetrics(text_font(13, 500))
+            words = metrics.elidedText(plain_text(row.name), middle, room)
+            button.setText(as_it_is(words))
+            button.setAccessibleName(plain_text(row.name))
+        else:
+            plain = row.kind in ("waits", "pruned", "refused", "later")
+            across.addWidget(self._fixed(label(row.name, "medium" if plain else "strong"), 0))
+        across.addWidget(self._fixed(label(row.target, "mono"), 1))
+        if row.kind in REASONED or self._narrow:
+            # Why something is not possible is never cut: it goes on below.
+            across.addStretch(1)
+            reason = label(row.words, "hint")
+            reason.setContentsMargins(24, 0, 0, 9)
+            whole.addWidget(reason)
+        else:
+            across.addWidget(_Words(row.words), 1)
+        if row.kind == "pruned":
+            hint = f"Let the route use {row.address} again"
+            across.addWidget(self._button("Restore", hint, self.restore_wanted, row))
+        else:
+            across.addWidget(label(row.cost, "mono"))
+            if row.kind in PRUNABLE:
+                across.addWidget(self._scissors(row))
+        line.setToolTip(tip_text(f"{row.address} to {row.target}: {row.words}"))
+        line.setAccessibleName(
+            plain_text(f"{row.name} to {row.target}, {row.words}, cost {row.cost}")
+        )
+        return line
+
+    def _fixed(self, widget: QWidget, column: int) -> QWidget:
+        """The names of all rows are as wide as the widest, within reason; so are the targets."""
+        widget.setFixedWidth(self._column_width(column))
+        return widget
+
+    def _column_width(self, column: int) -> int:
+        fonts = text_font(13, 600), mono_font(12)
+        metrics = QFontMetricsF(fonts[column])
+        texts = ((row.name, row.target)[column] for row in self._rows)
+        pad = PADDING if column == 0 and self._by_hand else 4
+        widest = max(metrics.horizontalAdvance(text) for text in texts) + pad
+        return round(min(widest, WIDEST[column]))
+
+    def _mark(self, kind: str) -> QWidget:
+        name, colour = {
+            "running": ("play", self._tokens.acc),
+            "route": ("chevron-right", self._tokens.acc),
+            "possible": ("chevron-right", self._tokens.tx2),
+            "waits": ("clock", self._tokens.tx2),
+            "pruned": ("barred", self._tokens.tx2),
+            "next": ("chevron-right", self._tokens.acc),
+            "later": ("chevron-right", self._tokens.acc),
+        }.get(kind, ("minus", self._tokens.tx3))
+        mark = Label()
+        ratio = self.devicePixelRatioF()
+        mark.setPixmap(pixmap(name, colour, self._tokens.surf, 14, ratio))
+        mark.setFixedWidth(16)
+        return mark
+
+    def _scissors(self, row: PossibleRow) -> QToolButton:
+        prune = QToolButton()
+        prune.setProperty("role", "small")
+        prune.setIcon(icon("scissors", self._tokens, 14))
+        prune.setFixedSize(26, 26)
+        prune.setToolTip(tip_text(f"Prune {row.name}…: shut it out until it is restored"))
+        prune.setAccessibleName(plain_text(f"Prune {row.name}"))
+        prune.clicked.connect(lambda _=False: self.prune_wanted.emit(row.address))
+        return prune
+
+    @staticmethod
+    def _button(words: str, hint: str, signal: SignalInstance, row: PossibleRow) -> QPushButton:
+        button = QPushButton(words)
+        button.setProperty("role", "row")
+        button.setToolTip(tip_text(hint))
+        button.clicked.connect(lambda _=False: signal.emit(row.address))
+        return button
+
+
+class _Words(Label):
+    """A sentence that ends in an ellipsis where there is no room; the row's tooltip has it all."""
+
+    def __init__(self, words: str) -> None:
+        super().__init__(words)
+        self.setToolTip(tip_text(words))
+        self.setProperty("role", "small")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(self.palette().windowText().color())
+        right = Qt.TextElideMode.ElideRight
+        shown = self.fontMetrics().elidedText(plain_text(self.text()), right, self.width())
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, shown)
+        painter.end()

@@ -1,0 +1,337 @@
+"""The canvas of a run: the frozen blueprint, one SB at a time, with what glows and trails on it."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Mapping
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFontMetrics, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.graph.layout import place_states
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.icons import icon
+from smsl_studio.studio.base.paint.marks import Marks
+from smsl_studio.studio.base.theme import Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.base.words import as_it_is, capital, counted
+from smsl_studio.studio.document.places import Position
+from smsl_studio.studio.running import view
+from smsl_studio.studio.running.frames import laid_over, tool, tools_over, words_over
+from smsl_studio.studio.running.phases import phase_words
+from smsl_studio.studio.running.shown import DrawnPlaces, ShownRun
+
+TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "taken_over")
+ADVICE = {
+    "fault_hold": "Choose an operation, restore one, or end the run.",
+    "no_route": "Choose an operation, restore one, or end the run.",
+    "stopped": "Reset unlatches it, End run is the end of it.",
+    "taken_over": "Give it back in Supervise mode.",
+}
+"""What may be done in a run that is there still."""
+SAID = ("stopped", "taken_over")
+"""The run states whose sentence says the state itself."""
+TALLER = 1.2
+TOOLS, PADDING = 180, 16
+"""Pixels that the tools at the right take, and each SB's button beside its words."""
+NOTHING = "There is no state to run yet. Draw the first one in Draw mode"
+MOVED_ON = "The drawing has moved on. This run holds the version it started with"
+RESULTS = "The drawing has moved on. These are the results of the version that ran"
+ANOTHER = "{drawn} is open in Draw mode now. This is {what} of {run}"
+"""What a run says that is not of the drawing."""
+
+
+class RunCanvas(QWidget):
+    """Shows the run's own snapshot while there is one, else the drawing as it is now.
+
+    One button an SB stands above it, with the SB's active state; Follow shows the SB in which an
+    operation runs.
+    """
+
+    chosen = Signal(object)
+    """The address of an operation whose arrow was clicked."""
+    drawing_wanted = Signal()
+    """The results of another version shall go, and the drawing shall be shown."""
+
+    def __init__(
+        self, session: DrawnPlaces, run: ShownRun, tokens: Tokens, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._session, self._run, self._tokens = session, run, tokens
+        self._shown: tuple[Blueprint, str, Blueprint] | None = None
+        """What is drawn: a blueprint, one of its SBs, and the blueprint that says its places."""
+        self._branch = ""
+        self._banner = self._refusal = ""
+        self.canvas = Canvas(tokens)
+        self.canvas.editing = False
+        self.canvas.overlays.breadcrumb.hide()
+        self.canvas.overlays.zoom.hide()
+        self.canvas.edge_clicked.connect(self.chosen)
+        self.canvas.enter_wanted.connect(self.show_branch)
+        self._steps = label("", "second")
+        buttons = QWidget()
+        self._buttons = QHBoxLayout(buttons)
+        self._buttons.setContentsMargins(0, 0, 0, 0)
+        self._buttons.setSpacing(2)
+        self._follow = tool("Follow", "eye", "Show the State Branch in which it runs", tokens)
+        self._follow.setCheckable(True)
+        self._follow.setChecked(True)
+        self._follow.toggled.connect(lambda _: self._dress_follow())
+        self._fit = tool("", "fit", "Fit everything (F)", tokens)
+        self._fit.clicked.connect(self.canvas.fit)
+        self._dress_follow()
+        self.to_drawing = tool(
+            "Show the drawing",
+            "pencil",
+            "Leave these results; the next run is of the drawing",
+            tokens,
+        )
+        self.to_drawing.clicked.connect(self.drawing_wanted)
+        tools = tools_over(self.to_drawing, self._follow, self._fit)
+        whole = laid_over(self.canvas, words_over(buttons, self._steps), tools)
+        self.setMinimumWidth(280)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.addWidget(whole, 0, 0)
+
+    @property
+    def branch(self) -> str:
+        """The SB that is shown."""
+        return self._branch
+
+    @property
+    def banner(self) -> str:
+        """What stands across the top; the empty text for nothing."""
+        return self._banner
+
+    @property
+    def moved_on(self) -> bool:
+        """Whether the drawing is another one now than that of the run which is shown."""
+        return self._run.is_another(self._session.blueprint)
+
+    def refresh(self) -> None:
+        """Show the run as it stands now. What nobody sees is drawn when it is shown: routing its
+        arrows along would make each edit in Draw wait twice.
+        """
+        if self.isVisible():
+            self._draw()
+        self._show_banner()
+
+    def _draw(self) -> None:
+        self.to_drawing.setVisible(self.moved_on and not self._run.exists)
+        blueprint = self._blueprint()
+        if self._branch not in blueprint.branches:
+            self._branch = next(iter(blueprint.roots), next(iter(blueprint.branches), ""))
+        status = self._run.status
+        if status and status.running and self._follow.isChecked() and self._run.exists:
+            self._branch = status.running.branch
+        self._show(blueprint)
+        self._name_branches(blueprint)
+        self._steps.setText(self._step_words())
+        self._fit_steps()
+        if self._branch and self._run.blueprint is blueprint and status is not None:
+            marks = view.marks(blueprint, self._branch, status, self._run.story)
+        else:
+            marks = Marks()
+        if marks != self.canvas.marks:
+            self.canvas.set_marks(marks)
+
+    def drawing_changed(self) -> None:
+        """The drawing was edited: a run that is there goes on with its own version, and says so."""
+        self._refusal = ""
+        self.refresh()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.refresh()
+
+    def show_refusal(self, words: str) -> None:
+        """Say why a run could not begin; the empty text takes it away."""
+        self._refusal = words
+        self._show_banner()
+
+    def _show_banner(self) -> None:
+        why = self._refusal if self._blueprint().state_count else NOTHING
+        words = [why, self._trouble(), *self._notes(), self._moved_words()]
+        said = "\n".join(word for word in words if word)
+        if said != self._banner:
+            self._banner = said
+            self.canvas.show_banner(said)
+
+    def _moved_words(self) -> str:
+        """That the drawing is another one than what is shown; the empty text where it is not."""
+        run = self._run
+        if not self.moved_on:
+            return ""
+        if run.foreign and run.blueprint is not None:
+            drawn, ran = (Path(one.file).name for one in (self._session.blueprint, run.blueprint))
+            what = "the run" if run.exists else "the result"
+            return ANOTHER.format(drawn=drawn, what=what, run=ran)
+        return MOVED_ON if run.exists else RESULTS
+
+    def _notes(self) -> tuple[str, ...]:
+        """What is to be known of the run's route."""
+        run = self._run
+        if run.status is None or not run.exists or run.blueprint is not self._blueprint():
+            return ()
+        return run.status.notes
+
+    def _trouble(self) -> str:
+        """Why the run holds, or ended before its goal."""
+        run = self._run
+        if run.blueprint is not self._blueprint() or run.phase not in TROUBLE:
+            return ""
+        advice = ADVICE.get(run.phase, "") if run.exists else "Play starts a new run."
+        words = capital(run.sentence)
+        if run.phase not in SAID:
+            words = f"{phase_words(run.phase)[0]}: {words}"
+        return f"{words} {advice}".strip()
+
+    def say(self, words: str) -> None:
+        """Say a short sentence at the pointer."""
+        self.canvas.say(words)
+
+    def show_branch(self, name: str) -> None:
+        """Show another SB and stop following."""
+        if name in self._blueprint().branches:
+            self._branch = name
+            self._follow.setChecked(False)
+            self.refresh()
+
+    def jump(self, address: Address) -> None:
+        """Show where an address stands."""
+        if address.branch in self._blueprint().branches:
+            if address.branch != self._branch:
+                self.show_branch(address.branch)
+            self.canvas.reveal(address)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.canvas.set_tokens(tokens)
+        self._dress_follow()
+        self._fit.setIcon(icon("fit", tokens))
+        self.to_drawing.setIcon(icon("pencil", tokens))
+
+    def _dress_follow(self) -> None:
+        colour = self._tokens.acc if self._follow.isChecked() else self._tokens.tx2
+        self._follow.setIcon(icon("eye", self._tokens, 16, colour))
+
+    def _blueprint(self) -> Blueprint:
+        """The run's snapshot while a run or its results are shown, else the drawing."""
+        held = self._run.blueprint
+        return held if held is not None and self._run.shown else self._session.blueprint
+
+    def _show(self, blueprint: Blueprint) -> None:
+        drawn = blueprint if self.moved_on else self._session.blueprint
+        shown, before = (blueprint, self._branch, drawn), self._shown
+        if before is not None and all(map(operator.is_, shown, before)):
+            return
+        self._shown = shown
+        again = before is not None and before[:2] == shown[:2] and before[0] is blueprint
+        branch = drawn.branches.get(self._branch)
+        places = _filling(branch, self._places_of(drawn, branch)) if branch else None
+        self.canvas.show_branch(blueprint, self._branch, places, keep_view=again)
+
+    def _places_of(self, blueprint: Blueprint, branch: StateBranch) -> dict[str, Position]:
+        """Where the drawing shows the states, if it is the drawing of this blueprint's file."""
+        if blueprint.file == self._session.blueprint.file and not self._run.foreign:
+            return self._session.places.shown(branch)
+        return place_states(branch)
+
+    def _name_branches(self, blueprint: Blueprint) -> None:
+        status = self._run.status if self._run.blueprint is blueprint else None
+        names = list(blueprint.branches)
+        states = status.configuration if status else {}
+        words = self._branch_words(blueprint, states)
+        while self._buttons.count() < len(names):
+            self._buttons.addWidget(self._button(self._buttons.count()))
+        for index in range(self._buttons.count()):
+            item = self._buttons.itemAt(index)
+            button = item.widget() if item else None
+            assert isinstance(button, QToolButton)
+            button.setVisible(index < len(names))
+            if index < len(names):
+                name = names[index]
+                state = states.get(name, "")
+                button.setText(as_it_is(words[index]))
+                button.setToolTip(
+                    tip_text(f"Show {name}" + (f": {state} is active" if state else ""))
+                )
+                button.setAccessibleName(plain_text(f"{name}, {state} active" if state else name))
+                button.setChecked(name == self._branch)
+                running = status.running if status else None
+                live = running is not None and running.branch == name
+                _set(button, "live", live and len(names) > 1)
+
+    def _branch_words(self, blueprint: Blueprint, states: Mapping[str, str]) -> list[str]:
+        """SBs with their active states, as far as there is room left of the tools."""
+        names = list(blueprint.branches)
+        if len(names) < 2:
+            return names
+        short = {n: view.short_name(blueprint[n], s) for n, s in states.items() if n in names}
+        full = [f"{name}  {short[name]}" if short.get(name) else name for name in names]
+        metrics = QFontMetrics(text_font(13, 600))
+        room = self.width() - self._tools_wide - PADDING * len(names)
+        here = [words if name == self._branch else name
+                for name, words in zip(names, full, strict=True)]  # fmt: skip
+        for words in (full, here, names):
+            if sum(map(metrics.horizontalAdvance, words)) <= room:
+                return words
+        middle, share = Qt.TextElideMode.ElideMiddle, max(room // len(names), 24)
+        return [metrics.elidedText(plain_text(name), middle, share) for name in names]
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._name_branches(self._blueprint())
+        self._fit_steps()
+
+    def _fit_steps(self) -> None:
+        """How far the run is, where it does not run into the tools."""
+        wide = self._steps.fontMetrics().horizontalAdvance(self._steps.text()) + PADDING
+        self._steps.setVisible(
+            self._buttons.sizeHint().width() + wide <= self.width() - self._tools_wide
+        )
+
+    @property
+    def _tools_wide(self) -> int:
+        """Pixels that the tools at the right take."""
+        more = 0 if self.to_drawing.isHidden() else self.to_drawing.sizeHint().width()
+        return TOOLS + more
+
+    def _button(self, index: int) -> QToolButton:
+        button = QToolButton()
+        button.setProperty("role", "branch")
+        button.setCheckable(True)
+        button.clicked.connect(lambda: self.show_branch(list(self._blueprint().branches)[index]))
+        return button
+
+    def _step_words(self) -> str:
+        status = self._run.status
+        if status is None or self._run.blueprint is not self._blueprint():
+            return ""
+        left = len(status.route) + (status.running is not None)
+        if left and self._run.exists:
+            return f"step {status.operations + 1} of {status.operations + left}"
+        return counted(status.operations, "operation")
+
+
+def _filling(branch: StateBranch, places: dict[str, Position]) -> dict[str, Position]:
+    """A picture nobody arranged is made a little taller, because the run's canvas is upright."""
+    if branch.notes.layout or len(places) < 3:
+        return places
+    wide, high = (max(side) - min(side) for side in zip(*places.values(), strict=True))
+    factor = min(max(wide / max(high, 1.0), 1.0), TALLER)
+    return {name: (x, y * factor) for name, (x, y) in places.items()}
+
+
+def _set(widget: QWidget, name: str, value: bool) -> None:
+    if bool(widget.property(name)) != value:
+        widget.setProperty(name, value)
+        widget.style().unpolish(widget)
+        widget.style().polish(widget)

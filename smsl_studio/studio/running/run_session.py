@@ -1,0 +1,323 @@
+"""One run at a time, as the window holds it: a frozen blueprint, its runner, its story.
+
+Widgets read it and listen to ``changed``; they command it by the verbs of supervision. The run
+holds the blueprint it was started with, whatever is drawn meanwhile.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from smsl_studio import front
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.errors import StudioError
+from smsl_studio.front.recorder import new_recording, start_log
+from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.supervisors import supervisor_of
+from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.protocol import SensorInfo
+from smsl_studio.host.remote import WithRemote
+from smsl_studio.host.spare import Spare
+from smsl_studio.library.loading import Loaded
+from smsl_studio.monitor.reception import RemoteView
+from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.log import RunLog
+from smsl_studio.studio.running.inbox import Command
+from smsl_studio.studio.running.runner import Runner
+from smsl_studio.studio.running.story import Story
+from smsl_studio.studio.running.verbs import Verbs
+from smsl_studio.world.protocol import Shape
+
+PLANNING = "the way is being planned"
+FRAME = 33
+"""Milliseconds between two looks at the run."""
+
+
+@dataclass(frozen=True)
+class RunChoice:
+    """What a person chose to run. ``start`` and ``goal`` are addresses; empty: the defaults.
+
+    ``levels`` are those that were set for this run (see ``blueprint.levels``).
+    """
+
+    world: str
+    start: str = ""
+    goal: str = ""
+    seed: int = 0
+    by_hand: bool = False
+    levels: Mapping[str, str] = field(default_factory=dict)
+
+
+class RunSession(QObject, Verbs):
+    """The run of this window. There is at most one; a new one ends the old."""
+
+    changed = Signal()
+    """The status or the story went on."""
+    events_told = Signal(object)
+    """A tuple of run events, in order."""
+    opened = Signal()
+    """The world stands: shapes can be drawn."""
+    exists_changed = Signal(bool)
+    """Whether there is a run that can be stopped."""
+    refused = Signal(object)
+    """A StudioError: the run could not be opened; nothing moved."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.blueprint: Blueprint | None = None
+        self.status: DispatchStatus | None = None
+        self.story = Story()
+        self.shapes: tuple[Shape, ...] = ()
+        self.sensors: tuple[SensorInfo, ...] = ()
+        self.faults: tuple[str, ...] = ()
+        """What can be injected into the world of the run."""
+        self.choice: RunChoice | None = None
+        self.foreign = False
+        """Whether another file was opened since this run began."""
+        self._compared: tuple[Blueprint, Blueprint, bool] | None = None
+        self._runner: Runner | None = None
+        self._dispatcher: Dispatcher | None = None
+        self._exists = False
+        self._steps_first = False
+        self._goes_on = False
+        self.recordings: Path | None = None
+        """The folder into which the next run is recorded; None: it is not."""
+        self.record: Path | None = None
+        """The log of the run that is there, or was the last one."""
+        self.spare: Spare | None = None
+        """A child in waiting for the next run; None: each starts its own."""
+        self._clock = QTimer(self)
+        self._clock.setInterval(FRAME)
+        self._clock.timeout.connect(self._listen)
+
+    @property
+    def exists(self) -> bool:
+        """Whether a run is there that has not ended."""
+        return self._exists
+
+    @property
+    def shown(self) -> bool:
+        """Whether there is anything to show: the run, or the results of the last one."""
+        return self.blueprint is not None and (self._exists or self.status is not None)
+
+    def is_another(self, drawn: Blueprint) -> bool:
+        """Whether what is shown is not what is drawn: another file, or another meaning."""
+        held = self.blueprint
+        if not self.shown or held is None:
+            return False
+        before = self._compared
+        if before is None or before[0] is not held or before[1] is not drawn:
+            # It is asked at every frame, and to compare large blueprints takes a while.
+            before = self._compared = (held, drawn, held is not drawn and held != drawn)
+        return self.foreign or before[2]
+
+    @property
+    def phase(self) -> str:
+        """One word for how the run stands: the dispatcher's phase, or why it ended."""
+        if self._runner is None:
+            return ""
+        if self.story.finished is not None:
+            return self.story.finished.reason
+        return "opening" if self.status is None else self.status.phase
+
+    @property
+    def sentence(self) -> str:
+        """Why the run holds or ended; the empty text while it goes on."""
+        if self.story.finished is not None:
+            return self.story.finished.sentence
+        if self.status is None:
+            return ""
+        planning = PLANNING if self.status.planning and self.status.phase == "running" else ""
+        return self.status.sentence or planning
+
+    @property
+    def latency(self) -> float | None:
+        """Wall seconds that the world's process needs for a tick; None where there is none."""
+        return self._runner.latency if self._runner is not None and self._exists else None
+
+    @property
+    def world_process(self) -> int | None:
+        """The number of the process in which the world runs; None where there is none."""
+        host = self._dispatcher.host if self._dispatcher is not None else None
+        world = host.inner if isinstance(host, WithRemote) else host
+        return world.pid if isinstance(world, ProcessHost) else None
+
+    @property
+    def pausing(self) -> bool:
+        """Whether it will pause by itself: it was started with a step, or carries one out."""
+        return self._steps_first or (self.status is not None and self.status.pausing)
+
+    def play_on(self) -> None:
+        """Go on as soon as the run has paused by itself; any other command calls this off."""
+        self._goes_on = True
+
+    def begin(
+        self,
+        blueprint: Blueprint,
+        choice: RunChoice,
+        speed: float,
+        stepping: bool = False,
+        loaded: Loaded | None = None,
+    ) -> None:
+        """Start a run of ``blueprint`` as it is now; a run that is there is closed first.
+
+        ``stepping`` carries out one operation and pauses. ``loaded`` are the plugins as
+        they were found last: the run loads those anew that its world needs.
+        """
+        self.close()
+        self.blueprint, self.choice, self.foreign = blueprint, choice, False
+        self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
+        self.record, folder, who = None, self.recordings, self.who()
+
+        def record() -> RunLog | None:
+            log = _log(blueprint, choice, loaded, folder, who) if folder is not None else None
+            self.record = log.path if log is not None else None
+            return log
+
+        spare = self.spare
+        runner = Runner(lambda: _opened(blueprint, choice, loaded, spare), speed, self, record)
+        runner.opened.connect(self._open)
+        runner.refused.connect(self._refuse)
+        runner.broke.connect(self._break)
+        self._runner = runner
+        self._steps_first, self._goes_on = stepping, False
+        self._set_exists(True)
+        if stepping:
+            by = self.who()
+            runner.command(lambda dispatcher: dispatcher.step(by=by))
+        runner.start()
+        self._clock.start()
+        self.changed.emit()
+
+    def set_speed(self, speed: float) -> None:
+        if self._runner is not None:
+            self._runner.set_speed(speed)
+
+    def poses(self) -> tuple[float, ...]:
+        """The newest poses, straight from the world's shared memory."""
+        return self._dispatcher.host.poses() if self._dispatcher is not None else ()
+
+    def words(self) -> Mapping[str, str]:
+        """The world's short words for people."""
+        return self._dispatcher.host.status() if self._dispatcher is not None else {}
+
+    def remote(self) -> RemoteView | None:
+        """The network of sensors that are elsewhere; None where there are none."""
+        opened = self._dispatcher.opened if self._dispatcher is not None else None
+        return opened.remote.view() if opened and opened.remote else None
+
+    def close(self) -> None:
+        """End the run and its world, if there is one."""
+        self._clock.stop()
+        runner, self._runner = self._runner, None
+        self._dispatcher = None
+        if runner is not None:
+            runner.blockSignals(True)
+            runner.close()
+            runner.deleteLater()
+        self._set_exists(False)
+
+    def forget(self) -> None:
+        """Let go of a run that has ended, as if there had been none."""
+        if not self._exists and self.blueprint is not None:
+            self.close()
+            self.blueprint, self.status, self.choice = None, None, None
+            self.record, self.foreign, self._compared = None, False, None
+            self.story, self.shapes, self.sensors = Story(), (), ()
+            self.changed.emit()
+
+    def _command(self, command: Command, word: str = "") -> None:
+        self._goes_on = False
+        if self._runner is not None and self._exists:
+            self._runner.command(command, word)
+
+    def _open(self, dispatcher: Dispatcher) -> None:
+        if self.sender() is self._runner:
+            self._dispatcher = dispatcher
+            opened = dispatcher.opened
+            self.shapes, self.sensors = (opened.shapes, opened.sensors) if opened else ((), ())
+            self.faults = opened.world_faults if opened else ()
+            self.opened.emit()
+
+    def _listen(self) -> None:
+        news = self._runner.take() if self._runner is not None else None
+        if news is not None:
+            self._tell(*news)
+
+    def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
+        self.status = status
+        if events:
+            self.story.tell(events)
+            self.events_told.emit(events)
+        self.story.time = max(self.story.time, status.time)
+        if self.story.finished is not None:
+            self._clock.stop()
+            self._set_exists(False)
+        # The first news of a run are older than the step with which it was started.
+        self._steps_first &= status.phase == "running" and not status.pausing
+        if self._goes_on and not self.pausing and status.phase != "waiting":
+            self._goes_on = False
+            if status.phase in ("paused", "ready"):
+                self.play()
+        self.changed.emit()
+
+    def _refuse(self, error: StudioError) -> None:
+        if self.sender() is self._runner:
+            self.close()
+            self.refused.emit(error)
+            self.changed.emit()
+
+    def _break(self, error: Exception) -> None:
+        """What nobody expected must not end in silence: it is raised where the window hears it."""
+        if self.sender() is self._runner:
+            self.close()
+            self.changed.emit()
+            raise error
+
+    def _set_exists(self, exists: bool) -> None:
+        if exists != self._exists:
+            self._exists = exists
+            self.exists_changed.emit(exists)
+
+
+def _opened(
+    blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, spare: Spare | None
+) -> Dispatcher:
+    return front.open_run(
+        blueprint,
+        choice.world,
+        start=choice.start or None,
+        goal=choice.goal or None,
+        seed=choice.seed,
+        automatic=not choice.by_hand,
+        attended=True,
+        levels=choice.levels,
+        loaded=loaded,
+        spare=spare,
+    )
+
+
+def _log(
+    blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder: Path, who: str
+) -> RunLog:
+    """The log of a run that begins now. SaveError where there can be none."""
+    agent = supervisor_of(Levels(blueprint, choice.levels))
+    asked = asked_for(
+        seed=choice.seed,
+        host="process",
+        start=[choice.start] if choice.start else [],
+        goals=[choice.goal] if choice.goal else [],
+        by_hand=choice.by_hand,
+        levels=choice.levels,
+        supervisor=agent.name if agent else who,
+    )
+    path = new_recording(folder, blueprint.file, datetime.now())
+    return start_log(path, blueprint, choice.world, loaded, asked)

@@ -1,1 +1,0 @@
-"""Working without fear: journal, other programs, crashes."""

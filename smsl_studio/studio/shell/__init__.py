@@ -1,0 +1,1 @@
+"""The shell: the application, its windows, and the frame that the features are put into."""

@@ -1,0 +1,119 @@
+"""The window's door: one application, a window for each file."""
+
+from __future__ import annotations
+
+import argparse
+import signal
+import sys
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QApplication
+
+from smsl_studio.host.spare import Spare
+from smsl_studio.shipped import resources_dir
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.style import dress, tokens_of
+from smsl_studio.studio.document.journal.leftovers import Left, left_behind
+from smsl_studio.studio.document.journal.place import folder_of
+from smsl_studio.studio.document.journal.restoration import is_saved
+from smsl_studio.studio.features.draw.safety.offer import RecoveryOffer, difference_dialog
+from smsl_studio.studio.shell import accessible_factory
+from smsl_studio.studio.shell.crash import crash_hook
+from smsl_studio.studio.shell.window import Window
+from smsl_studio.studio.shell.windows import Windows
+
+
+def open_window(paths: Sequence[str], mode: str = "draw") -> int:
+    """Show a window for each file (an empty one for none) until they are closed; exit status."""
+    application = make_application(sys.argv)
+    settings = Settings()
+    dress(application, tokens_of(settings.theme, application))
+    spare = Spare()
+    windows = Windows(application, settings, spare=spare)
+    first, *_ = [make_window(windows, path, mode) for path in paths or [""]]
+    QTimer.singleShot(0, first, lambda: offer_recovery(windows, first))
+    sys.excepthook = crash_hook(windows.keep, windows.warn)
+    stop = _let_interrupts_through(application)
+    known = (getattr(signal, name, None) for name in ("SIGTERM", "SIGHUP"))
+    # Under nohup the end of the terminal is to be ignored, and stays so.
+    ends = [end for end in known if end and signal.getsignal(end) is not signal.SIG_IGN]
+    # Python hears it at any place, also in the middle of a drawing: nothing is closed there.
+    hear = partial(QTimer.singleShot, 0, application, windows.leave)
+    before = [signal.signal(end, lambda *_: hear()) for end in ends]
+    try:
+        return application.exec()
+    finally:
+        stop.stop()
+        windows.plugins.stop()
+        spare.close()
+        sys.excepthook = sys.__excepthook__
+        for end, handler in zip(ends, before, strict=True):
+            signal.signal(end, handler or signal.SIG_DFL)
+
+
+def make_application(argv: Sequence[str]) -> QApplication:
+    """The one application of this process, named."""
+    present = QApplication.instance()
+    application = present if isinstance(present, QApplication) else QApplication(list(argv[:1]))
+    application.setApplicationName("smsl-studio")
+    application.setApplicationDisplayName("SMSL Studio")
+    application.setDesktopFileName("smsl-studio")
+    accessible_factory.install(application)
+    application.setWindowIcon(QIcon(str(resources_dir() / "smsl-studio.svg")))
+    return application
+
+
+def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
+    """A window that shows a file; where it cannot be read the window says why."""
+    window = Window(windows)
+    window.show()
+    if path:
+        window.open_path(Path(path))
+    if not windows.plugins.known:
+        windows.plugins.look()
+    if mode != "draw":
+        window.set_mode(mode)
+    return window
+
+
+def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
+    """Offer what windows have left behind that did not close; None where there is nothing."""
+    found = left_behind(folder_of(windows.settings.folder))
+    left = [one for one in found if not is_saved(one.entry)]
+    for one in found:
+        if one not in left:
+            one.drop()
+    if not left:
+        return None
+
+    def recover(one: Left) -> bool:
+        return (window if window.safety.untouched else make_window(windows)).safety.recover(one)
+
+    def show_difference(one: Left) -> bool:
+        return difference_dialog(one.entry, window.tokens, offer)
+
+    offer = RecoveryOffer(left, recover, show_difference, window)
+    offer.open()
+    return offer
+
+
+def main(argv: Sequence[str]) -> int:
+    """``open``: file arguments and ``--mode``."""
+    parser = argparse.ArgumentParser(prog="smsl-studio open", description="Open the window.")
+    parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
+    parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
+    given = parser.parse_intermixed_args(list(argv))
+    return open_window(given.files, given.mode)
+
+
+def _let_interrupts_through(application: QApplication) -> QTimer:
+    """Ctrl+C in the terminal closes the windows: Python sees it only while it runs."""
+    signal.signal(signal.SIGINT, lambda *_: application.quit())
+    timer = QTimer()
+    timer.timeout.connect(lambda: None)
+    timer.start(300)
+    return timer

@@ -1,0 +1,125 @@
+"""The two windows of the Help menu: the keys, and what this program is."""
+
+from __future__ import annotations
+
+from importlib.metadata import PackageNotFoundError, version
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QDialog,
+    QGridLayout,
+    QHBoxLayout,
+    QPushButton,
+    QScrollArea,
+    QSpacerItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from smsl_studio.studio.base.actions import Action, Actions, key_words
+from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.screens import open_at
+from smsl_studio.studio.features.draw.source.keys import SOURCE_KEYS
+from smsl_studio.studio.shell.frame.menu_row import MENUS
+
+CANVAS_KEYS = (
+    ("Add an operation from the selected state", "Tab or /"),
+    ("Pan", "Space and drag, or the middle button"),
+    ("Zoom", "Mouse wheel"),
+    ("Add a state there", "Double click on empty canvas"),
+    ("Connect", "Drag from a state's handle"),
+    ("Select several", "Drag over empty canvas, Shift and click"),
+)
+
+
+def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
+    """Every key, by menu."""
+    dialog = QDialog(parent)
+    dialog.setWindowTitle("Keyboard shortcuts")
+    open_at(dialog, 560, 620)
+    grid = QGridLayout()
+    grid.setContentsMargins(20, 16, 20, 16)
+    grid.setVerticalSpacing(6)
+    grid.setColumnStretch(0, 1)
+    rows: list[tuple[str, list[tuple[str, str]]]] = [
+        ("On the canvas", list(CANVAS_KEYS)),
+        ("In the source", list(SOURCE_KEYS)),
+    ]
+    for menu in MENUS:
+        keyed = [action for action in actions.in_menu(menu) if action.keys]
+        rows.append((menu, [(_words(action), _keys(action)) for action in keyed]))
+    for title, lines in rows:
+        if lines:
+            if grid.count():
+                grid.addItem(QSpacerItem(1, 6), grid.rowCount(), 0)
+            grid.addWidget(label(title, "heading"), grid.rowCount(), 0, 1, 2)
+            for words, keys in lines:
+                at = grid.rowCount()
+                said = label(words, "second")
+                said.setWordWrap(True)
+                grid.addWidget(said, at, 0)
+                grid.addWidget(label(keys, "key"), at, 1, Qt.AlignmentFlag.AlignLeft)
+    inner = QWidget()
+    inner.setLayout(grid)
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
+    area.setWidget(inner)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    bar = area.verticalScrollBar().sizeHint().width()
+    area.setMinimumWidth(inner.minimumSizeHint().width() + bar)
+    _finish(dialog, area)
+    return dialog
+
+
+def about_dialog(parent: QWidget) -> QDialog:
+    """What this program is, and what it is not."""
+    dialog = QDialog(parent)
+    dialog.setWindowTitle("About SMSL Studio")
+    dialog.setFixedWidth(440)
+    text = QVBoxLayout()
+    text.setContentsMargins(20, 20, 20, 8)
+    text.setSpacing(8)
+    text.addWidget(label(f"SMSL Studio {_version()}", "heading"))
+    for said in (
+        "Draw, inspect and run blueprints of medical and robotic procedures: hierarchical state "
+        "machines in the State Machine Serialization Language.",
+        "It is research software and not a medical device. It runs blueprints in simulation only.",
+    ):
+        line = label(said, "second")
+        line.setWordWrap(True)
+        text.addWidget(line)
+    inner = QWidget()
+    inner.setLayout(text)
+    _finish(dialog, inner)
+    return dialog
+
+
+def _finish(dialog: QDialog, inner: QWidget) -> None:
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    close = QPushButton("Close")
+    close.setDefault(True)
+    close.clicked.connect(dialog.accept)
+    foot = QHBoxLayout()
+    foot.setContentsMargins(20, 8, 20, 16)
+    foot.addStretch(1)
+    foot.addWidget(close)
+    whole = QVBoxLayout(dialog)
+    whole.setContentsMargins(0, 0, 0, 0)
+    whole.addWidget(inner, 1)
+    whole.addLayout(foot)
+
+
+def _words(action: Action) -> str:
+    return action.words.rstrip("…")
+
+
+def _keys(action: Action) -> str:
+    return " or ".join(key_words(key) for key in action.keys)
+
+
+def _version() -> str:
+    try:
+        return version("smsl-studio")
+    except PackageNotFoundError:
+        return ""

@@ -1,0 +1,316 @@
+"""The mode bar: which mode, what can be drawn, search and Run; or the transport of a run."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QPainter, QPaintEvent, QPalette, QPen, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QFrame,
+    QHBoxLayout,
+    QPushButton,
+    QSizePolicy,
+    QStackedWidget,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
+
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.actions import Actions
+from smsl_studio.studio.base.controls import name_parts, row, rule
+from smsl_studio.studio.base.icons import draw, icon
+from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.precedence import Precedence
+from smsl_studio.studio.base.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
+from smsl_studio.studio.running.phase_badge import PhaseBadge
+
+DRAW_TOOLS = (
+    ("undo", "redo"),
+    ("add_state", "connect", "sub_sb"),
+    ("tidy",),
+)
+SEARCH = 248
+"""Pixels of the search field; it gives way where the bar is narrow."""
+WORDS = 560
+"""Pixels of the drawing tools from which their buttons have words."""
+MODES = ("mode_draw", "mode_run", "mode_supervise", "mode_replay")
+PASSING = ("mode_replay",)
+"""Modes that are offered only while there is something to show in them."""
+QWIDGETSIZE_MAX = (1 << 24) - 1
+"""Qt's own word for: as wide as you like."""
+COMMANDING = ("run", "supervise")
+"""Modes whose rows have a Stop of their own, at the same place."""
+
+
+class ModeBar(QToolBar):
+    """One bar, fixed; its middle follows the mode."""
+
+    search_wanted = Signal()
+
+    def __init__(self, actions: Actions, tokens: Tokens) -> None:
+        super().__init__("Modes and tools")
+        self.setObjectName("mode_bar")
+        self.setMovable(False)
+        self.setFloatable(False)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
+        self._actions = actions
+        name_parts(self)
+        self.left_button = _tool(actions["left_panel"], icon_only=True)
+        self.left_button.hide()
+        self.segments = Segments(
+            [(name, actions[name], actions.table[name].short) for name in MODES]
+        )
+        self.search = SearchBox(tokens)
+        self.search.clicked.connect(self.search_wanted)
+        self.run = QPushButton(" Run")
+        self.run.setProperty("role", "primary")
+        self.run.setAccessibleName("Run")
+        self.run.setFixedHeight(32)
+        self.run.setToolTip(tip_text(actions.table["run_play"].hint))
+        self.run.clicked.connect(actions["run_play"].trigger)
+        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop.setFixedWidth(136)
+        self.stop.setToolTip(tip_text(actions.table["run_stop"].hint))
+        self.stop.clicked.connect(actions["run_stop"].trigger)
+        self.stop.hide()
+        self.phase = PhaseBadge()
+        self.phase.hide()
+        self._run_exists, self._mode = False, "draw"
+        self._draw_tools = _DrawTools(actions, self.search, self.run)
+        self._middle = QStackedWidget()
+        # What does not fit gives way by itself. Else the bar would put everything, Stop too, out of
+        # sight.
+        self._middle.setMinimumWidth(1)
+        self._rows: dict[str, QWidget] = {}
+        self._middle.addWidget(self._draw_tools)
+        inner = _Whole()
+        layout = QHBoxLayout(inner)
+        layout.setContentsMargins(12, 0, 12, 0)
+        layout.setSpacing(12)
+        layout.addWidget(self.left_button)
+        layout.addWidget(self.segments)
+        layout.addWidget(rule(vertical=True, length=24))
+        layout.addWidget(self._middle, 1)
+        layout.addWidget(self.phase)
+        layout.addWidget(self.stop)
+        self._precedence = inner.precedence = Precedence(inner, self.phase)
+        self._precedence.want(self.phase, False)
+        self.addWidget(inner)
+        self.setFixedHeight(MODE_BAR)
+        self.set_tokens(tokens)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
+        self.stop.set_tokens(tokens)
+        self.search.set_tokens(tokens)
+        self._no_margins()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """A tool bar takes its margins from the style when it is shown; ours are our own."""
+        super().showEvent(event)
+        self._no_margins()
+
+    def _no_margins(self) -> None:
+        layout = self.layout()
+        if layout is not None:
+            layout.setContentsMargins(0, 0, 0, 0)
+            layout.setSpacing(0)
+
+    def add_row(self, mode: str, row: QWidget) -> None:
+        """What a mode shows in place of the drawing tools."""
+        self._rows[mode] = row
+        self._middle.addWidget(row)
+
+    def show_stop(self, shown: bool) -> None:
+        """Stop stays visible while a run exists, also in a mode whose row has none of its own."""
+        self._run_exists = shown
+        self._show_stop()
+        self._draw_tools.show_run(not shown)
+
+    def show_phase(self, words: str, kind: str, tip: str) -> None:
+        """Say beside Stop how the run stands, so that one sees what a Stop has done."""
+        before = self.phase.text()
+        self.phase.show_phase(words, kind, tip)
+        if self.phase.text() != before:
+            self._precedence.fit()
+
+    def show_mode(self, mode: str) -> None:
+        self._mode = mode
+        self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
+        self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
+        self._show_stop()
+
+    def _show_stop(self) -> None:
+        shown = self._run_exists and self._mode not in COMMANDING
+        self.stop.setVisible(shown)
+        self._precedence.want(self.phase, shown)
+        self._precedence.fit()
+
+    def below(self, name: str) -> QPoint:
+        """The point of the screen below an action's button."""
+        for button in self._draw_tools.findChildren(QToolButton):
+            if button.defaultAction() is self._actions[name]:
+                return button.mapToGlobal(QPoint(0, button.height() + 4))
+        return self.mapToGlobal(self.rect().center())
+
+
+class _Whole(QWidget):
+    """The row of the whole bar, in which the word of a run gives way before Stop does."""
+
+    precedence: Precedence
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.precedence.fit()
+
+
+class _DrawTools(QWidget):
+    """The buttons of drawing, search and Run. Where it is narrow words go first, then buttons."""
+
+    def __init__(self, actions: Actions, search: SearchBox, run: QPushButton) -> None:
+        super().__init__()
+        self._run = run
+        self._worded: list[QToolButton] = []
+        buttons: dict[str, QToolButton] = {}
+        rules = []
+        layout = row(spacing=4)
+        for at, group in enumerate(DRAW_TOOLS):
+            if at:
+                rules.append(rule(vertical=True, length=24))
+                layout.addWidget(rules[-1])
+            for name in group:
+                short = actions.table[name].short
+                buttons[name] = _tool(actions[name], icon_only=not short)
+                if short:
+                    self._worded.append(buttons[name])
+                layout.addWidget(buttons[name])
+        layout.addStretch(1)
+        layout.addWidget(search)
+        layout.addSpacing(4)
+        layout.addWidget(run)
+        self.setLayout(layout)
+        last = [buttons[name] for name in ("undo", "redo", "sub_sb", "connect", "add_state")]
+        self._precedence = Precedence(self, rules[1], buttons["tidy"], rules[0], *last, search, run)
+
+    def show_run(self, shown: bool) -> None:
+        """Whether Run has its place here; Stop has it while a run exists."""
+        self._precedence.want(self._run, shown)
+        self._precedence.fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        for button in self._worded:
+            _set_worded(button, self.width() >= WORDS)
+        self._precedence.fit()
+        layout = self.layout()
+        assert layout is not None
+        layout.activate()
+
+
+class Segments(QFrame):
+    """The modes side by side, exactly one of them chosen."""
+
+    def __init__(self, modes: list[tuple[str, QAction, str]]) -> None:
+        super().__init__()
+        self.setObjectName("segments")
+        self.setAccessibleName("Mode")
+        layout = row(spacing=0)
+        layout.setContentsMargins(2, 2, 2, 2)
+        self._buttons: dict[str, QToolButton] = {}
+        for name, action, words in modes:
+            button = QToolButton()
+            self._buttons[name] = button
+            if name in PASSING:
+                button.hide()
+            button.setDefaultAction(action)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+            button.setFixedHeight(30)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.setAccessibleName(plain_text(f"{words} mode"))
+            layout.addWidget(button)
+        self.setLayout(layout)
+        self.setFixedHeight(34)
+
+    def show_segment(self, name: str, shown: bool) -> None:
+        """Offer a mode, or no longer."""
+        self._buttons[name].setVisible(shown)
+
+
+class SearchBox(QAbstractButton):
+    """Looks like a field and opens the command palette."""
+
+    def __init__(self, tokens: Tokens) -> None:
+        super().__init__()
+        self._tokens = tokens
+        self.setFixedHeight(32)
+        self.setMinimumWidth(44)
+        self.setMaximumWidth(SEARCH)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self.setText("Find or run a command")
+        self.setAccessibleName("Find or run a command")
+        self.setToolTip("Find a state or operation, or run a command (Ctrl+K)")
+        self.setCursor(Qt.CursorShape.IBeamCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+
+    def sizeHint(self) -> QSize:
+        return QSize(SEARCH, 32)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(44, 32)
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        tokens, painter = self._tokens, QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        edge = self.palette().color(QPalette.ColorRole.Accent) if self.hasFocus() else tokens.nl
+        painter.setPen(QPen(edge, 2 if self.hasFocus() else 1))
+        painter.setBrush(tokens.surf)
+        box = QRectF(self.rect()).adjusted(1, 1, -1, -1)
+        painter.drawRoundedRect(box, 6, 6)
+        draw(painter, "search", QRectF(10, 9, 14, 14), tokens.tx2, tokens.surf)
+        painter.setPen(tokens.tx2)
+        painter.setFont(text_font(13))
+        roomy = self.width() > SEARCH - 40
+        words = self.rect().adjusted(33, 0, -60 if roomy else -8, 0)
+        right = Qt.TextElideMode.ElideRight
+        shown = painter.fontMetrics().elidedText(plain_text(self.text()), right, words.width() + 1)
+        painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, shown)
+        if not roomy:
+            painter.end()
+            return
+        key = QRectF(self.width() - 51, 7, 42, 18)
+        painter.setPen(QPen(tokens.line, 1))
+        painter.setBrush(tokens.win)
+        painter.drawRoundedRect(key, 4, 4)
+        painter.setPen(tokens.tx2)
+        painter.setFont(text_font(11, 500))
+        painter.drawText(key, Qt.AlignmentFlag.AlignCenter, "Ctrl K")
+
+
+def _tool(action: QAction, icon_only: bool = False) -> QToolButton:
+    button = QToolButton()
+    button.setDefaultAction(action)
+    button.setAccessibleName(plain_text(action.text().rstrip("…")))
+    button.setFixedHeight(32)
+    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+    _set_worded(button, not icon_only)
+    return button
+
+
+def _set_worded(button: QToolButton, worded: bool) -> None:
+    """Show the words beside the icon, or the icon alone."""
+    style = Qt.ToolButtonStyle
+    wanted = style.ToolButtonTextBesideIcon if worded else style.ToolButtonIconOnly
+    role = "tool" if worded else "small"
+    button.setToolButtonStyle(wanted)
+    button.setMinimumWidth(0 if worded else 36)
+    button.setMaximumWidth(QWIDGETSIZE_MAX if worded else 36)
+    if button.property("role") != role:
+        button.setProperty("role", role)
+        button.style().unpolish(button)
+        button.style().polish(button)

@@ -1,0 +1,83 @@
+"""The modes of a window: what each puts into the body and the bar, and what had the focus in it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from PySide6.QtWidgets import QWidget
+
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.shell.frame.body import PageBody
+from smsl_studio.studio.shell.frame.docks import Docks
+from smsl_studio.studio.shell.frame.mode_bar import ModeBar
+from smsl_studio.studio.shell.frame.status_line import StatusLine
+
+DRAW = "draw"
+
+
+@dataclass(frozen=True)
+class Page:
+    """The body of a mode, what takes the keys in it, and its row of the mode bar (None: tools)."""
+
+    body: QWidget
+    focus: QWidget
+    row: QWidget | None = None
+
+
+class Modes:
+    """Shows one mode at a time. The docks belong to Draw, whose panels are remembered."""
+
+    def __init__(
+        self, pages: Mapping[str, Page], body: PageBody, docks: Docks, settings: Settings
+    ) -> None:
+        self._pages, self._body = pages, body
+        self._docks, self._settings = docks, settings
+        self.shown = DRAW
+        for page in pages.values():
+            body.add_page(page.body)
+
+    def dress(self, bar: ModeBar, line: StatusLine) -> None:
+        """The bars that follow the mode."""
+        self._bar, self._line = bar, line
+        for name, page in self._pages.items():
+            if page.row is not None:
+                bar.add_row(name, page.row)
+
+    def show(self, name: str, width: int) -> None:
+        """Show another mode in a window so wide."""
+        self.keep()
+        page, self.shown = self._pages[name], name
+        self._body.show_page(page.body)
+        self._bar.show_mode(name)
+        self._line.show_mode(name)
+        self._docks.show_mode(name)
+        if name == DRAW:
+            self._docks.restore(self._settings.bytes_of("panels/draw"))
+        self.fit_width(width)
+        self._bar.show()
+        # What had the focus may be gone, and keys would end up in whatever Qt finds next.
+        self.take_focus()
+
+    @property
+    def home(self) -> QWidget:
+        """What takes the keys in the mode that is shown."""
+        return self._pages[self.shown].focus
+
+    def take_focus(self) -> None:
+        """Give the keys to what takes them in the mode that is shown."""
+        self.home.setFocus()
+
+    def restore(self) -> None:
+        """Put the panels where they were when the last window closed."""
+        if not self._docks.restore(self._settings.bytes_of("panels/draw")):
+            self._docks.set_first_sizes()
+
+    def keep(self) -> None:
+        """Remember where the panels are."""
+        self._settings.store(f"panels/{self.shown}", self._docks.save())
+
+    def fit_width(self, width: int) -> None:
+        """A narrow window has a drawer, and a button for it, in place of the left dock."""
+        narrow = self.shown == DRAW and self._docks.fit_width(width)
+        self._bar.left_button.setVisible(narrow)

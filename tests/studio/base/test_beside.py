@@ -1,0 +1,138 @@
+"""Work beside the window's thread: in order, handed over here, and kept by nobody afterwards."""
+
+from __future__ import annotations
+
+import gc
+import threading
+import weakref
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import pytest
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.stop import heed
+from smsl_studio.studio.base.beside import Beside
+
+
+class Thing:
+    """Something that work can hold."""
+
+
+@pytest.fixture
+def beside(qapp: QApplication) -> Iterator[Beside]:
+    parent = QObject()
+    made = Beside(parent)
+    yield made
+    made.stop()
+
+
+def test_work_is_done_elsewhere_and_handed_over_here_in_order(beside: Beside, qtbot: QtBot) -> None:
+    here, came = threading.get_ident(), []
+
+    def then(number: int, there: int) -> None:
+        came.append((number, there != here, threading.get_ident() == here))
+
+    for number in range(3):
+        beside.do(threading.get_ident, partial(then, number))
+    qtbot.waitUntil(lambda: len(came) == 3)
+    assert came == [(number, True, True) for number in range(3)]
+
+
+@pytest.mark.parametrize("end", [Beside.drop, Beside.stop])
+def test_work_that_heeds_is_called_off(
+    beside: Beside, qtbot: QtBot, end: Callable[[Beside], None]
+) -> None:
+    going, ended, came = threading.Event(), threading.Event(), list[str]()
+
+    def work() -> str:
+        try:
+            going.set()
+            while True:
+                heed()
+        finally:
+            ended.set()
+
+    beside.do(work, came.append)
+    going.wait()
+    end(beside)
+    qtbot.waitUntil(ended.is_set)
+    beside.do(lambda: "next", came.append)
+    qtbot.waitUntil(lambda: came == ([] if end is Beside.stop else ["next"]))
+
+
+def test_what_has_not_begun_can_be_dropped(beside: Beside, qtbot: QtBot) -> None:
+    going, go = threading.Event(), threading.Event()
+    came: list[str] = []
+
+    def first() -> str:
+        going.set()
+        go.wait()
+        return "first"
+
+    beside.do(first, came.append)
+    going.wait()
+    beside.do(lambda: "dropped", came.append)
+    beside.drop()
+    beside.do(lambda: "last", came.append)
+    go.set()
+    qtbot.waitUntil(lambda: came == ["first", "last"])
+
+
+def test_after_the_end_nothing_is_handed_over(beside: Beside, qapp: QApplication) -> None:
+    came: list[int] = []
+    beside.do(lambda: 1, came.append)
+    beside.wait()
+    beside.stop()
+    beside.do(lambda: 2, came.append)
+    qapp.processEvents()
+    assert came == []
+
+
+def test_the_end_waits_for_nobody(beside: Beside, qapp: QApplication) -> None:
+    going, go = threading.Event(), threading.Event()
+    came: list[bool] = []
+
+    def work() -> bool:
+        going.set()
+        return go.wait()
+
+    beside.do(work, came.append)
+    going.wait()
+    beside.stop()
+    go.set()
+    beside.wait()
+    qapp.processEvents()
+    assert came == []
+
+
+def test_a_fault_is_raised_where_the_work_was_asked_for(beside: Beside, qtbot: QtBot) -> None:
+    with qtbot.captureExceptions() as caught:
+        beside.do(partial(int, "seven"), print)
+        qtbot.waitUntil(lambda: bool(caught))
+    assert [kind for kind, *_ in caught] == [ValueError]
+    caught.clear()
+
+
+def test_done_or_dropped_work_is_let_go_of(beside: Beside, qapp: QApplication) -> None:
+    held = []
+    for number in range(300):
+        thing = Thing()
+        held.append(weakref.ref(thing))
+
+        def show(_: int, thing: Thing = thing) -> None:
+            """Holds what it would show."""
+
+        beside.do(partial(id, thing), show)
+        del thing, show
+        if number % 7 == 0:
+            beside.drop()
+    beside.wait()
+    qapp.processEvents()
+    beside.drop()
+    beside.do(int, print)
+    beside.wait()
+    gc.collect()
+    assert [ref for ref in held if ref() is not None] == []

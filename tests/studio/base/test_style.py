@@ -1,0 +1,32 @@
+"""The style sheet: every place is filled, in both themes, and it stays small."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from smsl_studio.shipped import resources_dir
+from smsl_studio.studio.base.style import style_sheet
+from smsl_studio.studio.base.theme import DARK, LIGHT, Tokens
+
+
+@pytest.mark.parametrize("tokens", [LIGHT, DARK], ids=lambda tokens: tokens.name)
+def test_every_place_becomes_a_colour(tokens: Tokens) -> None:
+    sheet = style_sheet(tokens)
+    assert not re.search(r"\{[a-z]\w*\}", sheet)
+    assert sheet.count("{") == sheet.count("}")
+    assert tokens.acc.name() in sheet
+
+
+def test_the_sheet_stays_below_150_lines() -> None:
+    assert len((resources_dir() / "studio.qss").read_text("utf-8").splitlines()) < 150
+
+
+@pytest.mark.parametrize("tokens", [LIGHT, DARK], ids=lambda tokens: tokens.name)
+def test_what_has_the_keys_is_seen_on_a_filled_button_too(tokens: Tokens) -> None:
+    """The ring of the primary button is not of the colour that fills it."""
+    rules = re.findall(r"([^{}]+)\{([^{}]*)\}", style_sheet(tokens))
+    (ring,) = (body for names, body in rules if 'QPushButton[role="primary"]:focus' in names)
+    assert tokens.acc.name() not in ring
+    assert f"2px solid {tokens.tx.name()}" in ring

@@ -1,0 +1,152 @@
+"""The world's picture: camera, matrices, normals, and a renderer that draws or says why not."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QColor, QImage
+from PySide6.QtTest import QTest
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.studio.base.theme import LIGHT
+from smsl_studio.studio.features.run.camera import VIEWS, WorldCamera
+from smsl_studio.studio.features.run.renderer import (
+    Renderer,
+    RenderStyle,
+    matrices,
+    normals,
+    open_renderer,
+)
+from smsl_studio.studio.features.run.world_view import WorldView
+from smsl_studio.world.protocol import Shape
+
+AHEAD = WorldCamera(target=(0.0, 0.0, 0.0), distance=2.0, azimuth=0.0, elevation=0.0001)
+
+
+def _wall(y: float, z: float, colour: tuple[float, float, float]) -> Shape:
+    """A square of 0.4 m that stands across the x axis, its middle at (0, y, z)."""
+    a, b, c, d = (
+        (0, y + s, z + t) for s, t in ((-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2))
+    )
+    return Shape("wall", (*a, *b, *c, *a, *c, *d), colour, label="w")
+
+
+STILL = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+
+
+def test_the_target_is_in_the_middle_and_right_is_right() -> None:
+    assert AHEAD.project((0.0, 0.0, 0.0), 200, 100) == pytest.approx((100, 50))
+    right = AHEAD.project((0.0, 0.3, 0.0), 200, 100)
+    above = AHEAD.project((0.0, 0.0, 0.3), 200, 100)
+    assert right is not None
+    assert above is not None
+    assert right[0] > 110
+    assert above[1] < 45
+    assert AHEAD.project((3.0, 0.0, 0.0), 200, 100) is None
+
+
+def test_orbit_pan_and_zoom_stay_sane() -> None:
+    camera = AHEAD
+    for _ in range(200):
+        camera = camera.orbited(0.1, 0.1).zoomed(1.1).panned(0.01, 0.0)
+    assert camera.elevation < math.pi / 2
+    assert camera.distance <= 8.0
+    assert np.isfinite(camera.view_projection(1.5)).all()
+    near = AHEAD.zoomed(1e-9).orbited(0.0, -5.0)
+    assert near.distance >= 0.1
+    assert near.eye[2] > near.target[2]
+    for view in VIEWS.values():
+        assert np.isfinite(view.view_projection(2.6)).all()
+
+
+def test_poses_become_matrices() -> None:
+    half = math.sqrt(0.5)
+    turned = matrices((1.0, 2.0, 3.0, 0.0, 0.0, half, half))[0]
+    assert turned @ np.array((1.0, 0.0, 0.0, 1.0)) == pytest.approx((1.0, 3.0, 3.0, 1.0))
+
+
+def test_normals_are_smooth_over_gentle_edges_only() -> None:
+    flat = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32)
+    assert normals(flat) == pytest.approx(np.tile((0, 0, 1), (6, 1)))
+    bent = flat.copy()
+    bent[4] = (1, 0, 1)
+    assert normals(bent)[0] == pytest.approx((0, 0, 1))
+
+
+def test_the_renderer_draws_what_stands_in_front_or_says_why() -> None:
+    renderer = open_renderer()
+    if isinstance(renderer, str):
+        assert renderer
+        return
+    renderer.load([_wall(-0.5, 0.0, (1, 0, 0)), _wall(0.5, 0.0, (0, 0, 1))])
+    for fine in (True, False):
+        image = renderer.draw(STILL * 2, AHEAD, RenderStyle(200, 100, dark=False, fine=fine))
+        assert (image.width(), image.height()) == (200, 100)
+        left, right = image.pixelColor(60, 45), image.pixelColor(140, 45)
+        assert left.red() > 2 * left.blue()
+        assert right.blue() > 2 * right.red()
+        assert image.pixelColor(100, 5).alpha() == 0
+    # Both walls in the middle now, the red one before or behind the blue one, and drawn first.
+    turn, blue = (0.0, 0.0, 0.0, 1.0), (0.0, -0.5, 0.0, 0.0, 0.0, 0.0, 1.0)
+    before = renderer.draw((0.5, 0.5, 0.0, *turn, *blue), AHEAD, RenderStyle(200, 100, dark=False))
+    behind = renderer.draw((-0.5, 0.5, 0.0, *turn, *blue), AHEAD, RenderStyle(200, 100, dark=False))
+    assert before.pixelColor(100, 45).red() > 2 * before.pixelColor(100, 45).blue()
+    assert behind.pixelColor(100, 45).blue() > 2 * behind.pixelColor(100, 45).red()
+    renderer.close()
+
+
+def test_two_windows_draw_each_their_own_world() -> None:
+    first, second = open_renderer(), open_renderer()
+    if not isinstance(first, Renderer) or not isinstance(second, Renderer):
+        assert first, "without graphics the reason is said"
+        return
+    first.load([_wall(0, 0, (1, 0, 0))])
+    second.load([_wall(0, 0, (0, 0, 1))])
+    look, at = RenderStyle(64, 48, False), (0.0,) * 6 + (1.0,)
+    red = first.draw(at, AHEAD, look)
+    assert second.draw(at, AHEAD, look) != red
+    assert first.draw(at, AHEAD, look) == red
+    second.close()
+    assert first.draw(at, AHEAD, look) == red
+    first.close()
+
+
+def test_a_drag_turns_the_camera_and_a_double_click_comes_back(qtbot: QtBot) -> None:
+    class Painter(Renderer):
+        """Draws one colour, and remembers from where."""
+
+        def __init__(self) -> None:
+            self.seen: list[WorldCamera] = []
+
+        def load(self, shapes: object) -> None: ...
+
+        def draw(self, poses: object, camera: WorldCamera, look: RenderStyle) -> QImage:
+            self.seen.append(camera)
+            image = QImage(look.width, look.height, QImage.Format.Format_RGBA8888_Premultiplied)
+            image.fill(QColor("red"))
+            return image
+
+    painter = Painter()
+    view = WorldView(LIGHT)
+    qtbot.addWidget(view)
+    view._renderer = painter
+    view.resize(300, 200)
+    view.load([_wall(0.0, 0.0, (1, 0, 0))], "bench")
+    view.show_poses(STILL, {"holding": "disk 3"})
+    with qtbot.waitSignal(view.drawn):
+        view.show()
+    QTest.mousePress(view, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    with qtbot.waitSignal(view.drawn):
+        QTest.mouseMove(view, QPoint(160, 100))
+    QTest.mouseRelease(view, Qt.MouseButton.LeftButton, pos=QPoint(160, 100))
+    assert painter.seen[-1].azimuth < painter.seen[0].azimuth
+    with qtbot.waitSignal(view.drawn):
+        QTest.mouseDClick(view, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    assert painter.seen[-1] == painter.seen[0]
+    seen = len(painter.seen)
+    view.show_poses(STILL, {"holding": "disk 3"})
+    view.repaint()
+    assert len(painter.seen) == seen

@@ -1,0 +1,93 @@
+"""The window's door: files and options, one window for each file, what cannot be read is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.document.journal.leftovers import left_behind
+from smsl_studio.studio.document.journal.place import folder_of
+from smsl_studio.studio.shell import application as app
+from smsl_studio.studio.shell.windows import Windows
+
+SAMPLES = Path(__file__).parents[3] / "samples"
+
+
+def test_files_and_mode_are_read_from_the_command_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[tuple[list[str], str]] = []
+
+    def open_window(files: list[str], mode: str) -> int:
+        told.append((files, mode))
+        return 0
+
+    monkeypatch.setattr(app, "open_window", open_window)
+    assert app.main(["a.json", "--mode", "run", "b.json"]) == 0
+    assert app.main([]) == 0
+    assert told == [(["a.json", "b.json"], "run"), ([], "draw")]
+
+
+def test_a_file_that_cannot_be_read_leaves_an_empty_window_that_says_why(
+    qapp: QApplication, qtbot: QtBot, tmp_path: Path
+) -> None:
+    path = tmp_path / "picture.json"
+    path.write_bytes(b"\x89PNG\r\n\x1a\n")
+    window = app.make_window(Windows(qapp, Settings()), str(path))
+    assert "picture.json:1:1" in window.toast.words
+    assert list(window.session.blueprint.branches) == ["SB1"]
+    window.close()
+    window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_the_window_runs_until_it_is_closed(
+    qapp: QApplication, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    windows: list[QWidget] = []
+
+    def execute(self: QApplication) -> int:
+        windows.extend(w for w in self.topLevelWidgets() if w.isVisible())
+        return 0
+
+    monkeypatch.setattr(QApplication, "exec", execute)
+    files = [str(SAMPLES / "hfsm.json"), str(SAMPLES / "hanoi.json")]
+    assert app.open_window(files, "run") == 0
+    titles = {window.windowTitle().partition(" ")[0] for window in windows}
+    assert titles == {"hfsm.json", "hanoi.json"}
+    for window in windows:
+        window.close()
+        window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
+    qapp: QApplication,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    windows = Windows(qapp, Settings())
+    window = app.make_window(windows, str(SAMPLES / "hfsm.json"))
+    window.session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State011"))
+    window.session.select([Address("SB1", "State011")])
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.properties.state.title.setFocus()
+    QTest.keyClicks(window.properties.state.title, "Half typed")
+    monkeypatch.setattr(QApplication, "quit", lambda *_: window.close())
+    windows.leave()
+    assert not window.isVisible()
+    (left,) = left_behind(folder_of(windows.settings.folder))
+    assert "State011" in left.entry.texts[0].text
+    assert "Half typed" in left.entry.texts[0].text
+    assert "unsaved work in hfsm.json is kept" in capsys.readouterr().err
+    left.drop()
+    window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
