@@ -43,21 +43,6 @@ WHOLE = (PACKAGE, f"{PACKAGE}.studio", f"{PACKAGE}.studio.features")
 STUDIO_FLOORS: dict[str, int] = {"base": 1, "document": 2, "running": 3, "features": 4, "shell": 5}
 """The floors inside the window, which are folders of ``studio/``."""
 
-STILL_UPWARD: frozenset[tuple[str, str]] = frozenset(
-    {
-        ("base/words.py", "document.broken"),
-        ("features/draw/find/destinations.py", "shell.frame.docks"),
-        ("features/draw/menus/files.py", "shell.windows"),
-        ("features/draw/menus/view.py", "shell.frame.docks"),
-        ("features/draw/menus/view.py", "shell.windows"),
-        ("features/draw/tidings.py", "shell.frame.status_line"),
-        ("features/replay/actions.py", "shell.windows"),
-        ("features/run/actions.py", "shell.windows"),
-        ("features/run/pane.py", "features.monitor.opener"),
-    }
-)
-"""Imports inside the window that do not keep its floors yet; none may come to these."""
-
 BULLET = "world/bullet.py"
 HOMES: dict[str, tuple[str, ...]] = {
     "PySide6": ("studio/",),
@@ -156,8 +141,6 @@ def _inside_the_studio(item: Import, rest: str) -> str:
     here, there = file.removesuffix(".py").split("/"), asked.split(".")
     if here[0] not in STUDIO_FLOORS:
         return f"{here[0]} is no floor of the window"
-    if (file, asked) in STILL_UPWARD:
-        return ""
     above = STUDIO_FLOORS.get(there[0], 0) - STUDIO_FLOORS[here[0]]
     if above > 0:
         return f"{here[0]} looks upstairs to {asked}"

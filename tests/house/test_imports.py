@@ -7,21 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.house.imports import FLOORS, PACKAGE, STILL_UPWARD, faults, imports_of, room_of
+from tests.house.imports import FLOORS, PACKAGE, faults, imports_of, room_of
 
 ROOT = Path(__file__).parents[2]
 
 
 def test_imports_look_down_and_libraries_stay_at_home() -> None:
     assert faults(ROOT / PACKAGE) == []
-
-
-def test_an_exception_of_the_window_is_one_that_is_still_needed() -> None:
-    found = {
-        (item.file.removeprefix("studio/"), item.name.removeprefix(f"{PACKAGE}.studio."))
-        for item in imports_of(ROOT / PACKAGE)
-    }
-    assert found >= STILL_UPWARD
 
 
 def test_every_room_stands_in_the_table() -> None:

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import plain_text
-from smsl_studio.studio.document.broken import Broken
 
 BLANK = "none"
 """How a cell of a table is read out that is left blank for the eye."""
@@ -36,11 +35,6 @@ def tally(findings: Iterable[Finding]) -> str:
         )
     )
     return ", ".join(counted(number, word) for number, word in parts if number)
-
-
-def faults_of(broken: Broken) -> str:
-    """How many faults a text has that does not read."""
-    return f"{counted(len(broken.error.faults), 'fault')} in the text"
 
 
 def worst(findings: Iterable[Finding]) -> dict[Address, str]:

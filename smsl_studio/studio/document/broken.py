@@ -10,6 +10,7 @@ from smsl_studio.blueprint.revision import with_document
 from smsl_studio.errors import EditRefused, ReadError
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.forms import form_named
+from smsl_studio.studio.base.words import counted
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,11 @@ class Broken:
 
 
 Reading = Blueprint | Broken
+
+
+def faults_of(broken: Broken) -> str:
+    """How many faults a text has that does not read."""
+    return f"{counted(len(broken.error.faults), 'fault')} in the text"
 
 
 def read_text(former: Blueprint, file: str, text: str) -> Reading:

@@ -15,6 +15,7 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.outline import Outline
 from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.features.monitor.opener import MonitorOpener
 from smsl_studio.studio.features.people.people import People
 from smsl_studio.studio.features.replay.playback import ReplayVerbs
 from smsl_studio.studio.features.run.pane import RunPane
@@ -42,6 +43,8 @@ class Runs:
     ) -> None:
         self.pane = RunPane(session, tokens)
         self.pane.recordings = lambda: settings.wanted_recordings
+        self.monitoring = MonitorOpener(self.pane.run, tokens, self.pane)
+        self.pane.monitor_wanted.connect(self.monitoring.toggle)
         self.supervise = SupervisePane(session, self.pane.run, tokens)
         self.supervise.begin_wanted.connect(self.pane.play)
         self.pane.reset_wanted.connect(self.supervise.ask_reset)
@@ -94,6 +97,7 @@ class Runs:
             QTimer.singleShot(PATIENCE, wait, wait.quit)
             run.stop()
             wait.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
+        self.monitoring.close()
         self.pane.shut()
 
     def pages(self) -> dict[str, Page]:
@@ -106,7 +110,7 @@ class Runs:
         }
 
     def set_tokens(self, tokens: Tokens) -> None:
-        for part in (self.pane, self.supervise, self.people, self.replaying):
+        for part in (self.pane, self.monitoring, self.supervise, self.people, self.replaying):
             part.set_tokens(tokens)
 
     def light(self, outline: Outline, source: SourcePane, bar: ModeBar) -> None:

@@ -160,8 +160,8 @@ class Window(QMainWindow):
         self.command_palette = Palette(finder, tokens, self)
         marked = (self.outline, self.library, self.source, self.fix_card)
         self.tidings = Tidings(
-            self.session, self.inspector, self.findings, self.editor, self.status_line, marked,
-            actions.refresh, self,
+            self.session, self.inspector, self.findings, self.editor, marked,
+            self.status_line.show_findings, actions.refresh, self,
         )  # fmt: skip
 
     def _connect(self) -> None:

@@ -113,6 +113,10 @@ class Windows(QObject):
                 window.leaving.agreed = True
             self.application.closeAllWindows()
 
+    def look_for_plugins(self) -> None:
+        """Look at the installed plugins again, for all windows."""
+        self.plugins.look_anew()
+
     def stop_every_run(self) -> None:
         """Stop the runs of all windows: who presses F8 does not look which one is in front."""
         for window in self:

@@ -16,8 +16,8 @@ from smsl_studio.picture.aligned import as_drawn
 from smsl_studio.smsl.disk import write_new
 from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import read_ordinary
-from smsl_studio.studio.base.words import counted, faults_of
-from smsl_studio.studio.document.broken import Broken, read_text
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.document.broken import Broken, faults_of, read_text
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.opened_file import OpenedFile, open_file, understood
 from smsl_studio.studio.document.journal.entry import JournalEntry, KeptText

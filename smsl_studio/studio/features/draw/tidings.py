@@ -13,13 +13,12 @@ from PySide6.QtCore import QObject
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.rules.finding import Finding
-from smsl_studio.studio.base.words import faults_of, tally, worst
-from smsl_studio.studio.document.broken import Broken
+from smsl_studio.studio.base.words import tally, worst
+from smsl_studio.studio.document.broken import Broken, faults_of
 from smsl_studio.studio.document.inspector import Inspector
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.panels.findings import Findings
-from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 EMPTY = "R03"
 """The rule that finds SBs without states."""
@@ -32,7 +31,7 @@ class Marked(Protocol):
 
 
 class Tidings(QObject):
-    """Hands findings on to the list, the canvas, the status line and whatever marks elements."""
+    """Hands findings on to the list, the canvas and whatever marks elements, and says their sum."""
 
     def __init__(
         self,
@@ -40,14 +39,14 @@ class Tidings(QObject):
         inspector: Inspector,
         findings: Findings,
         editor: CanvasEditor,
-        line: StatusLine,
         marked: Sequence[Marked],
+        say: Callable[[str], object],
         then: Callable[[], object],
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._session = session
-        self._findings, self._editor, self._line = findings, editor, line
+        self._findings, self._editor, self._say = findings, editor, say
         self._marked, self._then = tuple(marked), then
         inspector.started.connect(self._checking)
         inspector.found.connect(self._found)
@@ -62,7 +61,7 @@ class Tidings(QObject):
             part.set_findings(())
         self._findings.forget()
         self._editor.set_findings({})
-        self._line.show_findings("checking")
+        self._say("checking")
 
     def _opened(self) -> None:
         """Of a file that was opened broken, the blueprint is what could be read of it."""
@@ -73,11 +72,11 @@ class Tidings(QObject):
         self._findings.set_broken(broken)
         self._editor.canvas.show_banner(self._said(broken))
         if broken is not None:
-            self._line.show_findings(faults_of(broken))
+            self._say(faults_of(broken))
         elif self._inspector.current:
-            self._line.show_findings(self._told(self._findings.findings))
+            self._say(self._told(self._findings.findings))
         else:
-            self._line.show_findings("checking")
+            self._say("checking")
 
     def _said(self, broken: Broken | None) -> str:
         """What the canvas says of the drawing beside a text that does not read."""
@@ -103,7 +102,7 @@ class Tidings(QObject):
             part.set_findings(findings)
         self._editor.set_findings(worst(findings))
         if self._session.broken is None:
-            self._line.show_findings(self._told(findings))
+            self._say(self._told(findings))
         self._then()
 
     def _told(self, findings: Sequence[Finding]) -> str:

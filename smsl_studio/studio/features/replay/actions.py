@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.base.feature import AllWindows, Shell
 from smsl_studio.studio.features.replay.playback import ReplayVerbs
-from smsl_studio.studio.shell.windows import Windows
 
 
-def replay_actions(replaying: ReplayVerbs, windows: Windows, shell: Shell) -> tuple[Action, ...]:
+def replay_actions(replaying: ReplayVerbs, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
     replay, settings = replaying.replay, windows.settings
 
     def shown() -> bool:

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import RunActions, Shell
-from smsl_studio.studio.shell.windows import Windows
+from smsl_studio.studio.base.feature import AllWindows, RunActions, Shell
 
 
-def run_actions(run: RunActions, windows: Windows, shell: Shell) -> tuple[Action, ...]:
+def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
     def play() -> None:
         watch()
         run.play()
@@ -30,6 +29,6 @@ def run_actions(run: RunActions, windows: Windows, shell: Shell) -> tuple[Action
                tip="Every sensor, fact, node and state check of the run"),
         Action("run_stop", "Stop", windows.stop_every_run, "Run", "stop", ("F8",), section=1,
                tip="A controlled stop, from anywhere"),
-        Action("reload_plugins", "Look for plugins again", windows.plugins.look_anew, "Run", "", (),
+        Action("reload_plugins", "Look for plugins again", windows.look_for_plugins, "Run", "", (),
                section=4, tip="Read edited and added plugins; a run always has them as they are"),
     )  # fmt: skip

@@ -20,7 +20,6 @@ from smsl_studio.studio.base.tabs import Tabs
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.monitor.opener import MonitorOpener
 from smsl_studio.studio.features.run.camera import VIEWS
 from smsl_studio.studio.features.run.event_list import EventList
 from smsl_studio.studio.features.run.next_run import NextRun
@@ -65,6 +64,8 @@ class RunPane(QWidget):
     """Other ``words`` tell how the run stands."""
     reset_wanted = Signal()
     """A stop shall be unlatched, and what is shown instead of this has to ask for it."""
+    monitor_wanted = Signal()
+    """What is known of every sensor shall be shown beside the window, or no longer."""
     named = Signal()
     """``other`` may be another one than it was."""
     moved = Signal(object, str)
@@ -84,7 +85,6 @@ class RunPane(QWidget):
         self.possible = PossiblePanel(self.run, tokens)
         self.timeline = Timeline(tokens)
         self.events = EventList()
-        self.monitoring = MonitorOpener(self.run, tokens, self)
         self.next = NextRun(session, self.run, self.transport, self.levels)
         self._asked = False
         self._begin_later: bool | None = None
@@ -150,12 +150,11 @@ class RunPane(QWidget):
     def show_monitor(self) -> None:
         """Show every sensor, fact, node and state check of the run, in a window beside it; where
         that is in front already, close it."""
-        self.monitoring.toggle()
+        self.monitor_wanted.emit()
 
     def shut(self) -> None:
         """End the run and free what it holds; for closing the window."""
         self._frames.stop()
-        self.monitoring.close()
         self.run.close()
         self.world.close_graphics()
 
@@ -175,7 +174,6 @@ class RunPane(QWidget):
             part.set_tokens(tokens)
         self.possible.set_tokens(tokens)
         self.timeline.set_tokens(tokens)
-        self.monitoring.set_tokens(tokens)
         self.monitor_button.setIcon(icon("signal", tokens))
         self._views.setIcon(icon("camera", tokens))
         self._home.setIcon(icon("fit", tokens))

@@ -3,26 +3,32 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Protocol
 
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.features.draw.panels.properties import Properties
-from smsl_studio.studio.shell.frame.docks import Docks
+
+
+class Panels(Protocol):
+    """What brings a panel to the front by its name."""
+
+    def show_tab(self, name: str) -> None: ...
 
 
 class Destinations:
     """Shows facts and hazards in the properties, and opens files."""
 
-    def __init__(self, docks: Docks, properties: Properties, files: Files) -> None:
-        self._docks, self._properties, self._files = docks, properties, files
+    def __init__(self, panels: Panels, properties: Properties, files: Files) -> None:
+        self._panels, self._properties, self._files = panels, properties, files
 
     def show_fact(self, branch: str, digit: int) -> None:
         """Show what a fact means."""
-        self._docks.show_tab("Properties")
+        self._panels.show_tab("Properties")
         self._properties.show_fact(branch, digit)
 
     def show_hazard(self, name: str) -> None:
         """Show a hazard."""
-        self._docks.show_tab("Properties")
+        self._panels.show_tab("Properties")
         self._properties.show_hazard(name)
 
     def open_file(self, path: Path) -> None:

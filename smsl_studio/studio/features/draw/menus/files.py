@@ -5,14 +5,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.base.feature import AllWindows, Shell
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.shell.windows import Windows
 
 
 def file_actions(
-    files: Files, session: Session, windows: Windows, shell: Shell
+    files: Files, session: Session, windows: AllWindows, shell: Shell
 ) -> tuple[Action, ...]:
     def open_home() -> None:
         files.open(Path(session.blueprint.home(session.branch).file))

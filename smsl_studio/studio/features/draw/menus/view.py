@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import Shell
+from smsl_studio.studio.base.feature import AllWindows, Shell, Sides
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
-from smsl_studio.studio.shell.frame.docks import Docks
-from smsl_studio.studio.shell.windows import Windows
 
 
 def view_actions(
-    drawing: DrawVerbs, docks: Docks, windows: Windows, shell: Shell
+    drawing: DrawVerbs, docks: Sides, windows: AllWindows, shell: Shell
 ) -> tuple[Action, ...]:
     canvas = drawing.canvas
 

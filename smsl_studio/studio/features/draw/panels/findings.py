@@ -14,8 +14,8 @@ from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Elided, label, row
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.words import capital, counted, faults_of
-from smsl_studio.studio.document.broken import Broken
+from smsl_studio.studio.base.words import capital, counted
+from smsl_studio.studio.document.broken import Broken, faults_of
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
 from smsl_studio.studio.features.draw.panels.fix_list import FixList
