@@ -20,13 +20,13 @@ from smsl_studio.dispatch.driver import Driver
 from smsl_studio.dispatch.start import begin_run
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, phase_at_end, stand
-from smsl_studio.dispatch.supervision.command import in_order
-from smsl_studio.dispatch.supervision.commands import Commands
 from smsl_studio.dispatch.supervision.departure import leave
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
+from smsl_studio.dispatch.supervision.obedience import obey, refuse
 from smsl_studio.dispatch.supervision.review import Reviewer
+from smsl_studio.dispatch.supervision.row import in_order
 from smsl_studio.dispatch.supervision.run_state import RunState
-from smsl_studio.dispatch.supervision.table import obey, refuse
+from smsl_studio.dispatch.supervision.table import Commands
 from smsl_studio.dispatch.supervisor import Supervisor
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.errors import HostError, RunRefused

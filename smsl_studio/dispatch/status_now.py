@@ -12,7 +12,7 @@ from smsl_studio.dispatch.driver import Driver
 from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.status import DispatchStatus, Possible
 from smsl_studio.dispatch.supervision.offers import offers
-from smsl_studio.dispatch.supervision.table import why_refused
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import RunFinished
 from smsl_studio.stop import BrokenOff, Stopped
@@ -170,7 +170,7 @@ def look_at_nothing(
 
 def _latched(driver: Driver, phase: str, possible: Iterable[Possible]) -> Iterator[Possible]:
     """Every edge out of the active states; none may be asked for while the run is latched."""
-    latched = why_refused("ask", phase, driver.state.taken_over)
+    latched = COMMANDS["ask"].why_refused(phase, driver.state.taken_over)
     for one in possible:
         if phase in ("stopped", "taken_over"):
             yield replace(one, permitted=False, reasons=(*one.reasons, latched))

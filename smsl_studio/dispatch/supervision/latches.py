@@ -10,7 +10,7 @@ from smsl_studio.blueprint.levels import sensed_facts
 from smsl_studio.dispatch.people.needed import everywhere
 from smsl_studio.dispatch.recovery import located, stands
 from smsl_studio.dispatch.stage import ActionStage
-from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.dispatch.words import all_words
 from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
@@ -24,40 +24,40 @@ PATIENCE = 2
 MUTE = "the simulation process did not brake and was ended"
 
 
-def stop(driver: Driver, command: Command) -> str:
+def stop(driver: Driver, *, by: str = PERSON) -> str:
     """Brake and latch; where nobody attends the run, or its world is gone, that is its end."""
     run, state = driver.run, driver.state
     gone = ""
     try:
         with heeding(StopListener(PATIENCE, LONGEST).heed):
-            touched = _cut(driver, f"stopped by {command.by}")
+            touched = _cut(driver, f"stopped by {by}")
     except BrokenOff:
         raise
     except (HostError, Stopped) as error:  # what is gone does not move
         words = error.sentence if isinstance(error, HostError) else MUTE
         touched, gone = _end_all(driver), f" {words[:1].upper()}{words[1:]}."
     state.latch()
-    state.taken_over, state.stopped, state.touched = "", command.by, touched
-    driver.sentence = f"Stopped by {command.by}.{gone}"
-    run.emit(RunStopped(t=run.time, by=command.by))
+    state.taken_over, state.stopped, state.touched = "", by, touched
+    driver.sentence = f"Stopped by {by}.{gone}"
+    run.emit(RunStopped(t=run.time, by=by))
     if gone or not driver.attended:
         driver.finish("stopped", driver.sentence)
     return ""
 
 
-def reset(driver: Driver, command: Command) -> str:
+def reset(driver: Driver, *, by: str = PERSON) -> str:
     """Unlatch to paused; what the stopped operation may have touched is unknown."""
     run, state = driver.run, driver.state
     touched, state.touched, state.stopped = state.touched, (), ""
     driver.sentence = ""
     state.pause(carrying=False)
     unknown = tuple(fact_text(*key) for key in touched)
-    run.emit(RunReset(t=run.time, by=command.by, unknown=unknown))
+    run.emit(RunReset(t=run.time, by=by, unknown=unknown))
     run.emit(*run.senses.doubt(touched, "an operation that was stopped may have changed it"))
     return ""
 
 
-def end(driver: Driver, command: Command) -> str:
+def end(driver: Driver, *, by: str = PERSON) -> str:
     """Finish a run that is stopped or holds."""
     held = driver.state.held
     if held is None:
@@ -67,20 +67,20 @@ def end(driver: Driver, command: Command) -> str:
     return ""
 
 
-def take_over(driver: Driver, command: Command) -> str:
+def take_over(driver: Driver, *, by: str = PERSON) -> str:
     """Automation is locked out; the dispatcher only observes."""
     run, state = driver.run, driver.state
-    _cut(driver, f"{command.by} took over")
+    _cut(driver, f"{by} took over")
     state.latch()
-    state.taken_over = command.by
-    driver.sentence = f"{command.by[:1].upper()}{command.by[1:]} has taken over."
-    run.emit(TakenOver(t=run.time, by=command.by))
+    state.taken_over = by
+    driver.sentence = f"{by[:1].upper()}{by[1:]} has taken over."
+    run.emit(TakenOver(t=run.time, by=by))
     # Whatever the person does now, what was said of the scene before is no evidence afterwards.
     run.emit(*run.senses.forget(sensed_facts(run.blueprint)))
     return ""
 
 
-def give_back(driver: Driver, command: Command) -> str:
+def give_back(driver: Driver, *, by: str = PERSON) -> str:
     """Ask the scene, and people first what only they can say of it; the one configuration it
     agrees with is offered to be accepted."""
     driver.run.look()
@@ -115,7 +115,7 @@ def _offer(driver: Driver) -> str:
     return f"the scene agrees with no configuration of the blueprint{facts}"
 
 
-def accept(driver: Driver, command: Command) -> str:
+def accept(driver: Driver, *, by: str = PERSON) -> str:
     """Take what giving back found, if the scene still says so; the run is paused then."""
     run, state, offered = driver.run, driver.state, driver.state.offered
     if offered is None:
@@ -129,12 +129,12 @@ def accept(driver: Driver, command: Command) -> str:
     state.taken_over, driver.sentence = "", ""
     state.paused = not state.by_hand
     driver.loops.forget()
-    run.emit(GivenBack(t=run.time, by=command.by, configuration=dict(offered)))
+    run.emit(GivenBack(t=run.time, by=by, configuration=dict(offered)))
     driver.trouble.adopt(offered)
     return ""
 
 
-def adopt(driver: Driver, command: Command) -> str:
+def adopt(driver: Driver, *, by: str = PERSON) -> str:
     """While it holds: take the one configuration the scene agrees with."""
     found = driver.trouble.candidates
     if len(found) != 1:

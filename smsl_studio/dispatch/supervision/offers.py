@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.status import Offer
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.dispatch.trouble import NO_ROUTE
 
 if TYPE_CHECKING:
@@ -18,10 +19,7 @@ def offers(driver: Driver) -> tuple[Offer, ...]:
         return ()
     state, phase = driver.state, driver.phase
     if phase == "stopped":
-        return (
-            Offer("reset", "", "Unlatch the stop. The run is paused then."),
-            Offer("end", "", "End the run here."),
-        )
+        return _offer("reset"), _offer("end")
     if phase == "taken_over":
         return tuple(_taken_over(driver))
     if state.held is not None and phase in ("no_route", "fault_hold"):
@@ -35,27 +33,30 @@ def offers(driver: Driver) -> tuple[Offer, ...]:
 def _taken_over(driver: Driver) -> Iterator[Offer]:
     offered = driver.state.offered
     if offered is not None:
-        yield Offer("accept", "", f"Accept {_states(offered)}, where every state check is true.")
-    yield Offer("give_back", "", "Ask the scene where the procedure stands.")
-    yield Offer("stop", "", "Brake and latch.")
+        yield _offer("accept", states=_states(offered))
+    yield _offer("give_back")
+    yield _offer("stop")
 
 
 def _held(driver: Driver) -> Iterator[Offer]:
     held, course, found = driver.state.held, driver.course, driver.trouble.candidates
     assert held is not None
     if held.kind != NO_ROUTE and len(found) == 1:
-        yield Offer("adopt", "", f"Go on from {_states(found[0])}, which the scene agrees with.")
+        yield _offer("adopt", states=_states(found[0]))
     for address in held.blocking:
         if address in course.closed:
-            words = f"Let {address} be used again. It is {course.closed[address]}."
-            yield Offer("restore", str(address), words)
+            yield _offer("restore", str(address), why=course.closed[address])
     for one in driver.outlook.known()[0]:
         if one.risky and one.permitted:
-            words = f"Try {one.address} again. It failed: {course.risky[one.address]}."
-            yield Offer("ask", str(one.address), words)
-    yield Offer("resume", "", "Read the scene again and go on from there.")
-    yield Offer("take_over", "", "Take over, and give back when it stands where it should.")
-    yield Offer("end", "", "End the run here.")
+            yield _offer("ask", str(one.address), why=course.risky[one.address])
+    yield _offer("resume")
+    yield _offer("take_over")
+    yield _offer("end")
+
+
+def _offer(word: str, address: str = "", **words: str) -> Offer:
+    """A command in the words of its row."""
+    return Offer(word, address, COMMANDS[word].offer.format(address=address, **words))
 
 
 def _states(configuration: Mapping[str, str]) -> str:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.guards import asked
 from smsl_studio.dispatch.people.admission import admit
-from smsl_studio.dispatch.supervision.command import Command
 from smsl_studio.dispatch.supervision.recheck import recheck
+from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.runlog.events import OperationRefused, Resumed
 from smsl_studio.stop import restartable
 
@@ -16,11 +17,13 @@ if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
 
 
-def ask(driver: Driver, command: Command) -> str:
+def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool = False) -> str:
     """Carry out one operation, once people have agreed where they must; refused with every
-    reason, before anything moves."""
-    run, address = driver.run, command.address
-    assert address is not None
+    reason, before anything moves.
+
+    ``every_time``: it is asked for by itself whenever the run comes by, so it must end.
+    """
+    run = driver.run
     reasons: tuple[str, ...]
     if driver.carrier is not None:
         reasons = (f"{driver.carrier.step.asked} is being carried out",)
@@ -34,7 +37,7 @@ def ask(driver: Driver, command: Command) -> str:
         run.look()
         with restartable():
             answer = asked(run, driver.course, address)
-        if isinstance(answer, JointStep) and command.parameters.get("every_time"):
+        if isinstance(answer, JointStep) and every_time:
             circling = driver.repeats.why_not(run.configuration, answer.asked)
             driver.repeats.count(run.configuration, answer.asked)
             answer = (circling,) if circling else answer
@@ -48,7 +51,7 @@ def ask(driver: Driver, command: Command) -> str:
     return "; ".join(reasons)
 
 
-def pause(driver: Driver, command: Command) -> str:
+def pause(driver: Driver, *, by: str = PERSON) -> str:
     """Hold now, or as the running operation declares: finish it, abort it."""
     state, carrier = driver.state, driver.carrier
     if state.pausing:
@@ -62,8 +65,9 @@ def pause(driver: Driver, command: Command) -> str:
     return ""
 
 
-def resume(driver: Driver, command: Command) -> str:
-    """Go on after a pause or a hold; by hand, follow the route from here."""
+def resume(driver: Driver, *, by: str = PERSON) -> str:
+    """Go on after a pause or a hold: state and route are checked again. By hand: run by itself
+    from now on."""
     state = driver.state
     if driver.phase == "ready":
         state.by_hand = False
@@ -76,7 +80,7 @@ def resume(driver: Driver, command: Command) -> str:
     return ""
 
 
-def step(driver: Driver, command: Command) -> str:
+def step(driver: Driver, *, by: str = PERSON) -> str:
     """One operation of the route, then wait again; ignored while one is carried out."""
     if driver.phase == "running" and driver.carrier is not None:
         return f"{driver.carrier.step.asked} is being carried out; step is ignored until it ended"
@@ -88,9 +92,9 @@ def step(driver: Driver, command: Command) -> str:
     return ""
 
 
-def set_automatic(driver: Driver, command: Command) -> str:
+def set_automatic(driver: Driver, automatic: bool, *, by: str = PERSON) -> str:
     """Follow the route by itself, or wait to be asked."""
-    driver.state.by_hand = command.value == "off"
+    driver.state.by_hand = not automatic
     route_asks = driver.starting.over and not driver.chosen and not driver.desk.keeps
     if driver.state.by_hand and route_asks:
         driver.withdraw()

@@ -1,155 +1,331 @@
-"""The command table: what is refused in which run state, and who carries out the rest.
+"""The table of commands: everything that may be said to a run, one row each.
 
-Whatever is not refused here is answered by its function: the empty text where it was done, else
-why not.
+Scripts, the window, accounts, the page ``docs/supervision.md`` and the tests read these rows. A new
+command is a row here and its effect. A command waits for the next tick and is answered there by one
+event; ``by`` names who says it and stands in the record.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from types import MappingProxyType
 
-from smsl_studio.dispatch.supervision import latches, terms, trials
-from smsl_studio.dispatch.supervision import pace as moving
-from smsl_studio.dispatch.supervision.command import (
-    HOLDS_BACK,
-    RANKS,
-    SETS_GOING,
-    STANDS,
+from smsl_studio.dispatch.supervision import latches, pace, terms, trials
+from smsl_studio.dispatch.supervision.row import (
+    AMOUNT,
+    DISTURBANCE,
+    EDGE,
+    FAULT,
+    PAUSE,
+    SENSED,
+    STEP,
+    STOP,
+    SWITCH,
+    TAKE_OVER,
+    TASK,
+    TERMS,
+    TEXT,
+    Argument,
     Command,
-    in_order,
+    CommandMethod,
+    CommandRow,
 )
-from smsl_studio.errors import HostError
-from smsl_studio.runlog.events import Commanded
-from smsl_studio.stop import restartable
 
-if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
-
-DO: Mapping[str, Callable[[Driver, Command], str]] = {
-    "ask": moving.ask,
-    "pause": moving.pause,
-    "resume": moving.resume,
-    "step": moving.step,
-    "set_automatic": moving.set_automatic,
-    "veto": terms.veto,
-    "prune": terms.prune,
-    "restore": terms.restore,
-    "set_cost": terms.set_cost,
-    "stop": latches.stop,
-    "reset": latches.reset,
-    "end": latches.end,
-    "take_over": latches.take_over,
-    "give_back": latches.give_back,
-    "accept": latches.accept,
-    "adopt": latches.adopt,
-    "answer": trials.answer,
-    "disturb": trials.disturb,
-    "inject": trials.inject,
-    "full_map": trials.full_map,
-}
-
-STOPPED = "the run is stopped, reset it first"
-TAKEN = "{by} has taken over, automation is locked out until it is given back"
-ASKED = "people are being asked, it goes on when they have answered"
-HOLDS = "the run holds already"
-STOP_FIRST = "only a run that is stopped or holds can be ended, stop it first"
 OPEN = ("ready", "running", "paused", "waiting", "no_route", "taken_over", "fault_hold", "stopped")
+"""The run states in which commands are taken."""
+
+_STOPPED = "the run is stopped, reset it first"
+_TAKEN = "{by} has taken over, automation is locked out until it is given back"
+_ASKED = "people are being asked, it goes on when they have answered"
+_HOLDS = "the run holds already"
+_NOT_TAKEN = "nobody has taken over"
+_LOCKED = {"taken_over": _TAKEN, "stopped": _STOPPED}
+_EDGE = {"address": Argument(EDGE)}
 
 
 def _all_but(words: str, *phases: str) -> Mapping[str, str]:
     return {phase: words for phase in OPEN if phase not in phases}
 
 
-_LOCKED = {"taken_over": TAKEN, "stopped": STOPPED}
+class Commands:
+    """What may be said to a run. On a dispatcher each row is a method with the parameters of its
+    effect; ``docs/supervision.md`` has what each does in each run state."""
 
-REFUSED: Mapping[str, Mapping[str, str]] = {
-    "ask": {**_LOCKED, "waiting": ASKED},
-    "pause": {**_LOCKED, "paused": "it is paused already", "no_route": HOLDS, "fault_hold": HOLDS},
-    "resume": {**_LOCKED, "running": "it runs already", "waiting": ASKED},
-    "step": {**_LOCKED, "waiting": ASKED},
-    "set_automatic": _LOCKED,
-    "veto": _LOCKED,
-    "stop": {"stopped": "it is stopped already"},
-    "take_over": {"taken_over": "{by} has taken over already", "stopped": STOPPED},
-    "reset": _all_but("the run is not stopped", "stopped"),
-    "end": {**_all_but(STOP_FIRST, "stopped", "no_route", "fault_hold")},
-    "give_back": _all_but("nobody has taken over", "taken_over"),
-    "accept": _all_but("nobody has taken over", "taken_over"),
-    "adopt": _all_but("the run does not hold on a mismatch", "fault_hold"),
-}
-"""By command and run state. ``{by}`` is who has taken over."""
+    def __init__(self) -> None:
+        self._waiting: list[Command] = []
 
+    @property
+    def commanded(self) -> tuple[str, ...]:
+        """The words of the commands that wait for the next tick."""
+        return tuple(command.word for command in self._waiting)
 
-def obey(driver: Driver, commands: list[Command]) -> None:
-    """Carry out the commands of one tick, which are in order of rank, and take them off the list.
+    def take(self, command: Command) -> None:
+        """Have a command wait for the next tick."""
+        self._waiting.append(command)
 
-    Each is answered by one event, which stands before its effects. Where the host dies meanwhile,
-    all are answered first. Where one is called off (see ``stop``), it is still on the list.
-    """
-    done: list[str] = []
-    gone: HostError | None = None
-    while commands:
-        command = commands[0]
-        events = driver.run.events
-        at = len(events)
-        try:
-            refused = (
-                f"the world is gone: {gone.sentence}" if gone else _why_not(driver, command, done)
-            )
-            if not refused:
-                command = meant(driver, command)
-                refused = DO[command.word](driver, command)
-        except HostError as error:
-            gone, refused = error, f"the world is gone: {error.sentence}"
-        del commands[0]
-        if not refused or command.word in STANDS:
-            done.append(command.word)
-        events.insert(at, _told(driver, command, refused))
-    if gone is not None:
-        raise gone
+    # going on and holding -----------------------------------------------------------------------
 
-
-def refuse(driver: Driver, commands: Sequence[Command], reason: str) -> None:
-    """Answer commands that nothing can be done about any more."""
-    for command in in_order(commands):
-        driver.run.emit(_told(driver, command, reason))
-
-
-def why_refused(word: str, phase: str, by: str) -> str:
-    """Why a run state refuses a command, whatever is said with it; ``by`` has taken over."""
-    words = REFUSED.get(word, {}).get(phase, "")
-    return words.format(by=by[:1].upper() + by[1:])
-
-
-def _why_not(driver: Driver, command: Command, done: Sequence[str]) -> str:
-    if driver.ended is not None:
-        return "the run is over"
-    words = why_refused(command.word, driver.phase, driver.state.taken_over)
-    if words:
-        return words
-    first = next((w for w in done if w in HOLDS_BACK and RANKS[w] < command.rank), "")
-    if first and command.word in SETS_GOING:
-        return f"{first.replace('_', ' ')} came at the same tick and counts more"
-    return ""
-
-
-def meant(driver: Driver, command: Command) -> Command:
-    """The command with what it is about, where that was left open: the record must name it."""
-    if command.word != "veto" or command.address is not None or driver.carrier is not None:
-        return command
-    with restartable():
-        return replace(command, address=driver.next_edge())
-
-
-def _told(driver: Driver, command: Command, refused: str) -> Commanded:
-    return Commanded(
-        t=driver.run.time,
-        command=command.word,
-        by=command.by,
-        address=str(command.address or ""),
-        value=command.value,
-        reason=command.reason,
-        refused=refused,
+    ask = CommandMethod(
+        "ask",
+        pace.ask,
+        arguments=_EDGE,
+        refused={**_LOCKED, "waiting": _ASKED},
+        useless=("running", "middle"),
+        sets_going=True,
+        supervisors=True,
+        sentence="Asked for {address}",
+        explains=("operation_refused",),
+        label="Carry out",
+        offer="Try {address} again. It failed: {why}.",
     )
+    pause = CommandMethod(
+        "pause",
+        pace.pause,
+        rank=PAUSE,
+        refused={**_LOCKED, "paused": "it is paused already", "no_route": _HOLDS,
+                 "fault_hold": _HOLDS},
+        holds_back=True,
+        stands=True,
+        supervisors=True,
+        sentence="Asked for a pause",
+        explains=("paused",),
+        label="Pause",
+        key="F6",
+        icon="pause",
+    )  # fmt: skip
+    resume = CommandMethod(
+        "resume",
+        pace.resume,
+        refused={**_LOCKED, "running": "it runs already", "waiting": _ASKED},
+        sets_going=True,
+        sentence="Let the run go on",
+        owes="resumed",
+        explains=("resumed",),
+        label="Resume",
+        key="F5",
+        icon="play",
+        offer="Read the scene again and go on from there.",
+    )
+    step = CommandMethod(
+        "step",
+        pace.step,
+        rank=STEP,
+        refused={**_LOCKED, "waiting": _ASKED},
+        useless=("middle",),
+        sets_going=True,
+        holds_back=True,
+        sentence="Asked for one operation",
+        explains=("paused",),
+        label="Step",
+        key="F10",
+        icon="step",
+    )
+    set_automatic = CommandMethod(
+        "set_automatic",
+        pace.set_automatic,
+        arguments={"automatic": Argument(SWITCH)},
+        script_words={"by_hand": {"automatic": False}, "automatic": {"automatic": True}},
+        value="{automatic}",
+        refused=_LOCKED,
+        sets_going=True,
+        sentences={
+            "on": "Let the run follow its route by itself",
+            "off": "Took the run by hand",
+        },
+    )
+
+    # about edges --------------------------------------------------------------------------------
+
+    veto = CommandMethod(
+        "veto",
+        terms.veto,
+        arguments={"address": Argument(EDGE, needed=False),
+                   "reason": Argument(TEXT, needed=False, scripted=False)},
+        about=terms.next_edge,
+        rank=TERMS,
+        refused=_LOCKED,
+        useless=("middle", "no_route"),
+        supervisors=True,
+        sentence="Vetoed {address}",
+        label="Veto once",
+        key="V",
+        icon="close",
+        tip="Have the operation that is next, or chosen, skipped once",
+    )  # fmt: skip
+    prune = CommandMethod(
+        "prune",
+        terms.prune,
+        arguments={**_EDGE, "reason": Argument(TEXT)},
+        rank=TERMS,
+        supervisors=True,
+        sentence="Shut {address} out",
+        owes="operation_pruned",
+        explains=("operation_pruned",),
+        label="Prune…",
+        key="P",
+        icon="scissors",
+        tip="Shut an operation out until it is restored, with a reason",
+    )
+    restore = CommandMethod(
+        "restore",
+        terms.restore,
+        arguments=_EDGE,
+        rank=TERMS,
+        sentence="Allowed {address} again",
+        owes="operation_restored",
+        explains=("operation_restored",),
+        label="Restore",
+        icon="check",
+        offer="Let {address} be used again. It is {why}.",
+    )
+    set_cost = CommandMethod(
+        "set_cost",
+        terms.set_cost,
+        arguments={**_EDGE, "cost": Argument(AMOUNT)},
+        value="{cost}",
+        rank=TERMS,
+        sentence="Priced {address} at {value}",
+        explains=("costs_changed",),
+    )
+
+    # latches ------------------------------------------------------------------------------------
+
+    take_over = CommandMethod(
+        "take_over",
+        latches.take_over,
+        rank=TAKE_OVER,
+        refused={"taken_over": "{by} has taken over already", "stopped": _STOPPED},
+        holds_back=True,
+        stands=True,
+        sentence="Took over",
+        owes="taken_over",
+        label="Take over",
+        key="T",
+        icon="hand",
+        tip="Lock the automation out, or have it go on from the state that is located",
+        offer="Take over, and give back when it stands where it should.",
+    )
+    give_back = CommandMethod(
+        "give_back",
+        latches.give_back,
+        refused=_all_but(_NOT_TAKEN, "taken_over"),
+        sets_going=True,
+        sentence="Gave the run back",
+        label="Give back",
+        key="T",
+        icon="hand",
+        offer="Ask the scene where the procedure stands.",
+    )
+    accept = CommandMethod(
+        "accept",
+        latches.accept,
+        refused=_all_but(_NOT_TAKEN, "taken_over"),
+        sets_going=True,
+        sentence="Accepted where the scene says it stands",
+        owes="given_back",
+        label="Accept the located state",
+        icon="check",
+        tip="Go on from the state that was located",
+        offer="Accept {states}, where every state check is true.",
+    )
+    adopt = CommandMethod(
+        "adopt",
+        latches.adopt,
+        refused=_all_but("the run does not hold on a mismatch", "fault_hold"),
+        sets_going=True,
+        sentence="Took the configuration that the scene agrees with",
+        owes="relocalised",
+        label="Adopt",
+        offer="Go on from {states}, which the scene agrees with.",
+    )
+    stop = CommandMethod(
+        "stop",
+        latches.stop,
+        rank=STOP,
+        refused={"stopped": "it is stopped already"},
+        holds_back=True,
+        stands=True,
+        sentence="Stopped the run",
+        owes="stopped",
+        explains=("run_finished",),
+        label="Stop",
+        key="F8",
+        icon="stop",
+        offer="Brake and latch.",
+    )
+    reset = CommandMethod(
+        "reset",
+        latches.reset,
+        refused=_all_but("the run is not stopped", "stopped"),
+        sets_going=True,
+        sentence="Unlatched the stop",
+        owes="reset",
+        label="Reset",
+        tip="Unlatch a stop, to paused",
+        offer="Unlatch the stop. The run is paused then.",
+    )
+    end = CommandMethod(
+        "end",
+        latches.end,
+        refused=_all_but(
+            "only a run that is stopped or holds can be ended, stop it first",
+            "stopped", "no_route", "fault_hold",
+        ),
+        sentence="Ended the run",
+        owes="run_finished",
+        explains=("run_finished",),
+        label="End run",
+        tip="Finish a run that is stopped or holds",
+        offer="End the run here.",
+    )  # fmt: skip
+
+    # people, view, trials -----------------------------------------------------------------------
+
+    answer = CommandMethod(
+        "answer",
+        trials.answer,
+        arguments={"option": Argument(TEXT), "kind": Argument(TASK, needed=False),
+                   "address": Argument(TEXT, needed=False), "role": Argument(TEXT, needed=False)},
+        value="{task}",
+        useless=tuple(phase for phase in (*OPEN, "middle") if phase != "waiting"),
+        sentence="Answered {value}",
+        owes="task_answered",
+    )  # fmt: skip
+    full_map = CommandMethod(
+        "full_map",
+        trials.full_map,
+        arguments={"on": Argument(SWITCH)},
+        value="{on}",
+        sentence="Turned the full map {value}",
+        label="Show full map, logged",
+        icon="map",
+        tip="Every state of the State Branch; that it was looked at is recorded",
+    )
+    disturb = CommandMethod(
+        "disturb",
+        trials.disturb,
+        arguments={"target": Argument(SENSED), "kind": Argument(DISTURBANCE)},
+        free=True,
+        value="{target} {kind}",
+        rank=FAULT,
+        sentence="Disturbed sensors: {value}",
+        owes="disturbed",
+        explains=("disturbed",),
+    )
+    inject = CommandMethod(
+        "inject",
+        trials.inject,
+        arguments={"fault": Argument(TEXT)},
+        free=True,
+        value="{fault}",
+        rank=FAULT,
+        sentence="Had something go wrong: {value}",
+        owes="fault_injected",
+        explains=("fault_injected",),
+    )
+
+
+COMMANDS: Mapping[str, CommandRow] = MappingProxyType(
+    {word: row for word, row in vars(Commands).items() if isinstance(row, CommandRow)}
+)
+"""Every command by its word, in the order of the table."""

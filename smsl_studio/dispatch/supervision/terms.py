@@ -5,18 +5,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.errors import AddressError, UsageError
 from smsl_studio.runlog.events import CostsChanged, OperationPruned, OperationRestored
+from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
 
 
-def veto(driver: Driver, command: Command) -> str:
+def veto(
+    driver: Driver, address: Address | None = None, *, reason: str = "", by: str = PERSON
+) -> str:
     """The next edge, or this one out of an active state, is skipped once; too late once it has
     begun."""
-    carrier, address = driver.carrier, command.address
+    carrier = driver.carrier
     here = dict(driver.run.configuration)
     if carrier is not None:
         here.update(carrier.step.after)
@@ -37,44 +40,49 @@ def veto(driver: Driver, command: Command) -> str:
     return ""
 
 
-def prune(driver: Driver, command: Command) -> str:
+def prune(driver: Driver, address: Address, reason: str, *, by: str = PERSON) -> str:
     """Shut an edge out; if it is being carried out, stop it."""
-    address, run, carrier = command.address, driver.run, driver.carrier
-    assert address is not None
+    run, carrier = driver.run, driver.carrier
     if unknown := _unknown(driver, address):
         return unknown
-    driver.course.prune(address, command.reason)
-    run.emit(OperationPruned(t=run.time, address=str(address), reason=command.reason))
+    driver.course.prune(address, reason)
+    run.emit(OperationPruned(t=run.time, address=str(address), reason=reason))
     if carrier is not None and address in carrier.uncommitted:
         driver.state.frozen = False
-        carrier.abort("hold", f"{address} was pruned: {command.reason}")
+        carrier.abort("hold", f"{address} was pruned: {reason}")
     driver.withdraw()
     return ""
 
 
-def restore(driver: Driver, command: Command) -> str:
+def restore(driver: Driver, address: Address, *, by: str = PERSON) -> str:
     """Let a pruned, avoided, vetoed or risky edge be used again."""
-    address, run = command.address, driver.run
-    assert address is not None
+    run = driver.run
     if not driver.course.restore(address):
         return f"{address} is not shut out"
     run.emit(OperationRestored(t=run.time, address=str(address)))
     return ""
 
 
-def set_cost(driver: Driver, command: Command) -> str:
+def set_cost(driver: Driver, address: Address, cost: float, *, by: str = PERSON) -> str:
     """Price an edge anew; the route is found again at the next operation."""
-    address, run, cost = command.address, driver.run, float(command.value)
-    assert address is not None
+    run = driver.run
     if unknown := _unknown(driver, address):
         return unknown
     try:
-        changed = driver.course.set_cost(address, cost)
+        changed = driver.course.set_cost(address, float(cost))
     except UsageError as error:
         return error.sentence
     if changed:
         run.emit(CostsChanged(t=run.time, costs={str(a): c for a, c in changed.items()}))
     return ""
+
+
+def next_edge(driver: Driver) -> Address | None:
+    """The edge that a veto is about which names none; None in the middle of an operation."""
+    if driver.carrier is not None:
+        return None
+    with restartable():
+        return driver.next_edge()
 
 
 def _unknown(driver: Driver, address: Address) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from smsl_studio.dispatch.supervision.command import Command
+from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.errors import HostError, StudioError
 from smsl_studio.runlog.events import Disturbed, FaultInjected
 
@@ -12,45 +12,45 @@ if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
 
 
-def disturb(driver: Driver, command: Command) -> str:
-    """Switch a disturbance of sensors on or off."""
-    run, said = driver.run, command.parameters
-    try:
-        met = run.host.disturb(said["target"], said["kind"], **said["with"])
-    except HostError:
-        raise
-    except StudioError as error:
-        return _words(error)
-    parameters = {name: str(value) for name, value in said["with"].items()}
-    target, kind = said["target"], said["kind"]
-    run.emit(Disturbed(t=run.time, target=target, kind=kind, parameters=parameters, sensors=met))
-    return ""
-
-
-def inject(driver: Driver, command: Command) -> str:
-    """Have something go wrong in the world."""
+def disturb(
+    driver: Driver, /, target: str, kind: str, *, by: str = PERSON, **parameters: float | str
+) -> str:
+    """Disturb a sensor, or all of one fact (``SB/digit``), from now on; ``none`` ends it."""
     run = driver.run
     try:
-        run.host.inject(command.value, **command.parameters)
+        met = run.host.disturb(target, kind, **parameters)
     except HostError:
         raise
     except StudioError as error:
         return _words(error)
-    parameters = {name: str(value) for name, value in command.parameters.items()}
-    run.emit(FaultInjected(t=run.time, fault=command.value, parameters=parameters))
+    told = {name: str(value) for name, value in parameters.items()}
+    run.emit(Disturbed(t=run.time, target=target, kind=kind, parameters=told, sensors=met))
     return ""
 
 
-def full_map(driver: Driver, command: Command) -> str:
-    """Show the whole map, or no longer."""
-    driver.state.full_map = command.value == "on"
+def inject(driver: Driver, /, fault: str, *, by: str = PERSON, **parameters: float | str) -> str:
+    """Have something go wrong in the world, by the name that its plugin gave it."""
+    run = driver.run
+    try:
+        run.host.inject(fault, **parameters)
+    except HostError:
+        raise
+    except StudioError as error:
+        return _words(error)
+    told = {name: str(value) for name, value in parameters.items()}
+    run.emit(FaultInjected(t=run.time, fault=fault, parameters=told))
     return ""
 
 
-def answer(driver: Driver, command: Command) -> str:
-    """A person answers a task, in a role; the desk says why it does not count."""
-    said = command.parameters
-    return driver.desk.answer(command.value, said["option"], said["role"], command.by)
+def full_map(driver: Driver, on: bool, *, by: str = PERSON) -> str:
+    """Show a supervisor the whole map instead of the neighbours, or no longer."""
+    driver.state.full_map = bool(on)
+    return ""
+
+
+def answer(driver: Driver, task: str, option: str, role: str = "", *, by: str = PERSON) -> str:
+    """Answer a task, in a role; what was answered stays hidden until all have."""
+    return driver.desk.answer(task, option, role, by)
 
 
 def _words(error: StudioError) -> str:

@@ -18,7 +18,7 @@ from smsl_studio.blueprint.levels import fault_of
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place, ReadError, UsageError, did_you_mean
 from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Act, Script, Trigger
-from smsl_studio.front.script.words import COMMANDS, checked, operation, seconds, state, text
+from smsl_studio.front.script.words import WORDS, checked, operation, seconds, state, text
 from smsl_studio.monitor.disturbance import checked as checked_disturbance
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.smsl.inputs import read_ordinary
@@ -143,11 +143,11 @@ def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, 
         return
     values = line.values()
     word = values.get("do")
-    if not isinstance(word, str) or word not in COMMANDS:
-        known = f"The words are {', '.join(COMMANDS)}."
+    if not isinstance(word, str) or word not in WORDS:
+        known = f"The words are {', '.join(WORDS)}."
         if "do" not in values:
             raise line.wrong(1, "the line has no 'do'", known)
-        near = did_you_mean(str(word)[:80], COMMANDS) if isinstance(word, str) else ""
+        near = did_you_mean(str(word)[:80], WORDS) if isinstance(word, str) else ""
         shown = f"{str(word)[:60]!r} is no command"
         raise line.wrong(line.value_at("do"), shown, near or known)
     given = _given(line, word, values, blueprint)
@@ -166,7 +166,7 @@ def _given(
     line: _Line, do: str, values: Mapping[str, Json], blueprint: Blueprint
 ) -> Mapping[str, Json]:
     """What stands with a command, checked."""
-    word, given = COMMANDS[do], {}
+    word, given = WORDS[do], {}
     for key, value in values.items():
         if key in _MOMENT:
             continue

@@ -6,14 +6,14 @@ on equally, headless and in the window.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from types import MappingProxyType
 
-from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.front.script.moments import Moments
 from smsl_studio.front.script.script import AT, EVERY, Act, Script
+from smsl_studio.front.script.words import WORDS
 from smsl_studio.runlog.events import Event
 
 HAIR = 1e-9
@@ -65,7 +65,7 @@ class ScriptPlayer:
         """Command what is due now."""
         if self._asking is not None:
             act, self._asking = self._asking, None
-            _ask(dispatcher, act)
+            dispatcher.take(_command(act))
             return
         ready = self._ready(dispatcher)
         if any(due.act.do == "pause" for due in ready):
@@ -99,20 +99,28 @@ class ScriptPlayer:
             task = due.task or _open_task(act, dispatcher)
             if not task:
                 return
-            role = str(act.given.get("role", ""))
-            dispatcher.answer(task, act.given["option"], role, by=act.by)
+            said = {key: act.given[key] for key in ("option", "role") if key in act.given}
+            dispatcher.take(WORDS[act.do].command(said, act.by, task=task))
         elif act.do == "ask" and not self._by_hand and _follows_its_route(dispatcher):
             # A route that is followed goes on by itself unless it is paused a tick before.
             dispatcher.pause(by=act.by)
             self._asking, self._resuming = act, act.by
         else:
             self._by_hand = act.do == "by_hand" or (self._by_hand and act.do != "automatic")
-            _COMMANDS[act.do](dispatcher, act)
+            dispatcher.take(_command(act))
         self._done.add(act)
 
 
 def _follows_its_route(dispatcher: Dispatcher) -> bool:
     return dispatcher.phase == "running" and dispatcher.status.carrying is None
+
+
+def _command(act: Act) -> Command:
+    """What a line of a script commands."""
+    word = WORDS[act.do]
+    if act.do == "ask":
+        return word.command(act.given, act.by, every_time=act.trigger.times == EVERY)
+    return word.command(act.given, act.by)
 
 
 def _open_task(act: Act, dispatcher: Dispatcher) -> str:
@@ -122,50 +130,3 @@ def _open_task(act: Act, dispatcher: Dispatcher) -> str:
         if kind in (None, task.kind) and address in (None, task.address):
             return task.name
     return ""
-
-
-def _address(act: Act) -> Address:
-    return Address(*Address.split(act.given["address"]))
-
-
-def _ask(dispatcher: Dispatcher, act: Act) -> None:
-    dispatcher.ask(_address(act), by=act.by, every_time=act.trigger.times == EVERY)
-
-
-def _veto(dispatcher: Dispatcher, act: Act) -> None:
-    dispatcher.veto(_address(act) if "address" in act.given else None, by=act.by)
-
-
-def _others(act: Act, *own: str) -> Mapping[str, float | str]:
-    return {name: value for name, value in act.given.items() if name not in own}
-
-
-def _disturb(dispatcher: Dispatcher, act: Act) -> None:
-    target, kind = act.given["target"], act.given["kind"]
-    dispatcher.disturb(target, kind, by=act.by, **_others(act, "target", "kind"))
-
-
-_COMMANDS: Mapping[str, Callable[[Dispatcher, Act], None]] = MappingProxyType(
-    {
-        "ask": _ask,
-        "pause": lambda d, act: d.pause(by=act.by),
-        "resume": lambda d, act: d.resume(by=act.by),
-        "step": lambda d, act: d.step(by=act.by),
-        "by_hand": lambda d, act: d.set_automatic(False, by=act.by),
-        "automatic": lambda d, act: d.set_automatic(True, by=act.by),
-        "veto": _veto,
-        "prune": lambda d, act: d.prune(_address(act), act.given["reason"], by=act.by),
-        "restore": lambda d, act: d.restore(_address(act), by=act.by),
-        "set_cost": lambda d, act: d.set_cost(_address(act), act.given["cost"], by=act.by),
-        "take_over": lambda d, act: d.take_over(by=act.by),
-        "give_back": lambda d, act: d.give_back(by=act.by),
-        "accept": lambda d, act: d.accept(by=act.by),
-        "adopt": lambda d, act: d.adopt(by=act.by),
-        "stop": lambda d, act: d.stop(by=act.by),
-        "reset": lambda d, act: d.reset(by=act.by),
-        "end": lambda d, act: d.end(by=act.by),
-        "full_map": lambda d, act: d.full_map(act.given["on"], by=act.by),
-        "disturb": _disturb,
-        "inject": lambda d, act: d.inject(act.given["fault"], by=act.by, **_others(act, "fault")),
-    }
-)

@@ -32,7 +32,7 @@ class Trigger:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Act:
-    """One line of a script: ``do`` is a word of ``words.COMMANDS``, ``given`` what stands with it,
+    """One line of a script: ``do`` is a word of ``words.WORDS``, ``given`` what stands with it,
     addresses written out. ``by`` is who does it, ``places`` where each value of ``given`` stands.
     """
 

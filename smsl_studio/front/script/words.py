@@ -1,15 +1,27 @@
-"""The commands of a script: what each takes, and how a value is checked."""
+"""The words of a script: each command of the table in ``dispatch``, and how a value is checked."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
-from smsl_studio.blueprint.address import split_fact
+from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.people.task import KINDS as TASKS
+from smsl_studio.dispatch.supervision.row import (
+    AMOUNT,
+    DISTURBANCE,
+    EDGE,
+    SENSED,
+    SWITCH,
+    TASK,
+    TEXT,
+    Command,
+    CommandRow,
+)
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import StudioError, UsageError, did_you_mean
 from smsl_studio.front.script.addresses import operations_at, state_at
 from smsl_studio.monitor.disturbance import KINDS as DISTURBANCES
@@ -23,16 +35,29 @@ LARGEST = 1e9
 
 @dataclass(frozen=True, slots=True)
 class ScriptWord:
-    """A command: the keys that must and that may stand with it; ``free``: and any other scalar."""
+    """A word of ``do``: the keys that must and that may stand with it; ``free``: and any other
+    scalar. ``row`` is the command that it says, with what the word says by itself (``says``); None
+    where it is said before the run."""
 
-    needs: Mapping[str, Check] = field(default_factory=dict)
+    needs: Mapping[str, Check]
     may: Mapping[str, Check] = field(default_factory=dict)
     free: bool = False
+    row: CommandRow | None = None
+    says: Mapping[str, Json] = field(default_factory=dict)
 
     def check_of(self, key: str) -> Check | None:
         """How the value of a key is checked; None where the command does not take it."""
         known = self.needs.get(key) or self.may.get(key)
         return known or (scalar if self.free else None)
+
+    def command(self, given: Mapping[str, Json], by: str, **more: Json) -> Command:
+        """The command as a line of a script says it; ``more`` is what the line leaves open."""
+        assert self.row is not None, "it is said before the run"
+        said = {**self.says, **more, **given}
+        for key, argument in self.row.arguments.items():
+            if argument.kind == EDGE and key in said:
+                said[key] = Address(*Address.split(said[key]))
+        return self.row.command(**said, by=by)
 
 
 def operation(blueprint: Blueprint, value: Json) -> str:
@@ -118,33 +143,35 @@ def _shown(value: Json) -> str:
     return words if len(words) <= 60 else f"{words[:57]}..."
 
 
-COMMANDS: Mapping[str, ScriptWord] = MappingProxyType(
+_CHECKS: Mapping[str, Check] = MappingProxyType(
     {
-        "ask": ScriptWord({"address": operation}),
-        "pause": ScriptWord(),
-        "resume": ScriptWord(),
-        "step": ScriptWord(),
-        "by_hand": ScriptWord(),
-        "automatic": ScriptWord(),
-        "veto": ScriptWord(may={"address": operation}),
-        "prune": ScriptWord({"address": operation, "reason": text}),
-        "restore": ScriptWord({"address": operation}),
-        "set_cost": ScriptWord({"address": operation, "cost": seconds}),
-        "take_over": ScriptWord(),
-        "give_back": ScriptWord(),
-        "accept": ScriptWord(),
-        "adopt": ScriptWord(),
-        "stop": ScriptWord(),
-        "reset": ScriptWord(),
-        "end": ScriptWord(),
-        "answer": ScriptWord(
-            {"option": text}, {"kind": one_of(TASKS), "address": text, "role": text}
-        ),
-        "full_map": ScriptWord({"on": yes_or_no}),
-        "disturb": ScriptWord({"target": sensed, "kind": one_of(DISTURBANCES)}, free=True),
-        "inject": ScriptWord({"fault": text}, free=True),
-        "level": ScriptWord({"of": text, "level": text}),
+        EDGE: operation,
+        TEXT: text,
+        AMOUNT: seconds,
+        SWITCH: yes_or_no,
+        SENSED: sensed,
+        DISTURBANCE: one_of(DISTURBANCES),
+        TASK: one_of(TASKS),
     }
+)
+"""How the arguments of commands are checked, by what they are."""
+
+
+def _words() -> Iterator[tuple[str, ScriptWord]]:
+    for row in COMMANDS.values():
+        for word, says in row.words.items():
+            said = {
+                key: argument
+                for key, argument in row.arguments.items()
+                if argument.scripted and key not in says
+            }
+            needs = {key: _CHECKS[one.kind] for key, one in said.items() if one.needed}
+            may = {key: _CHECKS[one.kind] for key, one in said.items() if not one.needed}
+            yield word, ScriptWord(needs, may, row.free, row, says)
+
+
+WORDS: Mapping[str, ScriptWord] = MappingProxyType(
+    {**dict(_words()), "level": ScriptWord({"of": text, "level": text})}
 )
 """Every word of ``do``. ``level`` is set before the start; all others come during the run."""
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from inspect import signature
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervision.run_state import RUN_STATES
-from smsl_studio.dispatch.supervision.table import DO
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from tests.dispatch.runs import Story, blueprint, branch
 from tests.dispatch.supervision.runs import (
     between,
@@ -26,6 +27,10 @@ from tests.dispatch.supervision.runs import (
     taken_over,
 )
 
+COLUMNS = (
+    "ready", "running", "middle", "paused", "waiting", "no_route", "taken_over", "fault_hold",
+    "stopped",
+)  # fmt: skip
 PAGE = Path(__file__).parents[3] / "docs" / "supervision.md"
 
 
@@ -72,9 +77,35 @@ TABLE = written_table()
 
 
 def test_the_page_has_every_command_and_every_run_state() -> None:
-    assert {word for word, _ in TABLE} == set(DO)
+    assert {word for word, _ in TABLE} == set(COMMANDS)
     page = PAGE.read_text("utf-8")
     assert [state for state in RUN_STATES if f"| `{state}` |" not in page] == []
+
+
+def test_the_page_says_what_the_rows_say() -> None:
+    """Where this fails, the page is written anew from the lines that are missing in it."""
+    page = PAGE.read_text("utf-8").splitlines()
+    assert [line for line in map(written, COMMANDS) if line not in page] == []
+
+
+def written(word: str) -> str:
+    """A row of the table as the page has it."""
+    row = COMMANDS[word]
+    taken = (row.takes(COLUMNS[1], True) if one == "middle" else row.takes(one) for one in COLUMNS)
+    return f"| {word} | {' | '.join('yes' if one else 'no' for one in taken)} |"
+
+
+def test_what_is_said_with_a_command_is_what_its_effect_takes() -> None:
+    """An answer names a task, which a script finds by its kind and address."""
+    beside = {"ask": {"every_time"}, "answer": {"task", "kind", "address"}}
+    for word, row in COMMANDS.items():
+        driver, *taken = (
+            one.name for one in signature(row.effect).parameters.values()
+            if one.kind is not one.VAR_KEYWORD
+        )  # fmt: skip
+        assert {driver, "by"} <= {"driver", *taken}
+        assert {*row.arguments} ^ {*taken} - {"by"} == beside.get(word, set()), word
+        assert row.sentence or row.sentences, word
 
 
 def parameters(word: str, story: Story) -> tuple[Any, ...]:
