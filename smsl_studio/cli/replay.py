@@ -95,10 +95,11 @@ def _as_json(verdict: LogVerdict, file: str) -> dict[str, object]:
 
 
 def _account(stream: BinaryIO, file: str, output: str) -> int:
+    from smsl_studio.dispatch.supervision.table import COMMANDS
     from smsl_studio.picture.account import account
 
     run = read_records(stream, file)
-    save_document(account(run), output, made_of=[0 if file == STDIN else file])
+    save_document(account(run, COMMANDS), output, made_of=[0 if file == STDIN else file])
     if run.doubt is not None:
         note(str(run.doubt))
     return 0

@@ -14,6 +14,7 @@ from smsl_studio.legible import markup
 from smsl_studio.picture.account_words import AccountLine, Causes, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY
+from smsl_studio.runlog.command_word import CommandWord
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
 from smsl_studio.runlog.grammar.log_reader import LoggedRun
 from smsl_studio.runlog.names import HeaderNames
@@ -53,12 +54,12 @@ _HEADER = (
 )
 
 
-def account(run: LoggedRun) -> str:
-    """The page of a run as its log has it."""
-    return "\n".join(_page(run)) + "\n"
+def account(run: LoggedRun, commands: Mapping[str, CommandWord]) -> str:
+    """The page of a run as its log has it; ``commands`` are those that may stand in it."""
+    return "\n".join(_page(run, commands)) + "\n"
 
 
-def _page(run: LoggedRun) -> Iterator[str]:
+def _page(run: LoggedRun, commands: Mapping[str, CommandWord]) -> Iterator[str]:
     file = str(run.header.get("file", "")).replace("\\", "/").rpartition("/")[2]
     title = f"Account of a run of {file}" if file else "Account of a run"
     yield "<!DOCTYPE html>"
@@ -75,7 +76,7 @@ def _page(run: LoggedRun) -> Iterator[str]:
     yield from _pairs("Versions", _named(run.header.get("versions")))
     names = HeaderNames.of_header(run.header.get("names"))
     yield from _routes(run.events, names)
-    yield from _events(run.events, names)
+    yield from _events(run.events, names, commands)
     yield "<footer>Made by SMSL Studio from the run's log. Not a medical device.</footer>"
     yield "</main></body></html>"
 
@@ -125,15 +126,17 @@ def _routes(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
         yield "<p>Further routes are left out here; the log has them.</p>"
 
 
-def _events(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
+def _events(
+    events: tuple[Event, ...], names: HeaderNames, commands: Mapping[str, CommandWord]
+) -> Iterator[str]:
     yield "<h2>What happened</h2>"
     yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
     yield "<tbody>"
     by = next((one.world for one in events if isinstance(one, RunStarted)), "")
-    causes = Causes()
+    causes = Causes(commands)
     for event in islice(events, MOST):
         cause = causes.of(event)
-        yield _row(event.t, told(causes.worded(event, names), by, cause, names))
+        yield _row(event.t, told(causes.worded(event, names), commands, by, cause, names))
     yield "</tbody></table>" + vanished(len(events) - MOST, "event")
 
 

@@ -1,4 +1,7 @@
-"""Events of regulation in the words of an account: commands, tasks, disturbances, faults."""
+"""Events of regulation in the words of an account: commands, tasks, disturbances, faults.
+
+What a command is called stands in its row, which is handed in from above.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from smsl_studio.runlog import events as run
+from smsl_studio.runlog.command_word import CommandWord
 from smsl_studio.runlog.events import Event
 
 LONGEST = 40
@@ -23,39 +27,12 @@ def listed(words: str, details: tuple[str, ...]) -> str:
     return f"{words}: {'; '.join(details)}" if details else words
 
 
-_COMMANDS: Mapping[str, str] = MappingProxyType(
-    {
-        "ask": "Asked for {address}",
-        "pause": "Asked for a pause",
-        "resume": "Let the run go on",
-        "step": "Asked for one operation",
-        "veto": "Vetoed {address}",
-        "prune": "Shut {address} out",
-        "restore": "Allowed {address} again",
-        "set_cost": "Priced {address} at {value}",
-        "take_over": "Took over",
-        "give_back": "Gave the run back",
-        "accept": "Accepted where the scene says it stands",
-        "adopt": "Took the configuration that the scene agrees with",
-        "stop": "Stopped the run",
-        "reset": "Unlatched the stop",
-        "end": "Ended the run",
-        "answer": "Answered {value}",
-        "full_map": "Turned the full map {value}",
-        "disturb": "Disturbed sensors: {value}",
-        "inject": "Had something go wrong: {value}",
-    }
-)
-_AUTOMATIC = {"on": "Let the run follow its route by itself", "off": "Took the run by hand"}
-
-
-def _commanded(event: run.Commanded) -> str:
-    plain = f"Commanded {event.command.replace('_', ' ')}"
-    said = _COMMANDS.get(event.command)
-    if event.command == "set_automatic":
-        said = _AUTOMATIC.get(event.value)
+def commanded(event: run.Commanded, commands: Mapping[str, CommandWord]) -> str:
+    """A command as its row has it; of one that has none, how it is called."""
+    known = commands.get(event.command)
     address = event.address or "the next operation"
-    words = said.format(address=address, value=event.value) if said else plain
+    said = known.told(address, event.value) if known is not None else ""
+    words = said or f"Commanded {event.command.replace('_', ' ')}"
     why = f" ({event.reason})" if event.reason else ""
     return f"{words}{why}{f', which was refused: {event.refused}' if event.refused else ''}"
 
@@ -115,7 +92,6 @@ def _costs(event: run.CostsChanged) -> str:
 
 WORDS: Mapping[type[Event], Callable[[Any], str]] = MappingProxyType(
     {
-        run.Commanded: _commanded,
         run.TakenOver: lambda e: "Automation is locked out; the dispatcher only observes",
         run.GivenBack: lambda e: f"Given back in {states(e.configuration)}",
         run.RunStopped: lambda e: "The run is stopped and braked",

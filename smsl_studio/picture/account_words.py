@@ -12,6 +12,7 @@ from smsl_studio.picture import account_regulation as regulating
 from smsl_studio.picture.account_people import TaskAnswers
 from smsl_studio.picture.account_regulation import LONGEST, listed, states
 from smsl_studio.runlog import events as run
+from smsl_studio.runlog.command_word import CommandWord
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, HeaderNames
 
@@ -64,24 +65,33 @@ class AccountLine:
 
 
 def told(
-    event: Event, world: str = "", cause: str = "", names: HeaderNames = NAMELESS
+    event: Event,
+    commands: Mapping[str, CommandWord],
+    world: str = "",
+    cause: str = "",
+    names: HeaderNames = NAMELESS,
 ) -> AccountLine:
     """An event as the account has it; an event without words of its own is told by its fields.
 
-    ``cause`` names whose command it answers (see ``Causes``), ``names`` what people call things.
+    ``commands`` are those that may stand in it. ``cause`` names whose command it answers (see
+    ``Causes``), ``names`` what people call things.
     """
     kind = _KINDS.get(type(event), DECIDED)
-    if isinstance(event, run.FactChanged):
-        words = _fact(event, names)
+    named = event if isinstance(event, run.FactChanged) else names.told_in(event)
+    if isinstance(named, run.FactChanged):
+        words = _fact(named, names)
+    elif isinstance(named, run.Commanded):
+        words = regulating.commanded(named, commands)
     else:
-        words = _WORDS.get(type(event), _plainly)(names.told_in(event))
+        words = _WORDS.get(type(event), _plainly)(named)
     return AccountLine(kind, words, cause or _by(event, kind, world), _is_bad(event))
 
 
 class Causes:
     """Who commanded what events tell of: a command stands before its effects, at the same time."""
 
-    def __init__(self) -> None:
+    def __init__(self, commands: Mapping[str, CommandWord]) -> None:
+        self._words = _explaining(commands)
         self._time = 0.0
         self._by: dict[str, str] = {}
         self._answers = TaskAnswers()
@@ -102,23 +112,20 @@ class Causes:
             if not event.refused:
                 self._by[event.command] = event.by
             return event.by
-        found = (self._by[word] for word in _EFFECTS.get(type(event), ()) if word in self._by)
+        found = (self._by[word] for word in self._words.get(event.event, ()) if word in self._by)
         return next(found, "")
 
 
-_EFFECTS: Mapping[type[Event], tuple[str, ...]] = MappingProxyType(
-    {
-        run.OperationPruned: ("prune",),
-        run.OperationRestored: ("restore",),
-        run.Paused: ("pause", "step"),
-        run.Resumed: ("resume",),
-        run.OperationRefused: ("ask",),
-        run.CostsChanged: ("set_cost",),
-        run.Disturbed: ("disturb",),
-        run.FaultInjected: ("inject",),
-        run.RunFinished: ("end", "stop"),
+def _explaining(commands: Mapping[str, CommandWord]) -> Mapping[str, tuple[str, ...]]:
+    """The commands that explain each event, first those that it must follow."""
+    found: dict[str, list[CommandWord]] = {}
+    for one in commands.values():
+        for event in one.explains:
+            found.setdefault(event, []).append(one)
+    return {
+        event: tuple(one.word for one in sorted(some, key=lambda one: one.owes != event))
+        for event, some in found.items()
     }
-)
 
 
 def vanished(more: int, what: str) -> str:

@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.picture import account as page
-from smsl_studio.picture.account import account
 from smsl_studio.picture.account_words import Causes, told
 from smsl_studio.runlog.events import (
     Commanded,
@@ -44,6 +44,10 @@ ALLOWED = {
     *("h1", "h2", "h3", "p", "strong", "code", "dl", "dt", "dd", "ol", "li"),
     *("table", "thead", "tbody", "tr", "th", "td"),
 }
+
+
+def account_of(run: LoggedRun) -> str:
+    return page.account(run, COMMANDS)
 
 
 class Page(HTMLParser):
@@ -95,7 +99,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> LoggedRun:
 
 
 def test_everything_is_told_in_order(run: LoggedRun) -> None:
-    seen = Page(account(run))
+    seen = Page(account_of(run))
     assert seen.odd == []
     rows = seen.rows[1:]
     assert [(row[0], row[1]) for row in rows] == [
@@ -128,7 +132,7 @@ def test_everything_is_told_in_order(run: LoggedRun) -> None:
 
 
 def test_equal_logs_give_equal_pages(run: LoggedRun) -> None:
-    assert account(run) == account(run)
+    assert account_of(run) == account_of(run)
 
 
 def test_a_run_from_the_command_line_has_its_header_told() -> None:
@@ -142,7 +146,7 @@ def test_a_run_from_the_command_line_has_its_header_told() -> None:
         "digests": {"file": "ff", "imported": {"sub.smsl": "ee"}},
         "versions": {"python": "3.11.7"},
     }
-    seen = Page(account(logged(header=header)))
+    seen = Page(account_of(logged(header=header)))
     assert seen.under("h1") == ["Account of a run of knee.smsl"]
     pairs = dict(zip(seen.under("dt"), seen.under("dd") + seen.under("code"), strict=False))
     assert pairs["Goals asked for"] == "SB/A, SB/B"
@@ -168,7 +172,7 @@ def test_a_header_may_say_anything(odd: object) -> None:
         "names",
         "mqtt",
     )
-    assert Page(account(logged(header=dict.fromkeys(keys, odd)))).odd == []
+    assert Page(account_of(logged(header=dict.fromkeys(keys, odd)))).odd == []
 
 
 def test_what_has_a_name_is_told_by_it() -> None:
@@ -185,7 +189,7 @@ def test_what_has_a_name_is_told_by_it() -> None:
         "states": {"SB/B": "Ready"},
         "operations": {"SB/go": "Go on", "SB/A/go": "Fix the head"},
     }
-    seen = Page(account(logged(*given, header={"names": names})))
+    seen = Page(account_of(logged(*given, header={"names": names})))
     assert [row[2] for row in seen.rows[1:]] == [
         'Route to SB/B "Ready", cost 1: SB/A/go "Fix the head"',
         'SB/A/go "Fix the head" to B "Ready" is carried out; no function of its own',
@@ -214,7 +218,7 @@ def test_what_people_said_and_did_is_told_as_theirs_and_in_words() -> None:
         FactChanged(t=3.0, branch="H", digit=0, value="0"),
     )  # fmt: skip
     names = {"facts": {"H/0": "Head fixed"}, "values": {"H/0/1": "fixed", "H/0/0": "free"}}
-    rows = Page(account(logged(*given, header={"names": names}))).rows[1:]
+    rows = Page(account_of(logged(*given, header={"names": names}))).rows[1:]
     assert [row[3] for row in rows] == [
         "nobody", "dispatcher", "N. Kaya", "N. Kaya", "dispatcher", "N. Kaya", "N. Kaya", "sensors",
     ]  # fmt: skip
@@ -225,10 +229,10 @@ def test_what_people_said_and_did_is_told_as_theirs_and_in_words() -> None:
 
 
 def test_a_log_without_an_end_says_so(run: LoggedRun) -> None:
-    seen = Page(account(logged(*EVENTS[:6])))
+    seen = Page(account_of(logged(*EVENTS[:6])))
     assert "The log ends before the run did." in seen.under("strong")
     assert " Its last event is at 0.050 s." in seen.under("p")
-    assert "The log ends before the run did." in Page(account(logged())).under("strong")
+    assert "The log ends before the run did." in Page(account_of(logged())).under("strong")
 
 
 HOSTILE = "</td></table><script>alert(1)</script><img src=x onerror=y>\"'&lt;\u202e\x1b\n\udcff"
@@ -247,7 +251,7 @@ def test_names_are_only_text() -> None:
         "digests": {HOSTILE: HOSTILE},
         "names": {"facts": {"SB/0": HOSTILE}, "states": {HOSTILE: HOSTILE}},
     }
-    text = account(logged(fact, mismatch, finished, header=header))
+    text = account_of(logged(fact, mismatch, finished, header=header))
     seen = Page(text)
     assert seen.odd == []
     assert len(seen.rows) == 4
@@ -259,7 +263,7 @@ def test_names_are_only_text() -> None:
 @given(st.lists(events(), max_size=6))
 @settings(max_examples=40)
 def test_any_events_can_be_told(given: list[Event]) -> None:
-    seen = Page(account(logged(*given)))
+    seen = Page(account_of(logged(*given)))
     assert seen.odd == []
     assert len(seen.rows) == len(given) + 1
 
@@ -268,11 +272,11 @@ def test_any_events_can_be_told(given: list[Event]) -> None:
 @settings(max_examples=100)
 def test_every_event_of_a_run_has_words_of_its_own(event: Event) -> None:
     if not isinstance(event, EdgeSwept | SweepFinished):
-        assert not told(event).what.startswith(event.event.replace("_", " "))
+        assert not told(event, COMMANDS).what.startswith(event.event.replace("_", " "))
 
 
 def test_who_did_it_and_what_is_bad() -> None:
-    causes = Causes()
+    causes = Causes(COMMANDS)
     events = (
         Commanded(t=1.0, command="prune", by="L. Brandt", address="a", reason="no"),
         OperationPruned(t=1.0, address="a", reason="no"),
@@ -282,23 +286,26 @@ def test_who_did_it_and_what_is_bad() -> None:
         TaskAnswered(t=2.0, task="task 1", by="A. Okafor", role="surgeon"),
         TaskClosed(t=2.0, task="task 1", outcome="disagreed", answers={"A": "yes", "B": "no"}),
     )
-    found = [told(event, "", causes.of(event)) for event in events]
+    found = [told(event, COMMANDS, "", causes.of(event)) for event in events]
     who = ["L. Brandt", "L. Brandt", "script", "dispatcher", "dispatcher", "A. Okafor, surgeon"]
     assert [one.by for one in found] == [*who, "A, B"]
     assert [one.bad for one in found] == [False, False, True, False, False, False, True]
     assert found[-1].what == "The answers to task 1 differ, so nothing is done (A: yes; B: no)"
-    assert told(Held(t=0.0, reason="why", details=("a", "b"))).what == "The run holds: why: a; b"
-    assert told(Held(t=0.0, reason="why")).bad
-    assert told(StateChecked(t=0.0, address="a", result="unknown", unknown=("f",))).bad
-    assert not told(StateChecked(t=0.0, address="a", result="true")).bad
+    assert (
+        told(Held(t=0.0, reason="why", details=("a", "b")), COMMANDS).what
+        == "The run holds: why: a; b"
+    )
+    assert told(Held(t=0.0, reason="why"), COMMANDS).bad
+    assert told(StateChecked(t=0.0, address="a", result="unknown", unknown=("f",)), COMMANDS).bad
+    assert not told(StateChecked(t=0.0, address="a", result="true"), COMMANDS).bad
 
 
 def test_what_is_too_much_is_counted(monkeypatch: pytest.MonkeyPatch, run: LoggedRun) -> None:
     monkeypatch.setattr(page, "MOST", 4)
-    seen = Page(account(run))
+    seen = Page(account_of(run))
     assert len(seen.rows) == 5
     assert "And 13 more events, which the log has." in seen.under("p")
     long = RoutePlanned(t=0.0, goal="a", operations=("b",) * 2, cost=2.0)
-    seen = Page(account(logged(long, long, long)))
+    seen = Page(account_of(logged(long, long, long)))
     assert len(seen.under("li")) == 2
     assert "Further routes are left out here; the log has them." in seen.under("p")

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 import smsl_studio as smsl
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.picture.account import account
 from smsl_studio.runlog.events import RunFinished
 from smsl_studio.runlog.grammar.log_reader import read_log
@@ -45,7 +46,7 @@ def test_a_former_log_is_read_verified_and_told_again(name: str) -> None:
     told = Playback(run.events, run.header["by_hand"]).at(len(run.events))
     assert told.phase == last.reason == name.rpartition("-")[0]
     assert told.operations == last.operations
-    assert "Verified" in account(run)
+    assert "Verified" in account(run, COMMANDS)
 
 
 def test_former_logs_are_replayed_and_verified_by_the_command(shell: Shell) -> None:

@@ -9,6 +9,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QListView, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.picture.account_words import told
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, HeaderNames, names_of
@@ -44,7 +45,7 @@ class EventsModel(QAbstractListModel):
         if role not in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             return None
         by = self._by[index.row()]
-        what = told(event, names=self._names).what
+        what = told(event, COMMANDS, names=self._names).what
         return f"{event.t:7.2f} s  {what}{f'  ({by})' if by else ''}"
 
 

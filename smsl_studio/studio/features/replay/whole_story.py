@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from itertools import chain
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.picture.account_words import Causes
 from smsl_studio.runlog.events import Committed
 from smsl_studio.runlog.playback import Playback
@@ -25,7 +26,7 @@ class WholeStory:
         self.story = Story()
         self.story.tell(retelling.events)
         self.marks = tuple(marks_of(retelling.events))
-        causes = Causes()
+        causes = Causes(COMMANDS)
         self.causes = tuple(causes.of(event) for event in retelling.events)
         """Whose command each event answers."""
         self._close(retelling.end)

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QListWidget, QListWidgetItem, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.picture.account_words import told
 from smsl_studio.runlog import events as run
 from smsl_studio.studio.base.controls import NameDelegate
@@ -90,4 +91,4 @@ def sentence(event: run.Event) -> str:
             return f"Finished, {event.reason.replace('_', ' ')}: {event.sentence}"
         case _:
             by = getattr(event, "by", "")
-            return f"{told(event).what}{f'  ({by})' if by else ''}"
+            return f"{told(event, COMMANDS).what}{f'  ({by})' if by else ''}"

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.inputs import read
 from smsl_studio.picture.account import account
 from smsl_studio.runlog.events import (
@@ -91,4 +92,4 @@ def test_an_impossible_recording_is_shown_and_not_verified(
         replaying.replay.to_index(index)
     qapp.processEvents()
     replaying.pane.grab()
-    assert "Not verified" in account(recording.run)
+    assert "Not verified" in account(recording.run, COMMANDS)
