@@ -15,6 +15,7 @@ from pathlib import Path
 from random import Random
 
 from benches.row import Row, median_ms
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.events import FactChanged
 from smsl_studio.runlog.grammar.log_reader import verify
 from smsl_studio.runlog.log import RunLog
@@ -73,5 +74,5 @@ def _costs(folder: Path) -> Iterator[Row]:
     yield Row(f"write {LINES:,} events", median_ms(write), "ms", (plain,))
     raw = path.read_bytes()
     loads = ("json.loads a line", median_ms(lambda: [json.loads(x) for x in raw.splitlines()]))
-    checked = median_ms(lambda: verify(io.BytesIO(raw), "log"))
+    checked = median_ms(lambda: verify(io.BytesIO(raw), "log", COMMANDS))
     yield Row(f"verify {LINES:,} events", checked, "ms", (loads,))

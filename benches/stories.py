@@ -14,6 +14,7 @@ from pathlib import Path
 from random import Random
 
 from benches.row import Row
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.grammar.log_reader import verify
 from tests.runlog.impossible import OPERATORS, Story, impossible
 from tests.runlog.true_stories import log_of_a_dying_world, log_of_physics, true_log
@@ -25,8 +26,8 @@ def rows() -> Iterator[Row]:
     with tempfile.TemporaryDirectory() as name:
         logs = _true(Path(name))
         stories = [Story.of(raw) for raw in logs]
-        refused = [str(verify(io.BytesIO(raw), "log").doubt) for raw in logs
-                   if verify(io.BytesIO(raw), "log").doubt is not None]  # fmt: skip
+        refused = [str(verify(io.BytesIO(raw), "log", COMMANDS).doubt) for raw in logs
+                   if verify(io.BytesIO(raw), "log", COMMANDS).doubt is not None]  # fmt: skip
         ends = Counter(story.end["reason"] for story in stories)
         words = ", ".join(f"{count} {reason}" for reason, count in sorted(ends.items()))
         yield Row(f"{len(logs)} true logs ({words})", len(logs) - len(refused), "accepted",
@@ -56,6 +57,6 @@ def _changed(stories: list[Story]) -> tuple[Counter[str], list[str]]:
             while changed is None:
                 changed = impossible(random.choice(stories), operator, random)
             drawn[operator.__name__] += 1
-            if verify(io.BytesIO(changed.raw()), "log").doubt is None:
+            if verify(io.BytesIO(changed.raw()), "log", COMMANDS).doubt is None:
                 accepted.append(operator.__name__)
     return drawn, accepted

@@ -22,6 +22,7 @@ from typing import Any, NoReturn
 from benches.stops.hooks import call_before
 from benches.stops.scenes import SCENES, Scene
 from smsl_studio.cli import program
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.grammar.log_reader import verify
 
 LIMIT = 20.0
@@ -124,7 +125,7 @@ class Moments:
             log = Path("run.jsonl")
             if log.exists():
                 with log.open("rb") as stream:
-                    verdict = verify(stream, "run.jsonl")
+                    verdict = verify(stream, "run.jsonl", COMMANDS)
                 if verdict.doubt is not None:
                     return str(verdict.doubt)
         elif status != 128 + signalled:

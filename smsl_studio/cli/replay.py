@@ -14,6 +14,7 @@ from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import STDIN
 from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.story import line_of
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import Place, ReadError, UsageError
 from smsl_studio.legible import json_text, one_line
 from smsl_studio.runlog.grammar.log_reader import (
@@ -58,7 +59,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def _tell(stream: BinaryIO, file: str, form: str, out: Output) -> int:
-    reader = LogReader(stream, file)
+    reader = LogReader(stream, file, COMMANDS)
     for record in reader.records():
         out.line(json_text(record.text) if form == "json" else one_line(line_of(record.event)))
     if reader.doubt is not None:
@@ -67,7 +68,7 @@ def _tell(stream: BinaryIO, file: str, form: str, out: Output) -> int:
 
 
 def _verify(stream: BinaryIO, file: str, form: str, out: Output) -> int:
-    verdict = verify(stream, file)
+    verdict = verify(stream, file, COMMANDS)
     if form == "json":
         out.json(_as_json(verdict, file))
     elif verdict.doubt is not None:
@@ -95,10 +96,9 @@ def _as_json(verdict: LogVerdict, file: str) -> dict[str, object]:
 
 
 def _account(stream: BinaryIO, file: str, output: str) -> int:
-    from smsl_studio.dispatch.supervision.table import COMMANDS
     from smsl_studio.picture.account import account
 
-    run = read_records(stream, file)
+    run = read_records(stream, file, COMMANDS)
     save_document(account(run, COMMANDS), output, made_of=[0 if file == STDIN else file])
     if run.doubt is not None:
         note(str(run.doubt))

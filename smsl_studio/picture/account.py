@@ -14,7 +14,7 @@ from smsl_studio.legible import markup
 from smsl_studio.picture.account_words import AccountLine, Causes, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY
-from smsl_studio.runlog.command_word import CommandWord
+from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
 from smsl_studio.runlog.grammar.log_reader import LoggedRun
 from smsl_studio.runlog.names import HeaderNames
@@ -54,12 +54,12 @@ _HEADER = (
 )
 
 
-def account(run: LoggedRun, commands: Mapping[str, CommandWord]) -> str:
+def account(run: LoggedRun, commands: CommandWords) -> str:
     """The page of a run as its log has it; ``commands`` are those that may stand in it."""
     return "\n".join(_page(run, commands)) + "\n"
 
 
-def _page(run: LoggedRun, commands: Mapping[str, CommandWord]) -> Iterator[str]:
+def _page(run: LoggedRun, commands: CommandWords) -> Iterator[str]:
     file = str(run.header.get("file", "")).replace("\\", "/").rpartition("/")[2]
     title = f"Account of a run of {file}" if file else "Account of a run"
     yield "<!DOCTYPE html>"
@@ -126,9 +126,7 @@ def _routes(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
         yield "<p>Further routes are left out here; the log has them.</p>"
 
 
-def _events(
-    events: tuple[Event, ...], names: HeaderNames, commands: Mapping[str, CommandWord]
-) -> Iterator[str]:
+def _events(events: tuple[Event, ...], names: HeaderNames, commands: CommandWords) -> Iterator[str]:
     yield "<h2>What happened</h2>"
     yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
     yield "<tbody>"

@@ -10,7 +10,7 @@ from types import MappingProxyType
 from typing import Any
 
 from smsl_studio.runlog import events as run
-from smsl_studio.runlog.command_word import CommandWord
+from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event
 
 LONGEST = 40
@@ -27,7 +27,7 @@ def listed(words: str, details: tuple[str, ...]) -> str:
     return f"{words}: {'; '.join(details)}" if details else words
 
 
-def commanded(event: run.Commanded, commands: Mapping[str, CommandWord]) -> str:
+def commanded(event: run.Commanded, commands: CommandWords) -> str:
     """A command as its row has it; of one that has none, how it is called."""
     known = commands.get(event.command)
     address = event.address or "the next operation"

@@ -12,7 +12,7 @@ from smsl_studio.picture import account_regulation as regulating
 from smsl_studio.picture.account_people import TaskAnswers
 from smsl_studio.picture.account_regulation import LONGEST, listed, states
 from smsl_studio.runlog import events as run
-from smsl_studio.runlog.command_word import CommandWord
+from smsl_studio.runlog.command_word import CommandWord, CommandWords
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, HeaderNames
 
@@ -66,7 +66,7 @@ class AccountLine:
 
 def told(
     event: Event,
-    commands: Mapping[str, CommandWord],
+    commands: CommandWords,
     world: str = "",
     cause: str = "",
     names: HeaderNames = NAMELESS,
@@ -90,7 +90,7 @@ def told(
 class Causes:
     """Who commanded what events tell of: a command stands before its effects, at the same time."""
 
-    def __init__(self, commands: Mapping[str, CommandWord]) -> None:
+    def __init__(self, commands: CommandWords) -> None:
         self._words = _explaining(commands)
         self._time = 0.0
         self._by: dict[str, str] = {}
@@ -116,7 +116,7 @@ class Causes:
         return next(found, "")
 
 
-def _explaining(commands: Mapping[str, CommandWord]) -> Mapping[str, tuple[str, ...]]:
+def _explaining(commands: CommandWords) -> Mapping[str, tuple[str, ...]]:
     """The commands that explain each event, first those that it must follow."""
     found: dict[str, list[CommandWord]] = {}
     for one in commands.values():

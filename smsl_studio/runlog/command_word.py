@@ -1,37 +1,46 @@
-"""What the record of a run says of one command: in which words, and what must follow it.
-
-``dispatch`` has the table of all commands; whoever reads records below it is handed its rows as
-these values.
-"""
+"""What whoever reads the record of a run knows of its commands; ``dispatch`` has their table."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from typing import Protocol
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class CommandWord:
-    """A command as it stands in a record.
+class CommandWord(Protocol):
+    """A command as it stands in a record."""
 
-    ``refused`` has the run states that refuse it whatever is said with it, each with the reason
-    (``{by}`` is who has taken over). ``sentence`` is what an account says of it; ``sentences`` are
-    those that hang on its value. ``{address}`` and ``{value}`` are what was said with it.
-    ``owes`` is the event that must follow where it was carried out, ``explains`` are the events
-    that are told in the name of whoever commanded it.
-    """
+    @property
+    def word(self) -> str:
+        """What it is called."""
 
-    word: str = field(kw_only=False)
-    refused: Mapping[str, str] = field(default_factory=dict)
-    sentence: str = ""
-    sentences: Mapping[str, str] = field(default_factory=dict)
-    owes: str = ""
-    explains: tuple[str, ...] = ()
+    @property
+    def refused(self) -> Mapping[str, str]:
+        """The run states in which it is never carried out, each with the reason."""
 
-    def why_refused(self, phase: str, by: str) -> str:
-        """Why a run state refuses it; ``by`` has taken over. Empty where the state does not."""
-        return self.refused.get(phase, "").format(by=by[:1].upper() + by[1:])
+    @property
+    def owes(self) -> str:
+        """The event that must follow where it was carried out, before anything else is commanded
+        and before time goes on; empty where none must."""
+
+    @property
+    def explains(self) -> tuple[str, ...]:
+        """The events that are told in the name of whoever commanded it."""
+
+    @property
+    def must_name(self) -> bool:
+        """Whether it names an operation wherever it is carried out."""
+
+    @property
+    def may_name(self) -> bool:
+        """Whether it may name one."""
+
+    @property
+    def has_value(self) -> bool:
+        """Whether it says something besides."""
 
     def told(self, address: str, value: str) -> str:
         """What an account says of it; empty where it has no words for such a value."""
-        return self.sentences.get(value, self.sentence).format(address=address, value=value)
+
+
+CommandWords = Mapping[str, CommandWord]
+"""Commands by their words."""

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.grammar.log_reader import read_log
 from tests.cli.shell import Answer, Shell, sample
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, write_allowed
@@ -106,7 +107,7 @@ def test_equal_runs_print_equal_bytes_in_both_hosts(shell: Shell) -> None:
 def test_the_log_has_a_header_and_what_was_printed(shell: Shell, tmp_path: Path) -> None:
     log = tmp_path / "run.jsonl"
     answer = shell("run", sample("hfsm"), *TABLE, "--seed", "3", "--log", str(log))
-    found = read_log(log)
+    found = read_log(log, COMMANDS)
     assert [one.text for one in found.records] == answer.out.splitlines()
     assert found.doubt is None
     assert (found.header["world"], found.header["seed"]) == ("table", 3)
@@ -120,7 +121,7 @@ def test_the_log_says_what_was_asked_for(shell: Shell, tmp_path: Path) -> None:
     log = tmp_path / "run.jsonl"
     asked = ("--start", "State110", "--goal", "SB1/State100", "--avoid", "SB1/State100")
     shell("run", sample("hfsm"), *TABLE, *asked, "--on-mismatch", "adopt", "--log", str(log))
-    header = read_log(log).header
+    header = read_log(log, COMMANDS).header
     assert (header["start"], header["goals"]) == (["SB1/State110"], ["SB1/State100"])
     assert header["avoid"][0] == "SB1/State100/Operation100A"
     assert (header["on_mismatch"], header["host"]) == ("adopt", "local")
@@ -130,7 +131,7 @@ def test_the_log_says_what_people_call_what_it_tells_of(shell: Shell, tmp_path: 
     """So that its account needs no blueprint."""
     log, page = tmp_path / "run.jsonl", tmp_path / "run.html"
     shell("run", sample("registration-failures"), *TABLE, "--log", str(log))
-    names = read_log(log).header["names"]
+    names = read_log(log, COMMANDS).header["names"]
     assert "Registered" in names["facts"].values()
     assert names["operations"]
     assert shell("replay", str(log), "-o", str(page)).status == 0
@@ -140,7 +141,7 @@ def test_the_log_says_what_people_call_what_it_tells_of(shell: Shell, tmp_path: 
     state: dict[str, object] = {f"State_{'0' * 1500}": {}}
     many.write_text(json.dumps({"SB": {"_facts": facts, "HEADER": {"NUM_FACTS": 1500}, **state}}))
     shell("run", str(many), *TABLE, "--log", str(tmp_path / "many.jsonl"))
-    kept = read_log(tmp_path / "many.jsonl").header["names"]["facts"]
+    kept = read_log(tmp_path / "many.jsonl", COMMANDS).header["names"]["facts"]
     assert len(kept) == 1000
     assert set(kept.values()) == {"x" * 200}
 
@@ -154,7 +155,7 @@ def test_a_refused_run_is_in_the_log_too(shell: Shell, tmp_path: Path, file: str
     given = str(path) if file == "wrong" else sample(file)
     answer = shell("run", given, "--world", "hanoi", "--format", "json", "--log", str(log))
     assert _end(answer) == (1, "refused")
-    found = read_log(log)
+    found = read_log(log, COMMANDS)
     assert [one.text for one in found.records] == answer.out.splitlines()
     assert found.doubt is None
 

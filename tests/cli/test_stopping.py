@@ -18,6 +18,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli import main
 from smsl_studio.cli import run as running
 from smsl_studio.cli.signals import heard
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front import inputs as reading
 from smsl_studio.runlog.grammar.log_reader import verify
 from tests.cli.shell import Answer, Shell, sample
@@ -180,7 +181,7 @@ def test_a_run_is_stopped_in_every_phase_and_its_log_has_a_head(
     assert "Traceback" not in err
     log = tmp_path / "run.jsonl"
     with log.open("rb") as stream:
-        assert verify(stream, "run.jsonl").doubt is None
+        assert verify(stream, "run.jsonl", COMMANDS).doubt is None
 
 
 def test_main_is_deaf_outside_the_main_thread(shell: Shell) -> None:

@@ -12,6 +12,7 @@ import pytest
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.cli import main
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import HostError, PluginError, UsageError
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.inputs import read
@@ -224,7 +225,7 @@ def test_a_run_waits_for_sensors_elsewhere_however_fast_it_may_go(
             on_event=hear,
             log=tmp_path / "log",
         )
-        assert read_log(tmp_path / "log").header["mqtt"]["broker"] == broker.address
+        assert read_log(tmp_path / "log", COMMANDS).header["mqtt"]["broker"] == broker.address
         assert (done.reason, done.sentence) == ("goal_reached", "SB1/State_ba holds.")
     finally:
         node.kill()

@@ -10,6 +10,7 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError
 from smsl_studio.front.runs import Run
 from smsl_studio.front.script.lines import script_of
@@ -278,7 +279,7 @@ def test_a_script_is_named_in_the_header_of_the_log(tmp_path: Any) -> None:
     from smsl_studio.runlog.grammar.log_reader import read_log
 
     _sample("hanoi-chosen", log=tmp_path / "log")
-    header = read_log(tmp_path / "log").header
+    header = read_log(tmp_path / "log", COMMANDS).header
     raw = (SCRIPTS / "hanoi-chosen.jsonl").read_bytes()
     assert header["script"]["digest"] == script_of(raw, "", HANOI).digest
     assert (header["levels"], header["supervisor"]) == ({}, "")

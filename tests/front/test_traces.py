@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QApplication
 import smsl_studio as smsl
 from smsl_studio import front
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, RunFinished
@@ -34,7 +35,7 @@ def in_process(run: AnyRun) -> list[str]:
 def in_child_and_log(run: AnyRun, log: Path) -> tuple[list[str], list[str]]:
     """What a run in a child process tells, and what its log tells afterwards."""
     told = smsl.run(run.blueprint, script=run.script, host="process", log=log, **run.asked)
-    found = read_log(log)
+    found = read_log(log, COMMANDS)
     assert found.doubt is None
     return lines(told.events), [record.text for record in found.records]
 

@@ -95,7 +95,7 @@ def logged(*given: Event, header: Mapping[str, Any] | None = None) -> LoggedRun:
 @pytest.fixture
 def run(tmp_path_factory: pytest.TempPathFactory) -> LoggedRun:
     raw = write_log(tmp_path_factory.mktemp("log") / "log")
-    return read_records(io.BytesIO(raw), "log")
+    return read_records(io.BytesIO(raw), "log", COMMANDS)
 
 
 def test_everything_is_told_in_order(run: LoggedRun) -> None:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from random import Random
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.grammar.log_reader import LoggedRun, read_log
 
 WRITER = """
@@ -49,4 +50,4 @@ def kill_a_writer(path: Path, random: Random) -> Killed:
             one.stdout.readline()
         one.send_signal(signal.SIGKILL)
         rest = one.stdout.read()
-    return Killed(heard + rest.count(b"\n"), read_log(path))
+    return Killed(heard + rest.count(b"\n"), read_log(path, COMMANDS))

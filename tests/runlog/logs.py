@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from random import Random
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError
 from smsl_studio.runlog.events import (
     Committed,
@@ -95,7 +96,7 @@ def chained(texts: Sequence[bytes]) -> bytes:
 def is_verified(raw: bytes) -> bool:
     """Whether these bytes verify; that they cannot be read is a no."""
     try:
-        return verify(io.BytesIO(raw), "log").doubt is None
+        return verify(io.BytesIO(raw), "log", COMMANDS).doubt is None
     except ReadError:
         return False
 

@@ -36,7 +36,7 @@ def test_there_are_fifty_of_every_end_and_form() -> None:
 
 @pytest.mark.parametrize("name", LOGS)
 def test_a_former_log_is_read_verified_and_told_again(name: str) -> None:
-    run = read_log(FORMER / name)
+    run = read_log(FORMER / name, COMMANDS)
     assert run.doubt is None
     text = "".join(f"{record.text}\n" for record in run.records)
     assert len(run.records) == TOLD[name]["events"]
@@ -68,4 +68,4 @@ def test_a_former_blueprint_means_what_it_meant_and_runs(
     assert {key: found[key] for key in TOLD[name]["digest"]} == TOLD[name]["digest"]
     run = smsl.run(smsl.read(FORMER / name), log=tmp_path / "log")
     assert run.reason == "goal_reached"
-    assert read_log(tmp_path / "log").doubt is None
+    assert read_log(tmp_path / "log", COMMANDS).doubt is None

@@ -14,7 +14,7 @@ import pytest
 
 import smsl_studio as smsl
 from smsl_studio.dispatch import planner
-from smsl_studio.dispatch.supervision.table import COMMANDS, OPEN
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.runlog.decoder import EVENTS as KNOWN
@@ -32,7 +32,6 @@ from smsl_studio.runlog.grammar.automaton import TABLE, Grammar
 from smsl_studio.runlog.grammar.log_reader import LogVerdict, read_log, verify
 from smsl_studio.runlog.grammar.memory import Begun
 from smsl_studio.runlog.grammar.operations import WITHOUT_FAILURE
-from smsl_studio.runlog.grammar.regulation import NEVER_IN, OWES
 from tests.plugin_folder import blueprint_of
 from tests.runlog.impossible import OPERATORS, Operator, Story, impossible
 from tests.runlog.logs import EVENTS, OTHER, chained
@@ -51,7 +50,7 @@ def true_logs(tmp_path_factory: pytest.TempPathFactory) -> list[bytes]:
 
 
 def judged(raw: bytes) -> LogVerdict:
-    return verify(io.BytesIO(raw), "log")
+    return verify(io.BytesIO(raw), "log", COMMANDS)
 
 
 def test_true_stories_of_every_end_verify(true_logs: list[bytes]) -> None:
@@ -120,14 +119,14 @@ def test_a_log_that_was_cut_says_so_and_nothing_else(
         for end in {2, len(lines) // 2, len(lines) - 1}:
             path = tmp_path / "cut"
             path.write_bytes(b"".join(lines[:end]))
-            found = read_log(path)
+            found = read_log(path, COMMANDS)
             assert len(found.records) == end - 1
             assert found.doubt is not None
             assert found.doubt.sentence.startswith("the log has no head: ")
 
 
 def test_once_a_story_is_impossible_nothing_more_is_judged() -> None:
-    grammar = Grammar({})
+    grammar = Grammar({}, COMMANDS)
     assert grammar.follow(EVENTS[4]) == "operation started stands before the beginning of the run"
     assert [grammar.follow(one) for one in EVENTS] == [""] * len(EVENTS)
     assert grammar.end() == ""
@@ -135,7 +134,7 @@ def test_once_a_story_is_impossible_nothing_more_is_judged() -> None:
 
 def test_both_sample_stories_are_possible() -> None:
     for events in (EVENTS, OTHER):
-        grammar = Grammar({})
+        grammar = Grammar({}, COMMANDS)
         assert [grammar.follow(one) for one in events] == [""] * len(events)
         assert grammar.end() == ""
 
@@ -145,7 +144,9 @@ def test_a_header_may_say_anything_of_what_was_asked(header: object) -> None:
     """It is a foreign file: a value of another type than a run writes is refused, and never by
     an exception."""
     keys = ("world", "start", "goals", "avoid", "digests", "by_hand")
-    grammar = Grammar({key: header for key in keys if not (key == "world" and header == "x")})
+    grammar = Grammar(
+        {key: header for key in keys if not (key == "world" and header == "x")}, COMMANDS
+    )
     said = grammar.follow(EVENTS[0])
     assert said.startswith("the header says of ")
 
@@ -206,18 +207,13 @@ def test_an_asked_step_that_is_paused_between_two_commits_verifies(tmp_path: Pat
     lines = "".join(f"{json.dumps(act)}\n" for act in acts)
     script = script_of(lines.encode(), "script", blueprint)
     smsl.run(blueprint, script=script, log=tmp_path / "log")
-    told = read_log(tmp_path / "log")
+    told = read_log(tmp_path / "log", COMMANDS)
     assert told.doubt is None
     assert [one.event for one in told.events].count("paused") == 2
     assert told.events[-1].event == "run_finished"
 
 
-def test_the_words_of_the_dispatcher_are_those_of_the_grammar() -> None:
-    """What a run state refuses by itself is not carried out in a story."""
-    assert NEVER_IN.keys() == COMMANDS.keys()
-    for word, row in COMMANDS.items():
-        assert set(NEVER_IN[word]) == set(row.refused) <= {*OPEN}
-        assert OWES.get(word, "") == row.owes
+def test_the_words_of_a_route_are_those_of_the_planner() -> None:
     assert WITHOUT_FAILURE == planner.WITHOUT_FAILURE
 
 
@@ -256,7 +252,7 @@ def test_an_event_costs_the_same_however_much_has_begun() -> None:
     steps = tuple(f"{goal}/Op" for goal in goals)
     events += [RoutePlanned(t=1.0, goal="S0/A", operations=steps, cost=1.0)]
     events += [OperationStarted(t=1.0, address=step, target="B") for step in steps]
-    grammar = Grammar({})
+    grammar = Grammar({}, COMMANDS)
     grammar._said.begun = _Walked()
     assert {grammar.follow(one) for one in events} == {""}
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.ends import BROKEN_OFF, LET_GO, UNBEGUN
 from smsl_studio.runlog.events import Event
@@ -397,7 +398,7 @@ GROUNDED: tuple[Case, ...] = (
 
 @pytest.mark.parametrize(("before", "event", "words"), CASES, ids=[case[2] for case in CASES])
 def test_a_rule_says_what_is_wrong(before: Sequence[Event], event: Event, words: str) -> None:
-    grammar = Grammar({})
+    grammar = Grammar({}, COMMANDS)
     assert [grammar.follow(one) for one in before] == [""] * len(before)
     assert grammar.follow(event) == words
 
@@ -406,7 +407,7 @@ def test_a_rule_says_what_is_wrong(before: Sequence[Event], event: Event, words:
 def test_a_rule_goes_by_what_the_header_says_of_states(
     before: Sequence[Event], event: Event, words: str
 ) -> None:
-    grammar = Grammar({"grounds": GROUNDS})
+    grammar = Grammar({"grounds": GROUNDS}, COMMANDS)
     assert [grammar.follow(one) for one in before] == [""] * len(before)
     assert grammar.follow(event) == words
 
@@ -445,7 +446,7 @@ def test_a_digit_is_on_where_its_sub_is_in_activating_and_nowhere_else(
     before: Sequence[Event], event: Event, words: str
 ) -> None:
     """What a header without it says is believed, as of logs of earlier programs."""
-    grammar = Grammar({"grounds": {"subs": SUBS}})
+    grammar = Grammar({"grounds": {"subs": SUBS}}, COMMANDS)
     assert [grammar.follow(one) for one in before] == [""] * len(before)
     assert grammar.follow(event) == words
 
@@ -487,13 +488,13 @@ POSSIBLE: Mapping[str, Sequence[Event]] = {
 
 @pytest.mark.parametrize("told", POSSIBLE.values(), ids=POSSIBLE)
 def test_no_rule_forbids_what_runs_tell(told: Sequence[Event]) -> None:
-    grammar = Grammar({"grounds": GROUNDS} if fact("0") in told else {})
+    grammar = Grammar({"grounds": GROUNDS} if fact("0") in told else {}, COMMANDS)
     assert [grammar.follow(one) for one in told] == [""] * len(told)
 
 
 def test_what_a_header_leaves_out_is_learned_from_checks() -> None:
     """Of an SB that the header does not draw, a state has the facts of its first true check."""
-    grammar = Grammar({})
+    grammar = Grammar({}, COMMANDS)
     assert [grammar.follow(one) for one in THERE_SEEN] == [""] * len(THERE_SEEN)
     back = (run.RoutePlanned(t=0.15, goal="S/B", operations=("S/B/Back",), cost=1.0),
             starts("S/B/Back", "A", t=0.15), ends(address="S/B/Back"))  # fmt: skip
@@ -507,7 +508,7 @@ def test_a_log_of_the_version_before_may_tell_a_goal_at_once() -> None:
         (2, ""),
         (3, "S/B is reached in the moment of what came before; nothing was sensed since"),
     ):
-        grammar = Grammar({"version": version})
+        grammar = Grammar({"version": version}, COMMANDS)
         assert [grammar.follow(one) for one in DONE] == [""] * len(DONE)
         assert grammar.follow(run.GoalReached(t=0.15, goal="S/B")) == words
 
@@ -525,11 +526,11 @@ def test_a_log_of_the_version_before_may_tell_a_goal_at_once() -> None:
     ],
 )
 def test_a_run_is_the_one_that_its_header_asks_for(header: Mapping[str, Any], words: str) -> None:
-    assert Grammar(header).follow(BEGINS) == words
+    assert Grammar(header, COMMANDS).follow(BEGINS) == words
 
 
 def test_what_the_cases_build_upon_is_possible() -> None:
-    grammar = Grammar({})
+    grammar = Grammar({}, COMMANDS)
     assert [grammar.follow(one) for one in TOLD] == [""] * len(TOLD)
 
 
@@ -558,7 +559,7 @@ def test_every_rule_has_a_case() -> None:
 def test_what_a_run_that_was_stopped_may_say_at_its_end(
     before: Sequence[Event], sentence: str, true: bool
 ) -> None:
-    grammar = Grammar({})
+    grammar = Grammar({}, COMMANDS)
     assert not any(grammar.follow(one) for one in before)
     last = run.RunFinished(t=0.1, reason="stopped", sentence=sentence, operations=0,
                            configuration=START if before else {})  # fmt: skip

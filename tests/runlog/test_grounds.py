@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import smsl_studio as smsl
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.runlog.grounds import grounds_of
 from smsl_studio.shipped import samples_dir
@@ -16,7 +17,7 @@ SILENT = LAMP_PLUGIN.replace('print("built")', "pass").replace('print("switching
 
 
 def _grounds(path: Path) -> Any:
-    return read_log(path).header["grounds"]
+    return read_log(path, COMMANDS).header["grounds"]
 
 
 def test_a_log_says_what_states_want_and_what_is_sensed(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from random import Random
 
 import pytest
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.grammar.log_reader import read_log
 from smsl_studio.shipped import samples_dir
 from tests.runlog.killed import kill_a_writer
@@ -35,7 +36,7 @@ def test_a_killed_run_has_logged_what_it_printed(tmp_path: Path) -> None:
         printed = [run.stdout.readline() for _ in range(14)]
         run.send_signal(signal.SIGKILL)
         printed += run.stdout.readlines()
-    found = read_log(log)
+    found = read_log(log, COMMANDS)
     logged = [f"{one.text}\n" for one in found.records]
     assert logged[: len(printed)] == printed
     assert len(logged) >= len(printed) >= 14

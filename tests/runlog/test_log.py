@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError, SaveError, UsageError
 from smsl_studio.runlog.events import Committed, FactChanged, Held, RunFinished
 from smsl_studio.runlog.grammar.log_reader import read_log, verify
@@ -32,7 +33,7 @@ def test_what_is_written_is_read(tmp_path: Path) -> None:
         log.write(EVENTS[:1])
         log.write(EVENTS[1:])
         log.finish()
-    found = read_log(tmp_path / "run.jsonl")
+    found = read_log(tmp_path / "run.jsonl", COMMANDS)
     assert {k: v for k, v in found.header.items() if k != "chain"} == {
         "log": "smsl-run",
         "version": 3,
@@ -52,8 +53,8 @@ def test_a_log_that_was_not_finished_says_so(tmp_path: Path) -> None:
     path = tmp_path / "run.jsonl"
     with RunLog(path, {}) as log:
         log.write(EVENTS)
-        found = read_log(path)
-    assert found == read_log(path)
+        found = read_log(path, COMMANDS)
+    assert found == read_log(path, COMMANDS)
     assert (found.events, found.head) == (EVENTS, None)
     assert str(found.doubt).startswith(f"{path}:5:1: not verified: the log has no head")
 
@@ -63,7 +64,7 @@ def test_a_line_cut_short_is_dropped(tmp_path: Path) -> None:
     with RunLog(path, {}) as log:
         log.write(EVENTS)
     path.write_bytes(path.read_bytes()[:-5])
-    found = read_log(path)
+    found = read_log(path, COMMANDS)
     assert found.events == EVENTS[:2]
     assert str(found.doubt).startswith(f"{path}:4:1: not verified: the last line is cut short")
 
@@ -73,7 +74,7 @@ def test_a_log_without_events_tells_of_no_run(tmp_path: Path) -> None:
     with RunLog(path, {}) as log:
         log.finish()
     words = "the story is impossible: the log ends, and the run that it tells of does not"
-    assert str(read_log(path).doubt) == f"{path}:2:1: not verified: {words}"
+    assert str(read_log(path, COMMANDS).doubt) == f"{path}:2:1: not verified: {words}"
 
 
 def test_a_line_that_no_reader_would_take_is_not_written(tmp_path: Path) -> None:
@@ -181,7 +182,7 @@ def test_what_is_no_log_is_refused_with_its_place(
     path = tmp_path / "x"
     path.write_bytes(raw)
     with pytest.raises(ReadError, match=words) as caught:
-        read_log(path)
+        read_log(path, COMMANDS)
     assert str(caught.value.place) == f"{path}:{place}"
     assert caught.value.advice
     assert not is_verified(raw)
@@ -203,10 +204,10 @@ def test_what_is_no_log_is_refused_with_its_place(
 )
 def test_a_log_that_was_changed_is_told_from_another_file(raw: bytes, is_log: bool) -> None:
     if is_log:
-        assert verify(io.BytesIO(raw), "log").doubt is not None
+        assert verify(io.BytesIO(raw), "log", COMMANDS).doubt is not None
     else:
         with pytest.raises(ReadError, match="no run log"):
-            verify(io.BytesIO(raw), "log")
+            verify(io.BytesIO(raw), "log", COMMANDS)
 
 
 def test_what_has_no_lines_is_told_by_its_first() -> None:
@@ -214,7 +215,7 @@ def test_what_has_no_lines_is_told_by_its_first() -> None:
         Path("/dev/zero").open("rb") as stream,
         pytest.raises(ReadError, match="longer than 16 MB") as caught,
     ):
-        verify(stream, "zero")
+        verify(stream, "zero", COMMANDS)
     assert str(caught.value.place) == "zero:1:1"
 
 
@@ -226,11 +227,11 @@ def test_a_head_that_lies_is_a_doubt() -> None:
         (good.replace(b'"count":1', b'"count":2'), "counts 2 events; there are 1"),
         (good.replace(hash_.encode(), hash_[::-1].encode()), "the head does not fit"),
     ):
-        doubt = verify(io.BytesIO(wrong), "log").doubt
+        doubt = verify(io.BytesIO(wrong), "log", COMMANDS).doubt
         assert words in str(doubt)
         assert str(doubt).startswith("log:3:1: not verified: ")
 
 
 def test_a_missing_log_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ReadError, match="cannot be read"):
-        read_log(tmp_path / "x")
+        read_log(tmp_path / "x", COMMANDS)

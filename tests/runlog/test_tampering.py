@@ -8,6 +8,7 @@ from random import Random
 import pytest
 
 import smsl_studio as smsl
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError
 from smsl_studio.runlog.grammar.log_reader import Doubt, read_log, read_records
 from smsl_studio.shipped import samples_dir
@@ -48,7 +49,7 @@ def test_a_log_of_people_and_faults_is_as_safe(tmp_path: Path) -> None:
 def answer(path: Path) -> Doubt | ReadError | None:
     """Why a log is not verified, or does not read."""
     try:
-        return read_log(path).doubt
+        return read_log(path, COMMANDS).doubt
     except ReadError as error:
         return error
 
@@ -76,7 +77,7 @@ def test_a_cut_log_reads_up_to_its_last_whole_line(
     first = raw.index(b"\n") + 1
     for end in range(first, len(raw), 7):
         (tmp_path / "cut").write_bytes(raw[:end])
-        found = read_log(tmp_path / "cut")
+        found = read_log(tmp_path / "cut", COMMANDS)
         assert len(found.records) == min(raw[first:end].count(b"\n"), len(EVENTS))
         assert found.doubt is not None
         assert found.head is None
@@ -88,5 +89,5 @@ def test_a_stream_that_breaks_is_unreadable() -> None:
             raise OSError(5, "Input/output error")
 
     with pytest.raises(ReadError, match="Input/output error") as caught:
-        read_records(Broken(), "log")  # type: ignore[arg-type]
+        read_records(Broken(), "log", COMMANDS)  # type: ignore[arg-type]
     assert str(caught.value.place) == "log:1:1"

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.grammar.log_reader import read_log
 from tests.stories.at_run import AtRun
@@ -44,7 +45,7 @@ def test_a_run_is_recorded_as_it_is_told(sit: Sit, home: Path) -> None:
     run.until_phase("Goal reached")
     (path,) = _recorded(home)
     assert path.name.startswith("hfsm-")
-    log = read_log(path)
+    log = read_log(path, COMMANDS)
     assert log.doubt is None
     assert [one.text for one in log.records] == [event.line() for event in run.events]
     assert (log.header["host"], log.header["world"]) == ("process", "table")
@@ -56,7 +57,7 @@ def test_a_run_that_is_closed_over_has_a_whole_log(sit: Sit, home: Path) -> None
     run.until_runs()
     run.pane.shut()
     (path,) = _recorded(home)
-    log = read_log(path)
+    log = read_log(path, COMMANDS)
     assert log.doubt is None
     assert log.header["versions"]["plugin hanoi"]
     assert (log.events[-1].event, log.events[-1].as_json()["sentence"]) == ("run_finished", LET_GO)
@@ -90,7 +91,7 @@ def test_a_disk_that_fills_holds_the_run_and_ends_it(sit: Sit, home: Path, room:
     assert [event.event for event in run.events][-2:] == ["held", "run_finished"]
     assert "the run log cannot be written" in run.pane.canvas.banner
     (path,) = _recorded(home)
-    log = read_log(path)
+    log = read_log(path, COMMANDS)
     assert log.doubt is not None
     kept = [one.text for one in log.records]
     assert kept == [event.line() for event in run.events][: len(kept)]

@@ -9,7 +9,6 @@ from inspect import Signature, signature
 from typing import TYPE_CHECKING, Any, Concatenate, Generic, ParamSpec, Protocol, overload
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.runlog.command_word import CommandWord
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.driver import Driver
@@ -75,8 +74,14 @@ class Listener(Protocol):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CommandRow(CommandWord):
-    """A command; ``CommandWord`` has what the record says of it.
+class CommandRow:
+    """A command.
+
+    ``refused`` has the run states that refuse it whatever is said with it, each with the reason
+    (``{by}`` is who has taken over). ``sentence`` is what an account says of it; ``sentences`` are
+    those that hang on its value. ``{address}`` and ``{value}`` are what was said with it. ``owes``
+    is the event that must follow where it was carried out, ``explains`` are the events that are
+    told in the name of whoever commanded it.
 
     ``effect`` carries it out, and answers why it was not done, empty where it was. ``arguments``
     are what people say with it, ``free`` says that any other may stand with them; a script knows
@@ -93,7 +98,13 @@ class CommandRow(CommandWord):
     run offers it.
     """
 
+    word: str = field(kw_only=False)
     effect: Callable[..., str] = field(kw_only=False)
+    refused: Mapping[str, str] = field(default_factory=dict)
+    sentence: str = ""
+    sentences: Mapping[str, str] = field(default_factory=dict)
+    owes: str = ""
+    explains: tuple[str, ...] = ()
     arguments: Mapping[str, Argument] = field(default_factory=dict)
     free: bool = False
     script_words: Mapping[str, Mapping[str, Any]] | None = None
@@ -127,6 +138,29 @@ class CommandRow(CommandWord):
         """Whether it is about an operation."""
         address = self.arguments.get("address")
         return address is not None and address.kind == EDGE
+
+    @property
+    def must_name(self) -> bool:
+        """Whether it names an operation wherever it is carried out."""
+        return self.names_edge and self.arguments["address"].needed
+
+    @property
+    def may_name(self) -> bool:
+        """Whether it may name one."""
+        return self.names_edge or self.supervisors
+
+    @property
+    def has_value(self) -> bool:
+        """Whether the record has a value of it."""
+        return bool(self.value)
+
+    def why_refused(self, phase: str, by: str) -> str:
+        """Why a run state refuses it; ``by`` has taken over. Empty where the state does not."""
+        return self.refused.get(phase, "").format(by=by[:1].upper() + by[1:])
+
+    def told(self, address: str, value: str) -> str:
+        """What an account says of it; empty where it has no words for such a value."""
+        return self.sentences.get(value, self.sentence).format(address=address, value=value)
 
     @property
     def words(self) -> Mapping[str, Mapping[str, Any]]:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.changes import take
+from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.grammar import bounds, operations, regulation, scene
 from smsl_studio.runlog.grammar.header import misshapen
@@ -74,14 +75,15 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
 
 
 class Grammar:
-    """One reading of a story; ``header`` is that of its log.
+    """One reading of a story; ``header`` is that of its log, ``commands`` are those that it may
+    tell of.
 
     ``follow`` takes the next event. Once it has said why an event is impossible, it says nothing
     more: what comes after is judged by nothing.
     """
 
-    def __init__(self, header: Mapping[str, Json]) -> None:
-        self._said = Memory(header)
+    def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
+        self._said = Memory(header, commands)
         self._over = False
 
     def follow(self, event: Event) -> str:

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from smsl_studio.errors import Place, ReadError
+from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.decoder import event_of
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.grammar.automaton import Grammar
@@ -70,20 +71,21 @@ class Record:
 
 
 class LogReader:
-    """One reading of a log, whose name in messages is ``file``.
+    """One reading of a log, whose name in messages is ``file``; ``commands`` are those that a
+    run knows.
 
     ``header``, ``count``, ``head`` and ``doubt`` say what was found so far; when ``records`` has
     ended, a log without ``doubt`` is verified.
     """
 
-    def __init__(self, stream: BinaryIO, file: str) -> None:
+    def __init__(self, stream: BinaryIO, file: str, commands: CommandWords) -> None:
         self.header: Mapping[str, Json] = {}
         self.count = 0
         self.head: LogHead | None = None
         self.doubt: Doubt | None = None
-        self._stream, self._file = stream, file
+        self._stream, self._file, self._commands = stream, file, commands
         self._chain = Chain()
-        self._grammar = Grammar(self.header)
+        self._grammar = Grammar(self.header, commands)
         self._number = 0
         self._seems_log = self._lost = False
 
@@ -97,7 +99,7 @@ class LogReader:
         first = self._next()
         self._seems_log = _FIRST.startswith(first) or _is_of_log(first)
         self.header = self._header(first)
-        self._grammar = Grammar(self.header)
+        self._grammar = Grammar(self.header, self._commands)
         while (line := self._next()).endswith(b"\n"):
             if self.head is not None:
                 raise self._wrong("something stands behind the head, which is the last line")
@@ -237,8 +239,10 @@ def open_log(path: Path) -> BinaryIO:
         raise _unreadable(error, Place(str(path), 1, 1)) from None
 
 
-def read_log(path: Path, going: Going | None = None) -> LoggedRun:
+def read_log(path: Path, commands: CommandWords, going: Going | None = None) -> LoggedRun:
     """A run log from a file; ReadError with the place of what is no log.
+
+    ``commands`` are those that a run knows; a log that tells of others is doubted.
 
     ``going`` hears now and then which share of its bytes is read (0 to 1); what it raises is
     raised here, so that a long log can be given up.
@@ -246,17 +250,21 @@ def read_log(path: Path, going: Going | None = None) -> LoggedRun:
     with open_log(path) as stream:
         size = max(os.fstat(stream.fileno()).st_size, 1)
         if going is None or not stream.seekable():
-            return read_records(stream, str(path))
+            return read_records(stream, str(path), commands)
         tell = going
-        return read_records(stream, str(path), lambda: tell(min(stream.tell() / size, 1.0)))
+        return read_records(
+            stream, str(path), commands, lambda: tell(min(stream.tell() / size, 1.0))
+        )
 
 
-def read_records(stream: BinaryIO, file: str, going: Callable[[], None] | None = None) -> LoggedRun:
+def read_records(
+    stream: BinaryIO, file: str, commands: CommandWords, going: Callable[[], None] | None = None
+) -> LoggedRun:
     """A run log from a stream; ReadError with the place of what is no log.
 
     ``going`` is called now and then, and may raise.
     """
-    reader = LogReader(stream, file)
+    reader = LogReader(stream, file, commands)
     records = []
     for record in reader.records():
         records.append(record)
@@ -265,12 +273,12 @@ def read_records(stream: BinaryIO, file: str, going: Callable[[], None] | None =
     return LoggedRun(reader.header, tuple(records), reader.head, reader.doubt)
 
 
-def verify(stream: BinaryIO, file: str) -> LogVerdict:
+def verify(stream: BinaryIO, file: str, commands: CommandWords) -> LogVerdict:
     """Whether the chain holds over the raw bytes, and the head with it.
 
     ReadError where there is no log to verify: its bytes cannot be had, or it is another file.
     """
-    reader = LogReader(stream, file)
+    reader = LogReader(stream, file, commands)
     try:
         for _ in reader.records():
             pass

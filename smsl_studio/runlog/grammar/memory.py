@@ -9,6 +9,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog import events as run
+from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.fold import RunFold
 from smsl_studio.runlog.grammar.evidence import Evidence
@@ -64,7 +65,8 @@ class Memory:
     """A story up to now.
 
     ``fold`` is how the run stands, ``last`` the newest event, ``now`` the time of the one that is
-    judged. ``unchecked`` are the SBs whose state check at the start is still to come.
+    judged. ``commands`` are those that there are. ``unchecked`` are the SBs whose state check at
+    the start is still to come.
 
     Of the step that is carried out: ``begun`` are its operations, ``newest`` the last one of each
     SB, ``pending`` the SBs that it has left elsewhere. ``acting`` says that a function or a person
@@ -93,9 +95,9 @@ class Memory:
     goal since.
     """
 
-    def __init__(self, header: Mapping[str, Json]) -> None:
+    def __init__(self, header: Mapping[str, Json], commands: CommandWords) -> None:
         by_hand = header.get("by_hand") is True
-        self.header = header
+        self.header, self.commands = header, commands
         self.fold = RunFold(by_hand=by_hand)
         self.last: Event | None = None
         self.now = 0.0

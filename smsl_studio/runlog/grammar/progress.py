@@ -9,7 +9,7 @@ from typing import Any
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.grammar.memory import Asked, Begun, Memory, parts
-from smsl_studio.runlog.grammar.regulation import LATCHED, OWES
+from smsl_studio.runlog.grammar.regulation import LATCHED
 
 QUIET = (run.FactChanged, run.CostsChanged, run.GoalReached)
 """What is told between the tick before a look at the goals and their arrival."""
@@ -150,7 +150,7 @@ def _commanded(said: Memory, event: run.Commanded) -> None:
     said.cause = event
     if event.refused:
         return
-    said.owed = OWES.get(event.command, "")
+    said.owed = said.commands[event.command].owes
     said.let_go = True
     said.wanted_pause |= event.command in ("pause", "step")
     if event.command == "ask" and said.fold.phase != "running":

@@ -2,88 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from smsl_studio.blueprint.address import split_fact
 from smsl_studio.runlog import events as run
+from smsl_studio.runlog.command_word import CommandWord
 from smsl_studio.runlog.grammar.memory import Asked, Memory, parts
 
 LATCHED = ("stopped", "taken_over")
-NEVER_IN: Mapping[str, tuple[str, ...]] = {
-    "ask": (*LATCHED, "waiting"),
-    "pause": (*LATCHED, "paused", "no_route", "fault_hold"),
-    "resume": (*LATCHED, "waiting", "running"),
-    "step": (*LATCHED, "waiting"),
-    "set_automatic": LATCHED,
-    "veto": LATCHED,
-    "stop": ("stopped",),
-    "take_over": LATCHED,
-    "reset": ("ready", "running", "paused", "waiting", "no_route", "taken_over", "fault_hold"),
-    "end": ("ready", "running", "paused", "waiting", "taken_over"),
-    "give_back": ("ready", "running", "paused", "waiting", "no_route", "fault_hold", "stopped"),
-    "accept": ("ready", "running", "paused", "waiting", "no_route", "fault_hold", "stopped"),
-    "adopt": ("ready", "running", "paused", "waiting", "no_route", "taken_over", "stopped"),
-    "prune": (),
-    "restore": (),
-    "set_cost": (),
-    "answer": (),
-    "disturb": (),
-    "inject": (),
-    "full_map": (),
-}
-"""Every command, and the run states in which it is not carried out (``docs/supervision.md``)."""
-
-OWES: Mapping[str, str] = {
-    "stop": "stopped",
-    "take_over": "taken_over",
-    "reset": "reset",
-    "resume": "resumed",
-    "accept": "given_back",
-    "adopt": "relocalised",
-    "prune": "operation_pruned",
-    "restore": "operation_restored",
-    "disturb": "disturbed",
-    "inject": "fault_injected",
-    "answer": "task_answered",
-    "end": "run_finished",
-}
-"""What must follow a command that was carried out, before anything else is commanded and before
-time goes on."""
 
 
 def commanded(said: Memory, event: run.Commanded) -> Iterator[str]:
     """It is carried out only in a run state that does not refuse it."""
-    phase = said.fold.phase
-    if event.command not in NEVER_IN:
+    phase, known = said.fold.phase, said.commands.get(event.command)
+    if known is None:
         yield f"there is no command {event.command!r}"
     elif (
         not event.refused
-        and phase in NEVER_IN[event.command]
-        and (not said.may_go_on or "running" in NEVER_IN[event.command])
+        and phase in known.refused
+        and (not said.may_go_on or "running" in known.refused)
     ):
         word, state = event.command.replace("_", " "), phase.replace("_", " ")
         yield f"{word} is carried out in a run that is {state}"
-    yield from _unclear(event)
+    yield from _unclear(event, known)
 
 
-NAMES_EDGE = ("ask", "prune", "restore", "set_cost")
-SAYS = ("set_automatic", "set_cost", "answer", "disturb", "inject", "full_map")
-"""Commands that have a value."""
-
-
-def _unclear(event: run.Commanded) -> Iterator[str]:
+def _unclear(event: run.Commanded, known: CommandWord | None) -> Iterator[str]:
     """What a command is about, and what it says of it."""
     word = event.command.replace("_", " ")
     named = len(parts(event.address)) == 3
     if not event.by:
         yield f"{word} is said by nobody"
-    if event.command in NAMES_EDGE:
+    if known is not None and known.must_name:
         if not (named or event.refused):
             yield f"{word} names no operation"
-    elif event.address and not (named and event.command in ("veto", "pause")):
+    elif event.address and not (named and known is not None and known.may_name):
         yield f"{word} names an operation"
     silent = event.command == "answer" or event.refused
-    if bool(event.value) != (event.command in SAYS) and not (silent and not event.value):
+    says = known is not None and known.has_value
+    if bool(event.value) != says and not (silent and not event.value):
         yield f"{word} says {event.value or 'nothing'!r}"
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError, StudioError
 from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
@@ -71,7 +72,7 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
     ``going`` hears how far it is (0 to 1); what it raises is raised here, so that it can be given
     up.
     """
-    run = read_log(path, lambda share: going(share * READ))
+    run = read_log(path, COMMANDS, lambda share: going(share * READ))
     started = next((event for event in run.events if isinstance(event, RunStarted)), None)
     behaviour = _behaviour(run, started)
     found = [one for one in _candidates(path, run, drawn) if _fits(one, started)]
