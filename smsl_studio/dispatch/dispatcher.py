@@ -24,7 +24,7 @@ from smsl_studio.dispatch.supervision.departure import leave
 from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
 from smsl_studio.dispatch.supervision.obedience import obey, refuse
 from smsl_studio.dispatch.supervision.review import Reviewer
-from smsl_studio.dispatch.supervision.row import in_order
+from smsl_studio.dispatch.supervision.row import Command, in_order
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.supervision.table import Commands
 from smsl_studio.dispatch.supervisor import Supervisor
@@ -74,8 +74,8 @@ class Dispatcher(Commands):
         someone: Callable[[], bool] | None = None,
         findings: str = "",
     ) -> None:
-        super().__init__()
         self.host = host
+        self._waiting: list[Command] = []
         self._blueprint = blueprint
         self._start, self._goals, self._seed = dict(start), tuple(goals), seed
         self._avoid = dict.fromkeys(avoid, "avoided")
@@ -89,6 +89,16 @@ class Dispatcher(Commands):
         self._driver: Driver | None = None
         self._ended: RunFinished | None = None
         self._status: DispatchStatus | None = None
+
+    def take(self, command: Command) -> None:
+        """Have a command wait for the next tick; each row of ``Commands`` is a method that says
+        it."""
+        self._waiting.append(command)
+
+    @property
+    def commanded(self) -> tuple[str, ...]:
+        """The words of the commands that wait for the next tick."""
+        return tuple(command.word for command in self._waiting)
 
     # the run ------------------------------------------------------------------------------------
 

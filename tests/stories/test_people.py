@@ -83,7 +83,7 @@ def test_time_runs_out_it_is_no_yes_and_a_late_answer_is_refused(sit: Sit, tmp_p
     assert room.active() == {"SB": "State_0"}
     assert room.card.frame.isHidden()
     # The hand was faster than the eye: the answer comes when the task is over.
-    room.run.answer("task-1", "done", "L. Brandt", "nurse")
+    room.run.answer("task-1", "done", "nurse", by="L. Brandt")
     room.until_said("The answer of L. Brandt does not count: it is too late")
     assert room.active() == {"SB": "State_0"}
     refused = [e for e in room.events if isinstance(e, Commanded) and e.refused]

@@ -141,7 +141,7 @@ def test_with_every_way_cut_the_run_holds_edge_by_edge_and_an_offer_restores(sit
 def test_what_a_run_refuses_is_said_in_place(sit: Sit) -> None:
     at = AtSupervise(sit(HANOI))
     at.start_paused()
-    at.run.command("accept")
+    at.run.accept()
     at.person.qtbot.waitUntil(lambda: "Nobody has taken over" in at.pane.step_in.refusal)
     at.press(Key.Key_Escape)
     assert at.pane.step_in.refusal == ""

@@ -59,7 +59,7 @@ def _come_to(at: AtSupervise, phase: str) -> None:
         assert run.status is not None
         for item in run.status.possible:
             run.prune(item.address, "the grip slipped here, as it did in the room before")
-        run.play()
+        run.resume()
     elif phase == "Taken over":
         run.take_over()
     elif phase == "Stopped":

@@ -94,8 +94,9 @@ class CommandRow:
     for the middle of an operation, in which the effect itself refuses it.
 
     ``supervisors``: a supervisor may decide it of an operation. ``label``, ``key`` and ``icon``
-    are those of its button, ``tip`` says what the button does; ``offer`` is the sentence where the
-    run offers it.
+    are those of its button; one with a ``tip`` stands in the Run menu. It is asked once more by
+    ``question`` and ``consequence``, and ``verb`` does it (by default the label): ``{name}`` is the
+    operation. ``offer`` is the sentence where the run offers it.
     """
 
     word: str = field(kw_only=False)
@@ -120,6 +121,9 @@ class CommandRow:
     key: str = ""
     icon: str = ""
     tip: str = ""
+    verb: str = ""
+    question: str = ""
+    consequence: str = ""
     offer: str = ""
 
     def command(self, *args: Any, **kwargs: Any) -> Command:
@@ -161,6 +165,19 @@ class CommandRow:
     def told(self, address: str, value: str) -> str:
         """What an account says of it; empty where it has no words for such a value."""
         return self.sentences.get(value, self.sentence).format(address=address, value=value)
+
+    @property
+    def reasoned(self) -> bool:
+        """Whether it is said with a reason."""
+        return "reason" in self.arguments and self.arguments["reason"].needed
+
+    def doing(self, name: str) -> str:
+        """What the button says that does it to an operation."""
+        return (self.verb if name else "").format(name=name) or self.label
+
+    def asking(self, name: str) -> str:
+        """How it is asked once more."""
+        return self.question.format(name=name) or f"{self.doing(name)}?"
 
     @property
     def words(self) -> Mapping[str, Mapping[str, Any]]:

@@ -7,6 +7,7 @@ event; ``by`` names who says it and stands in the record.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from types import MappingProxyType
 
@@ -48,20 +49,12 @@ def _all_but(words: str, *phases: str) -> Mapping[str, str]:
 
 
 class Commands:
-    """What may be said to a run. On a dispatcher each row is a method with the parameters of its
-    effect; ``docs/supervision.md`` has what each does in each run state."""
+    """What may be said to a run. Whoever takes commands has each row as a method, with the
+    parameters of its effect; ``docs/supervision.md`` has what each does in each run state."""
 
-    def __init__(self) -> None:
-        self._waiting: list[Command] = []
-
-    @property
-    def commanded(self) -> tuple[str, ...]:
-        """The words of the commands that wait for the next tick."""
-        return tuple(command.word for command in self._waiting)
-
+    @abstractmethod
     def take(self, command: Command) -> None:
         """Have a command wait for the next tick."""
-        self._waiting.append(command)
 
     # going on and holding -----------------------------------------------------------------------
 
@@ -76,6 +69,8 @@ class Commands:
         sentence="Asked for {address}",
         explains=("operation_refused",),
         label="Carry out",
+        verb="Carry out {name}",
+        question="Carry out {name} now?",
         offer="Try {address} again. It failed: {why}.",
     )
     pause = CommandMethod(
@@ -151,6 +146,9 @@ class Commands:
         key="V",
         icon="close",
         tip="Have the operation that is next, or chosen, skipped once",
+        verb="Veto {name}",
+        question="Veto {name} once?",
+        consequence="It is skipped once, and another route is looked for.",
     )  # fmt: skip
     prune = CommandMethod(
         "prune",
@@ -165,6 +163,8 @@ class Commands:
         key="P",
         icon="scissors",
         tip="Shut an operation out until it is restored, with a reason",
+        verb="Prune {name}",
+        consequence="It stays shut out until it is restored. Why?",
     )
     restore = CommandMethod(
         "restore",
@@ -176,6 +176,7 @@ class Commands:
         explains=("operation_restored",),
         label="Restore",
         icon="check",
+        verb="Restore {name}",
         offer="Let {address} be used again. It is {why}.",
     )
     set_cost = CommandMethod(
@@ -203,6 +204,7 @@ class Commands:
         key="T",
         icon="hand",
         tip="Lock the automation out, or have it go on from the state that is located",
+        consequence="The automation is locked out and only observes, until you give back.",
         offer="Take over, and give back when it stands where it should.",
     )
     give_back = CommandMethod(
@@ -214,6 +216,7 @@ class Commands:
         label="Give back",
         key="T",
         icon="hand",
+        consequence="The scene is read. Exactly one state must check true, and you accept it.",
         offer="Ask the scene where the procedure stands.",
     )
     accept = CommandMethod(
@@ -226,6 +229,8 @@ class Commands:
         label="Accept the located state",
         icon="check",
         tip="Go on from the state that was located",
+        verb="Accept this state",
+        consequence="The run goes on from here, paused. What was interrupted is never resumed.",
         offer="Accept {states}, where every state check is true.",
     )
     adopt = CommandMethod(
@@ -262,6 +267,7 @@ class Commands:
         owes="reset",
         label="Reset",
         tip="Unlatch a stop, to paused",
+        consequence="It unlatches the stop, to paused; nothing moves until you say so",
         offer="Unlatch the stop. The run is paused then.",
     )
     end = CommandMethod(
@@ -276,6 +282,7 @@ class Commands:
         explains=("run_finished",),
         label="End run",
         tip="Finish a run that is stopped or holds",
+        consequence="It ends the run for good; its record is closed",
         offer="End the run here.",
     )  # fmt: skip
 

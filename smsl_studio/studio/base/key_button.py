@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QIcon, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QStyle, QStyleOptionButton
 
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens, text_font
@@ -112,3 +113,9 @@ class KeyButton(QPushButton):
             return ICON + GAP + self._chip()
         wide = QFontMetricsF(self._font()).horizontalAdvance(self.text())
         return ICON + GAP + wide + GAP + self._chip()
+
+
+def command_button(word: str, role: str, tokens: Tokens) -> KeyButton:
+    """The button of a supervisor's command, with the words, the key and the icon of its row."""
+    row = COMMANDS[word]
+    return KeyButton(row.label, row.key, row.icon, role, tokens)

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus, Offer, Possible
+from smsl_studio.dispatch.supervision.row import Command
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.running.partial import (
     PAUSED,
@@ -17,21 +19,6 @@ from smsl_studio.studio.running.partial import (
     WAITS,
     OperationCard,
 )
-
-ASK, VETO, PRUNE, RESTORE, TAKE_OVER, GIVE_BACK, ACCEPT = (
-    "ask", "veto", "prune", "restore", "take_over", "give_back", "accept",
-)  # fmt: skip
-
-
-VERBS = {
-    "restore": "Restore",
-    "adopt": "Adopt",
-    "ask": "Carry out",
-    "resume": "Resume",
-    "take_over": "Take over",
-    "reset": "Reset",
-    "end": "End run",
-}
 
 
 @dataclass(frozen=True)
@@ -46,6 +33,19 @@ class Decision:
     detail: str = ""
     reasoned: bool = False
 
+    def said(self, reason: str = "") -> Command:
+        """The command that it stands for."""
+        about = {} if self.address is None else {"address": self.address}
+        why = {"reason": reason} if self.reasoned else {}
+        return COMMANDS[self.command].command(**about, **why)
+
+
+def decision(word: str, address: Address | None = None, detail: str = "") -> Decision:
+    """A command as its row has it asked once more."""
+    row, name = COMMANDS[word], address.operation if address is not None else ""
+    sentence, verb = row.asking(name), row.doing(name)
+    return Decision(word, sentence, verb, address, detail or row.consequence, row.reasoned)
+
 
 def choose(card: OperationCard) -> Decision:
     """What choosing a card offers: to carry it out, to restore it, or why neither."""
@@ -57,7 +57,7 @@ def choose(card: OperationCard) -> Decision:
     if card.permitted or card.standing == VETOED:
         to = f"It stays in {target}." if card.stays else f"It leads to {target}."
         detail = f"{to} Cost {card.cost}." + (f" Risk {card.risk}." if card.risk else "")
-        return Decision(ASK, f"Carry out {name} now?", f"Carry out {name}", card.address, detail)
+        return decision("ask", card.address, detail)
     if card.standing in (RUNNING, PAUSED):
         return Decision("", f"{name} is being carried out.", "", card.address)
     why = " ".join(map(capital, card.reasons)) or "It may not be asked for now."
@@ -71,8 +71,7 @@ def possible(address: Address | None, status: DispatchStatus) -> Possible | None
 
 def _restore(address: Address, reasons: tuple[str, ...], standing: str) -> Decision:
     """To let an operation be used again; ``standing`` is said where no reason is known."""
-    words, why = f"Restore {address.operation}", "; ".join(reasons) or f"It is {standing}"
-    return Decision(RESTORE, f"{words}?", words, address, capital(why))
+    return decision("restore", address, capital("; ".join(reasons) or f"It is {standing}"))
 
 
 def veto(address: Address, status: DispatchStatus) -> Decision:
@@ -86,8 +85,7 @@ def veto(address: Address, status: DispatchStatus) -> Decision:
     item = possible(address, status)
     if item is not None and (item.pruned or item.vetoed):
         return _restore(address, item.reasons, PRUNED if item.pruned else "vetoed once")
-    detail = "It is skipped once, and another route is looked for."
-    return Decision(VETO, f"Veto {name} once?", f"Veto {name}", address, detail)
+    return decision("veto", address)
 
 
 def prune(address: Address, status: DispatchStatus) -> Decision:
@@ -95,43 +93,27 @@ def prune(address: Address, status: DispatchStatus) -> Decision:
     item = possible(address, status)
     if item is not None and item.pruned:
         return _restore(address, item.reasons, PRUNED)
-    name = address.operation
     moving = "It is stopped and held. " if status.running == address else ""
-    detail = f"{moving}It stays shut out until it is restored. Why?"
-    return Decision(PRUNE, f"Prune {name}?", f"Prune {name}", address, detail, reasoned=True)
-
-
-def take_over() -> Decision:
-    """To lock the automation out."""
-    detail = "The automation is locked out and only observes, until you give back."
-    return Decision(TAKE_OVER, "Take over?", "Take over", detail=detail)
-
-
-def give_back() -> Decision:
-    """To have the scene located, so that the automation may go on from it."""
-    detail = "The scene is read. Exactly one state must check true, and you accept it."
-    return Decision(GIVE_BACK, "Give back?", "Give back", detail=detail)
+    return decision("prune", address, f"{moving}{COMMANDS['prune'].consequence}")
 
 
 def accept(status: DispatchStatus) -> Decision:
     """To have the automation go on from the state that was located."""
     located = ", ".join(f"{sb} in {state}" for sb, state in status.candidates[0].items())
-    detail = "The run goes on from here, paused. What was interrupted is never resumed."
-    return Decision(ACCEPT, f"Located: {located}.", "Accept this state", detail=detail)
+    row = COMMANDS["accept"]
+    return Decision("accept", f"Located: {located}.", row.verb, detail=row.consequence)
 
 
 def offered(offer: Offer) -> Decision:
     """What an offer of a run that holds would do."""
     address = Address(*Address.split(offer.address)) if offer.address else None
-    verb = VERBS.get(offer.command, offer.command.replace("_", " ").capitalize())
-    named = f"{verb} {address.operation}" if address is not None and address.operation else verb
-    return Decision(offer.command, f"{named}?", named, address, capital(offer.sentence))
+    row, name = COMMANDS[offer.command], address.operation if address is not None else ""
+    verb, detail = row.doing(name), capital(offer.sentence)
+    return Decision(offer.command, f"{verb}?", verb, address, detail)
 
 
 ELSEWHERE = ("give_back", "accept", "stop")
 """What has a button of its own beside the offers."""
-RESET_OFFER = Offer("reset", "", "It unlatches the stop, to paused; nothing moves until you say so")
-END_OFFER = Offer("end", "", "It ends the run for good; its record is closed")
 
 
 def offers(status: DispatchStatus) -> tuple[Offer, ...]:
@@ -139,10 +121,19 @@ def offers(status: DispatchStatus) -> tuple[Offer, ...]:
     found = [offer for offer in status.offers if offer.command not in ELSEWHERE]
     known = {offer.command for offer in found}
     if status.phase == "stopped" and "reset" not in known:
-        found.insert(0, RESET_OFFER)
+        found.insert(0, _way_out("reset"))
     if status.phase in ("stopped", "fault_hold", "no_route") and "end" not in known:
-        found.append(END_OFFER)
+        found.append(_way_out("end"))
     return tuple(found)
+
+
+def _way_out(word: str) -> Offer:
+    return Offer(word, "", COMMANDS[word].consequence)
+
+
+def way_out(word: str) -> Decision:
+    """To reset a run that is stopped, or to end it."""
+    return offered(_way_out(word))
 
 
 def detour_words(blueprint: Blueprint, status: DispatchStatus, subject: Address | None) -> str:

@@ -7,9 +7,11 @@ from collections.abc import Callable
 from time import monotonic
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.stop import Stopped, is_restartable
 
-Command = Callable[[Dispatcher], None]
+Call = Callable[[Dispatcher], None]
+"""What the thread of a run does with its dispatcher before the next tick."""
 
 
 class Inbox:
@@ -22,29 +24,33 @@ class Inbox:
         self.closed = self.stopped = False
         self.until = float("inf")
         """When (``time.monotonic``) a look at the run has taken long enough."""
-        self._commands: queue.SimpleQueue[Command | None] = queue.SimpleQueue()
+        self._calls: queue.SimpleQueue[Call | None] = queue.SimpleQueue()
         self._obeyed = False
 
-    def put(self, command: Command, word: str = "") -> None:
-        """Have the run obey before its next tick; ``word`` is that of a dispatcher's command."""
-        self.stopped = self.stopped or word == "stop"
-        self._commands.put(command)
+    def put(self, call: Call) -> None:
+        """Have the run do something before its next tick."""
+        self._calls.put(call)
+
+    def say(self, command: Command) -> None:
+        """Have the run obey before its next tick."""
+        self.stopped = self.stopped or command.word == "stop"
+        self._calls.put(lambda dispatcher: dispatcher.take(command))
 
     def close(self) -> None:
         """Have the run end; whoever waits for a command wakes up."""
         self.closed = True
-        self._commands.put(None)
+        self._calls.put(None)
 
     def obey(self, dispatcher: Dispatcher, wait: float | None) -> bool:
         """Give the dispatcher what was commanded since the last time, and say whether that was
         anything; ``wait`` seconds for the first (None: until one comes)."""
         while not self.closed and not (self._obeyed and wait):
             try:
-                command = self._commands.get(block=wait != 0, timeout=wait or None)
+                call = self._calls.get(block=wait != 0, timeout=wait or None)
             except queue.Empty:
                 break
-            if command is not None:
-                command(dispatcher)
+            if call is not None:
+                call(dispatcher)
                 self._obeyed = True
             wait = 0.0
         obeyed, self._obeyed = self._obeyed, False
@@ -60,10 +66,10 @@ class Inbox:
         that has lasted long enough what can be asked again."""
         if self.closed:
             raise Stopped
-        while not self._commands.empty():
-            command = self._commands.get()
-            if command is not None:
-                command(dispatcher)
+        while not self._calls.empty():
+            call = self._calls.get()
+            if call is not None:
+                call(dispatcher)
                 self._obeyed = True
         said = dispatcher.commanded
         if "stop" in said or (is_restartable() and (said or monotonic() > self.until)):

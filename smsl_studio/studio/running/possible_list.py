@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.icons import icon, pixmap
@@ -227,10 +228,12 @@ class PossibleList(QScrollArea):
     def _scissors(self, row: PossibleRow) -> QToolButton:
         prune = QToolButton()
         prune.setProperty("role", "small")
-        prune.setIcon(icon("scissors", self._tokens, 14))
+        command = COMMANDS["prune"]
+        words = command.doing(row.name)
+        prune.setIcon(icon(command.icon, self._tokens, 14))
         prune.setFixedSize(26, 26)
-        prune.setToolTip(tip_text(f"Prune {row.name}…: shut it out until it is restored"))
-        prune.setAccessibleName(plain_text(f"Prune {row.name}"))
+        prune.setToolTip(tip_text(f"{words}…: shut it out until it is restored"))
+        prune.setAccessibleName(plain_text(words))
         prune.clicked.connect(lambda _=False: self.prune_wanted.emit(row.address))
         return prune
 

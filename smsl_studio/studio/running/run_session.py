@@ -1,13 +1,13 @@
 """One run at a time, as the window holds it: a frozen blueprint, its runner, its story.
 
-Widgets read it and listen to ``changed``; they command it by the verbs of supervision. The run
+Widgets read it and listen to ``changed``; they command it by the commands of supervision. The run
 holds the blueprint it was started with, whatever is drawn meanwhile.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -18,6 +18,8 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.row import PERSON, Command
+from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
 from smsl_studio.front.recorder import new_recording, start_log
 from smsl_studio.front.run_header import asked_for
@@ -30,10 +32,8 @@ from smsl_studio.library.loading import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.log import RunLog
-from smsl_studio.studio.running.inbox import Command
 from smsl_studio.studio.running.runner import Runner
 from smsl_studio.studio.running.story import Story
-from smsl_studio.studio.running.verbs import Verbs
 from smsl_studio.world.protocol import Shape
 
 PLANNING = "the way is being planned"
@@ -56,8 +56,20 @@ class RunChoice:
     levels: Mapping[str, str] = field(default_factory=dict)
 
 
-class RunSession(QObject, Verbs):
-    """The run of this window. There is at most one; a new one ends the old."""
+def nobody_named() -> str:
+    """Where nobody said who works here."""
+    return PERSON
+
+
+class RunSession(QObject, Commands):
+    """The run of this window. There is at most one; a new one ends the old.
+
+    It is told what to do by the methods of ``Commands``, in the name of ``who`` works here. A
+    command is taken at the next tick; whether it was done, or refused and why, is told by the run's
+    events (``commanded``).
+    """
+
+    who = staticmethod(nobody_named)
 
     changed = Signal()
     """The status or the story went on."""
@@ -191,8 +203,7 @@ class RunSession(QObject, Verbs):
         self._steps_first, self._goes_on = stepping, False
         self._set_exists(True)
         if stepping:
-            by = self.who()
-            runner.command(lambda dispatcher: dispatcher.step(by=by))
+            runner.command(COMMANDS["step"].command(by=self.who()))
         runner.start()
         self._clock.start()
         self.changed.emit()
@@ -234,10 +245,12 @@ class RunSession(QObject, Verbs):
             self.story, self.shapes, self.sensors = Story(), (), ()
             self.changed.emit()
 
-    def _command(self, command: Command, word: str = "") -> None:
+    def take(self, command: Command) -> None:
+        """Have the run obey before its next tick, in the name of who works here."""
         self._goes_on = False
         if self._runner is not None and self._exists:
-            self._runner.command(command, word)
+            named = command.by not in ("", PERSON)
+            self._runner.command(command if named else replace(command, by=self.who()))
 
     def _open(self, dispatcher: Dispatcher) -> None:
         if self.sender() is self._runner:
@@ -266,7 +279,7 @@ class RunSession(QObject, Verbs):
         if self._goes_on and not self.pausing and status.phase != "waiting":
             self._goes_on = False
             if status.phase in ("paused", "ready"):
-                self.play()
+                self.resume()
         self.changed.emit()
 
     def _refuse(self, error: StudioError) -> None:

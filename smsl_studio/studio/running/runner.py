@@ -17,6 +17,7 @@ from PySide6.QtCore import QObject, QThread, Signal
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
 from smsl_studio.dispatch.status_now import look_at_nothing
+from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.errors import SaveError, StudioError
 from smsl_studio.front.recorder import Recorder
 from smsl_studio.front.script.player import ScriptPlayer
@@ -24,7 +25,7 @@ from smsl_studio.runlog.ends import LET_GO
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.stop import Stopped, heed, heeding, is_restartable
-from smsl_studio.studio.running.inbox import Command, Inbox
+from smsl_studio.studio.running.inbox import Inbox
 
 FRAME = 1 / 30
 """Wall seconds between two reports to the window."""
@@ -79,12 +80,12 @@ class Runner(QThread):
         self.latency = 0.0
         """Wall seconds the slowest of the newest ticks took, from command to answer."""
 
-    def command(self, command: Command, word: str = "") -> None:
-        """Have the loop call ``command`` before its next tick; ``word`` is that of the command.
+    def command(self, command: Command) -> None:
+        """Have the run obey before its next tick.
 
         What the run is at is called off for it: its planning for any command, all else for a stop.
         """
-        self._inbox.put(command, word)
+        self._inbox.say(command)
 
     def set_speed(self, speed: float) -> None:
         """Simulated seconds per wall second; ``FASTEST`` runs as fast as it can."""

@@ -47,7 +47,7 @@ class Runs:
         self.pane.monitor_wanted.connect(self.monitoring.toggle)
         self.supervise = SupervisePane(session, self.pane.run, tokens)
         self.supervise.begin_wanted.connect(self.pane.play)
-        self.pane.reset_wanted.connect(self.supervise.ask_reset)
+        self.pane.reset_wanted.connect(lambda: self.supervise.ask_for("reset"))
         persons.changed.connect(self.supervise.refresh)
         self.people = People(session, self.pane.run, self.pane.levels, persons, tokens, window)
         self.people.take_places(self.supervise.task_slot, self.supervise.add_levels)

@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import HostError
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.host.local import LocalHost
@@ -77,7 +78,7 @@ def test_a_stop_calls_off_the_opening_of_a_world(qtbot: QtBot) -> None:
     runner.start()
     qtbot.waitUntil(host.opening.is_set)
 
-    runner.command(lambda dispatcher: dispatcher.stop(), "stop")
+    runner.command(COMMANDS["stop"].command())
     qtbot.waitUntil(runner.isFinished)
 
     news = runner.take()
@@ -114,7 +115,7 @@ def test_a_stop_calls_off_a_plan_that_has_no_end(
 
     try:
         qtbot.waitUntil(is_seen(lambda status: status.planning))
-        runner.command(lambda dispatcher: dispatcher.stop(), "stop")
+        runner.command(COMMANDS["stop"].command())
         qtbot.waitUntil(is_seen(lambda status: status.phase == "stopped"))
     finally:
         runner.close()

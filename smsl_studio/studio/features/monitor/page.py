@@ -12,7 +12,7 @@ from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulation import Commanded, Disturbed, FaultInjected
 from smsl_studio.studio.base.controls import Elided, label, row, rule
-from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.rows import RowsView
 from smsl_studio.studio.base.screens import open_at
 from smsl_studio.studio.base.theme import Tokens
@@ -76,10 +76,10 @@ class MonitorPage(QDialog):
         self.bar.wanted.connect(self._disturb)
         self.faults.wanted.connect(self._inject)
         # It may lie over the window: so it has a Stop of its own, alike in size, words and key.
-        self.phase, self.stop = PhaseBadge(), KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.phase, self.stop = PhaseBadge(), command_button("stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.setToolTip("A controlled stop, at any time (F8)")
-        self.stop.clicked.connect(self._run.stop)
+        self.stop.clicked.connect(lambda: self._run.stop())
         top = row(self.words, self._refusal, self._time, self.phase, self.stop)
         top.setContentsMargins(12, 8, 12, 8)
         left = QWidget()
@@ -194,10 +194,10 @@ class MonitorPage(QDialog):
                 self.faults.refuse(capital(event.refused))
 
     def _disturb(self, sensor: str, kind: str, parameters: dict[str, float | str]) -> None:
-        self._run.disturb(sensor, kind, **parameters)
+        self._run.disturb(sensor, kind, by=self._run.who(), **parameters)
 
     def _inject(self, fault: str, parameters: dict[str, float | str]) -> None:
-        self._run.inject(fault, **parameters)
+        self._run.inject(fault, by=self._run.who(), **parameters)
 
     def _open_menu(self, chosen: MonitorRow, at: QPoint) -> None:
         """Every disturbance as it is by default; the line below has the parameters."""

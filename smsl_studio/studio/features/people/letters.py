@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from string import ascii_uppercase
 
-TAKEN = frozenset("VPT")
-"""Veto, prune and take over: keys that mean something else beside the card."""
+from smsl_studio.dispatch.supervision.table import COMMANDS
+
+TAKEN = frozenset(row.key for row in COMMANDS.values() if len(row.key) == 1)
+"""Keys of commands (veto, prune, take over): they mean something else beside the card."""
 
 
 def letters(words: Sequence[str]) -> tuple[str, ...]:

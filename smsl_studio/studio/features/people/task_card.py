@@ -72,7 +72,9 @@ class TaskCard(QWidget):
 
         run.changed.connect(look)
         run.events_told.connect(self.tell)
-        self.answered.connect(run.answer)
+        self.answered.connect(
+            lambda task, option, name, role: run.answer(task, option, role, by=name)
+        )
         look()
 
     # What is shown.

@@ -117,12 +117,12 @@ class RunPane(QWidget):
             self.run.play_on()
         elif self.run.phase != "running":
             self.transport.by_hand.setChecked(False)
-            self.run.play()
+            self.run.resume()
 
     def _ask_reset(self) -> None:
         if self.isVisible():
             self._lists.show_page("Possible now")
-            self.possible.ask(decisions.offered(decisions.RESET_OFFER))
+            self.possible.ask(decisions.way_out("reset"))
         else:
             self.reset_wanted.emit()
 

@@ -93,8 +93,7 @@ class PossiblePanel(QWidget):
     def _do(self, decision: Decision, reason: str = "") -> None:
         self.asking.show_decision(None)
         self.list.setFocus()
-        said = [] if decision.address is None else [decision.address]
-        self._run.command(decision.command, *said, *([reason] if decision.reasoned else []))
+        self._run.take(decision.said(reason))
         self._fit()
 
     def _fit(self) -> None:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWi
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Combo, Field, label, rule
-from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.key_button import KeyButton, command_button
 from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -59,7 +59,7 @@ class Transport(QWidget):
         across.addWidget(self.phase)
         self.by_hand = self._by_hand()
         self.speed = self._speed()
-        self.step = KeyButton("Step", "F10", "step", "", tokens)
+        self.step = command_button("step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
         self.play = KeyButton("Play", "F5", "play", "primary", tokens)
@@ -67,7 +67,7 @@ class Transport(QWidget):
         self.play.clicked.connect(
             lambda: self.pause_wanted.emit() if self._running else self.play_wanted.emit()
         )
-        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop = command_button("stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
         line = rule(vertical=True, length=24)

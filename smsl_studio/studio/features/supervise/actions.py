@@ -4,9 +4,15 @@ them itself: each asks once more before anything happens."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
+from smsl_studio.dispatch.supervision.row import CommandRow
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Shell, Supervising
+
+NAMES = {"reset": "run_reset", "end": "run_end"}
+"""Actions that are not called as their commands are."""
 
 
 def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
@@ -25,22 +31,18 @@ def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
         return Action(name, words, there(call), "Run", icon, keys, enabled,
                       scope="supervise", section=2, tip=tip)  # fmt: skip
 
+    def command(one: CommandRow) -> Action:
+        ask, name = partial(pane.ask_for, one.word), NAMES.get(one.word, one.word)
+        if one.word == "full_map":
+            return Action(name, one.label, there(ask), "Run", one.icon, (), pane.run_exists,
+                          pane.is_mapped, section=2, tip=one.tip)  # fmt: skip
+        words = "Take over, or give back" if one.word == "take_over" else one.label
+        return row(name, words, ask, one.icon, one.key, one.tip,
+                   fitting.get(one.word, pane.run_exists))  # fmt: skip
+
+    fitting = {"accept": pane.is_located, "reset": pane.is_stopped, "end": pane.is_held}
     return (
         row("choose_operation", "Choose an operation", pane.choose_first, "", "1 2 3 4 5 6 7 8 9",
             "Choose one of the operations out of the current state"),
-        row("veto", "Veto once", pane.ask_veto, "close", "V",
-            "Have the operation that is next, or chosen, skipped once"),
-        row("prune", "Prune…", pane.ask_prune, "scissors", "P",
-            "Shut an operation out until it is restored, with a reason"),
-        row("take_over", "Take over, or give back", pane.ask_hand, "hand", "T",
-            "Lock the automation out, or have it go on from the state that is located"),
-        row("accept", "Accept the located state", pane.accept, "check", "",
-            "Go on from the state that was located", pane.is_located),
-        row("run_reset", "Reset", pane.ask_reset, "", "", "Unlatch a stop, to paused",
-            pane.is_stopped),
-        row("run_end", "End run", pane.ask_end, "", "", "Finish a run that is stopped or holds",
-            pane.is_held),
-        Action("full_map", "Show full map, logged", there(pane.turn_map), "Run", "map", (),
-               pane.run_exists, pane.is_mapped, section=2,
-               tip="Every state of the State Branch; that it was looked at is recorded"),
+        *(command(one) for one in COMMANDS.values() if one.tip),
     )  # fmt: skip

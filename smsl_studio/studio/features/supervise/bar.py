@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label, rule
-from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens
 from smsl_studio.studio.base.tips import tip_text
@@ -38,10 +38,10 @@ class SuperviseBar(QWidget):
         self._goal, self._person = label("", "strong"), label("", "strong")
         self._said = [label("Goal", "small"), label("Supervisor", "small")]
         self.phase = PhaseBadge()
-        self.step = KeyButton("Step", "F10", "step", "", tokens)
+        self.step = command_button("step", "", tokens)
         self.step.setToolTip("One operation, then pause (F10)")
         self.step.clicked.connect(self.step_wanted)
-        self.play = KeyButton("Resume", "F5", "play", "", tokens)
+        self.play = command_button("resume", "", tokens)
         self.play.clicked.connect(self._play_or_pause)
         self.reset, self.end = QPushButton("Reset"), QPushButton("End run")
         for pressed in (self.reset, self.end, self.step, self.play):
@@ -51,7 +51,7 @@ class SuperviseBar(QWidget):
         self.end.setToolTip("End the run for good")
         self.reset.clicked.connect(self.reset_wanted)
         self.end.clicked.connect(self.end_wanted)
-        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop = command_button("stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.clicked.connect(self.stop_wanted)
         across = QHBoxLayout(self)

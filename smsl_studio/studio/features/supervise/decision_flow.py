@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import partial
-
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication, QWidget
 from shiboken6 import isValid
@@ -89,11 +86,11 @@ class DecisionFlow(QObject):
                 self._asking.show_decision(decisions.accept(status))
             return
         card = view.card(decision.address) if view is not None else None
-        about_card = decision.command in (decisions.ASK, "")
+        about_card = decision.command in ("ask", "")
         if (
             not self._run.exists
             or (about_card and card is None)
-            or (decision.command == decisions.ACCEPT and not located)
+            or (decision.command == "accept" and not located)
         ):
             self._asking.show_decision(None)
         elif (
@@ -108,18 +105,9 @@ class DecisionFlow(QObject):
         return taken and status is not None and len(status.candidates) == 1
 
     def _do(self, decision: Decision, reason: str) -> None:
-        run, address = self._run, decision.address
         self._let_be = None
         self._asking.show_decision(None)
-        commands: dict[str, Callable[[], None]] = {}
-        if address is not None:
-            commands = {
-                decisions.ASK: partial(run.ask, address),
-                decisions.VETO: partial(run.veto, address),
-                decisions.PRUNE: partial(run.prune, address, reason),
-                decisions.RESTORE: partial(run.restore, address),
-            }
-        commands.get(decision.command, partial(run.command, decision.command))()
+        self._run.take(decision.said(reason))
         self.picked = None
         self._go_back()
         self.changed.emit()
@@ -141,7 +129,7 @@ class DecisionFlow(QObject):
 
 def _is_restored(decision: Decision, card: OperationCard) -> bool:
     """Whether what was to be restored may be used again already."""
-    return decision.command == decisions.RESTORE and card.standing not in (PRUNED, RISKY, VETOED)
+    return decision.command == "restore" and card.standing not in (PRUNED, RISKY, VETOED)
 
 
 def _tells(status: DispatchStatus | None, refusal: str) -> bool:

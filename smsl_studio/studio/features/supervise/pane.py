@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.studio.base.controls import rule
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
@@ -35,6 +36,8 @@ from smsl_studio.studio.running.run_session import RunSession
 
 RIGHT = 396
 BELOW = 246
+KEYS = {Qt.Key(ord(row.key)): row.word for row in COMMANDS.values() if len(row.key) == 1}
+"""What a letter asks for."""
 """The height of the panels below the partial view, as designed."""
 
 
@@ -145,20 +148,23 @@ class SupervisePane(QWidget):
         if self.board.cards:
             self.board.cards[0].setFocus()
 
-    def ask_veto(self) -> None:
-        self.step_in.ask_veto()
-
-    def ask_prune(self) -> None:
-        self.step_in.ask_prune()
-
-    def ask_hand(self) -> None:
-        self.step_in.ask_hand()
-
-    def ask_reset(self) -> None:
-        self.deciding.ask(decisions.offered(decisions.RESET_OFFER))
-
-    def ask_end(self) -> None:
-        self.deciding.ask(decisions.offered(decisions.END_OFFER))
+    def ask_for(self, word: str) -> None:
+        """Ask once more for a command; where it needs more than that, in its own way."""
+        own = {
+            "veto": self.step_in.ask_veto,
+            "prune": self.step_in.ask_prune,
+            "take_over": self.step_in.ask_hand,
+            "give_back": self.step_in.ask_hand,
+            "accept": self.accept,
+            "full_map": self.turn_map,
+        }
+        ask = own.get(word)
+        if ask is not None:
+            ask()
+        elif word in ("reset", "end"):
+            self.deciding.ask(decisions.way_out(word))
+        elif self._run.exists:
+            self.deciding.ask(decisions.decision(word))
 
     def turn_map(self) -> None:
         self.set_full_map(not self.is_mapped())
@@ -241,11 +247,11 @@ class SupervisePane(QWidget):
         self.deciding.changed.connect(self.refresh)
         self.hold.wanted.connect(self.deciding.ask)
         self.notice.pressed.connect(self.begin_wanted)
-        bar.play_wanted.connect(lambda: run.play() if run.exists else self.begin_wanted.emit())
+        bar.play_wanted.connect(lambda: run.resume() if run.exists else self.begin_wanted.emit())
         bar.pause_wanted.connect(run.pause)
         bar.stop_wanted.connect(run.stop)
-        bar.reset_wanted.connect(self.ask_reset)
-        bar.end_wanted.connect(self.ask_end)
+        bar.reset_wanted.connect(lambda: self.ask_for("reset"))
+        bar.end_wanted.connect(lambda: self.ask_for("end"))
 
     # What is shown.
 
@@ -313,15 +319,10 @@ class SupervisePane(QWidget):
 
     def _press(self, key: Qt.Key) -> bool:
         """Obey a key; whether it means something here."""
-        step_in = self.step_in
         if Qt.Key.Key_1 <= key <= Qt.Key.Key_9:
             self.choose(key - Qt.Key.Key_0)
-        elif key == Qt.Key.Key_V:
-            step_in.ask_veto()
-        elif key == Qt.Key.Key_P:
-            step_in.ask_prune()
-        elif key == Qt.Key.Key_T:
-            step_in.ask_hand()
+        elif key in KEYS:
+            self.ask_for(KEYS[key])
         elif key == Qt.Key.Key_Escape:
             self.deciding.drop()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.theme import Tokens
@@ -18,6 +19,7 @@ from smsl_studio.studio.running.confirmation import ConfirmBox
 from smsl_studio.studio.running.decisions import Decision
 
 OVER = ("", "opening", "idle", "done", "finished")
+LOCKED = "automation is locked out"
 NOBODY_MOVES = ("stopped", "taken_over")
 
 
@@ -35,9 +37,10 @@ class StepIn(QWidget):
         self._subject: Address | None = None
         self._on = label("", "second")
         self._on.setMinimumWidth(40)
-        self.veto = StepInButton("Veto once", "V", "close", tokens)
-        self.prune = StepInButton("Prune…", "P", "scissors", tokens)
-        self.hand = StepInButton("Take over", "T", "hand", tokens, "automation is locked out")
+        veto, prune, hand = COMMANDS["veto"], COMMANDS["prune"], COMMANDS["take_over"]
+        self.veto = StepInButton(veto.label, veto.key, veto.icon, tokens)
+        self.prune = StepInButton(prune.label, prune.key, prune.icon, tokens)
+        self.hand = StepInButton(hand.label, hand.key, hand.icon, tokens, LOCKED)
         self.veto.clicked.connect(self.ask_veto)
         self.prune.clicked.connect(self.ask_prune)
         self.hand.clicked.connect(self.ask_hand)
@@ -99,18 +102,17 @@ class StepIn(QWidget):
             button.setEnabled(not why)
             button.setToolTip(tip_text(why))
         taken = self._status is not None and self._status.phase == "taken_over"
-        if taken:
-            self.hand.set_words("Give back", "the scene is read first", "hand")
-        else:
-            self.hand.set_words("Take over", "automation is locked out", "hand")
+        hand = COMMANDS["give_back" if taken else "take_over"]
+        self.hand.set_words(hand.label, "the scene is read first" if taken else LOCKED, hand.icon)
         if self._status is not None and self._why.text().rstrip(".") in self._status.sentence:
             # Why it holds stands above already.
             self.say("")
         item = decisions.possible(self._subject, status) if status is not None else None
         if item is not None and item.pruned:
-            self.prune.set_words("Restore…", "", "check")
+            restore = COMMANDS["restore"]
+            self.prune.set_words(f"{restore.label}…", "", restore.icon)
         else:
-            self.prune.set_words("Prune…", "", "scissors")
+            self.prune.set_words(COMMANDS["prune"].label, "", COMMANDS["prune"].icon)
         said = ""
         if self._status is not None and blueprint is not None:
             said = decisions.detour_words(blueprint, self._status, subject)
@@ -126,7 +128,8 @@ class StepIn(QWidget):
     def ask_hand(self) -> None:
         """Take over, or give back what was taken over."""
         taken = self._status is not None and self._status.phase == "taken_over"
-        self._want(self._no_hand(), decisions.give_back if taken else decisions.take_over)
+        word = "give_back" if taken else "take_over"
+        self._want(self._no_hand(), lambda: decisions.decision(word))
 
     def say(self, why: str) -> None:
         """Say why something was not done; empty takes it away."""

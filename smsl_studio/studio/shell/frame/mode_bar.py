@@ -20,7 +20,7 @@ from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.controls import name_parts, row, rule
 from smsl_studio.studio.base.icons import draw, icon
-from smsl_studio.studio.base.key_button import KeyButton
+from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import MODE_BAR, MODE_BAR_RUN, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
@@ -70,7 +70,7 @@ class ModeBar(QToolBar):
         self.run.setFixedHeight(32)
         self.run.setToolTip(tip_text(actions.table["run_play"].hint))
         self.run.clicked.connect(actions["run_play"].trigger)
-        self.stop = KeyButton("Stop", "F8", "stop", "stop", tokens)
+        self.stop = command_button("stop", "stop", tokens)
         self.stop.setFixedWidth(136)
         self.stop.setToolTip(tip_text(actions.table["run_stop"].hint))
         self.stop.clicked.connect(actions["run_stop"].trigger)
