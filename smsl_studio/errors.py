@@ -168,6 +168,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
         return ""
 
     def alike(other: str) -> tuple[float, int]:
+        """How like a known name is: the ratio of ``difflib``, then the equal characters."""
         same = sum(a == b for a, b in zip(name, other, strict=False))
         return SequenceMatcher(None, other, name).ratio(), same
 

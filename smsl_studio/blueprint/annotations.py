@@ -147,6 +147,7 @@ def read_notes(fields: Mapping[str, Json]) -> Notes:
     faults: list[tuple[tuple[str, ...], str]] = []
 
     def table(key: str) -> dict[str, Json]:
+        """The map under ``key``, empty where there is none; a fault where it is no map."""
         raw = fields.get(key, {})
         if isinstance(raw, dict):
             return raw

@@ -39,6 +39,7 @@ class Scene:
     time: float = 0.0
 
     def get(self, branch: str, digit: int) -> Reading | None:
+        """The reading of one fact, or None where no sensor reads it."""
         return self.readings.get((branch, digit))
 
 
@@ -75,14 +76,17 @@ class CheckResult:
 
     @cached_property
     def holds(self) -> tuple[Term, ...]:
+        """The terms that are true."""
         return tuple(term for term in self.terms if term.truth is True)
 
     @cached_property
     def misses(self) -> tuple[Term, ...]:
+        """The terms that are false."""
         return tuple(term for term in self.terms if term.truth is False)
 
     @cached_property
     def unknown(self) -> tuple[Term, ...]:
+        """The terms of which nobody knows whether they are true."""
         return tuple(term for term in self.terms if term.truth is None)
 
 
@@ -139,6 +143,7 @@ class _Checking:
         self._activating: dict[str, CheckResult] = {}
 
     def of(self, branch: str, state: str) -> CheckResult:
+        """The result of the check of one state; every term is looked at where that is needed."""
         own = self._blueprint.branches[branch]
         expected = as_expected(own, state, self._scene, self._believed.get(branch))
         if expected is not None:

@@ -37,6 +37,7 @@ class Digests:
     closure: str
 
     def as_json(self) -> dict[str, str]:
+        """The three digests by their names."""
         return asdict(self)
 
 

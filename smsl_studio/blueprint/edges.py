@@ -72,7 +72,8 @@ class Extra(Protocol):
     function, into a failure), only ``closed`` ones cost more."""
 
     @property
-    def closed(self) -> Mapping[Address, str]: ...
+    def closed(self) -> Mapping[Address, str]:
+        """The edges that routes avoid, with the reason of each."""
 
     def __call__(self, edge: Edge) -> float: ...
 

@@ -46,6 +46,7 @@ class Operation:
 
     @property
     def address(self) -> Address:
+        """The address of this operation."""
         return Address(self.branch, self.source, self.name)
 
 
@@ -60,4 +61,5 @@ class State:
 
     @property
     def address(self) -> Address:
+        """The address of this state."""
         return Address(self.branch, self.name)

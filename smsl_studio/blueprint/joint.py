@@ -147,6 +147,7 @@ def _commits(
     ends = [c.done for c in carried]
 
     def group(one: Carried) -> int:
+        """The number of the first edge among those that commit together with this one."""
         at = number[id(one)]
         while into[at] != at:
             into[at] = into[into[at]]
@@ -154,6 +155,7 @@ def _commits(
         return at
 
     def join(one: Carried, other: Carried) -> None:
+        """Let two edges commit together, at the later of their two ends."""
         first, second = sorted((group(one), group(other)))
         ends[first] = max(ends[first], ends[second])
         into[second] = first

@@ -47,10 +47,12 @@ class Levels:
 
     @property
     def inspection(self) -> str:
+        """Who inspects the blueprint before a run: ``human``, ``shared`` or ``automatic``."""
         return self._of(INSPECTION) or DEFAULTS[INSPECTION]
 
     @cached_property
     def supervision(self) -> str:
+        """Who supervises a run: ``human``, ``shared`` or ``automatic``."""
         return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
 
     def operation(self, edge: Address) -> str:
@@ -104,6 +106,7 @@ class Share:
 
     @property
     def count(self) -> int:
+        """How many things there are of this kind."""
         return self.human + self.shared + self.automatic
 
     @property
@@ -123,6 +126,7 @@ class Spectrum:
 
     @property
     def shares(self) -> tuple[Share, ...]:
+        """The four shares in the order in which people read them."""
         return (self.inspection, self.operations, self.facts, self.supervision)
 
     @property

@@ -34,33 +34,56 @@ class MeantBranch(Protocol):
     """What a State Branch (``model.StateBranch``) says of its meaning."""
 
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """The name of the SB."""
+
     @property
-    def header(self) -> Header: ...
+    def header(self) -> Header:
+        """The header as written."""
+
     @property
-    def table(self) -> Mapping[str, Mapping[str, str]]: ...
+    def table(self) -> Mapping[str, Mapping[str, str]]:
+        """For each state its operations, and the target of each, in written order."""
+
     @property
-    def fields(self) -> Mapping[str, Json]: ...
+    def fields(self) -> Mapping[str, Json]:
+        """The ``_`` fields of the SB as they were read."""
+
     @property
-    def initial(self) -> str: ...
+    def initial(self) -> str:
+        """The state in which the SB starts; the empty text where it has no states."""
+
     @property
-    def activating(self) -> str: ...
+    def activating(self) -> str:
+        """The state that turns the digit of a base on; the empty text where there are no states."""
+
     @property
-    def shape(self) -> FactShape: ...
+    def shape(self) -> FactShape:
+        """How the names of the states carry their facts."""
+
     @property
-    def notes(self) -> Notes: ...
+    def notes(self) -> Notes:
+        """The typed annotations."""
+
     @property
-    def meaning(self) -> Json: ...
-    def default_on_value(self, digit: int) -> str: ...
+    def meaning(self) -> Json:
+        """The SB as plain values; see ``branch_meaning``."""
+
+    def default_on_value(self, digit: int) -> str:
+        """The value of a digit that counts as on where ``_facts`` says nothing of it."""
 
 
 class MeantBlueprint(Protocol):
     """What a blueprint (``model.Blueprint``) says of its meaning."""
 
     @property
-    def fields(self) -> Mapping[str, Json]: ...
+    def fields(self) -> Mapping[str, Json]:
+        """The ``_`` fields of the file as they were read."""
+
     @property
-    def documents(self) -> tuple[Document, ...]: ...
+    def documents(self) -> tuple[Document, ...]:
+        """The documents of the blueprint, its own first."""
+
     def __iter__(self) -> Iterator[MeantBranch]: ...
 
 

@@ -45,6 +45,7 @@ class StateBranch:
 
     @property
     def address(self) -> Address:
+        """The address of this State Branch."""
         return Address(self.name)
 
     @cached_property
@@ -73,6 +74,7 @@ class StateBranch:
 
     @property
     def num_facts(self) -> int:
+        """How many facts each state carries."""
         return self.shape.num_facts
 
     def facts(self, state: str) -> tuple[str, ...]:
@@ -159,9 +161,11 @@ class StateBranch:
         return note.name if note and note.name else f"Fact {digit + 1}"
 
     def fact_note(self, digit: int) -> FactNote | None:
+        """What ``_facts`` says of a digit (counted from 0), None where it says nothing."""
         return self.notes.facts.get(digit)
 
     def state_note(self, state: str) -> StateNote | None:
+        """What ``_states`` says of a state, None where it says nothing."""
         return self.notes.states.get(state)
 
     def operation_note(self, state: str, operation: str) -> OperationNote:
@@ -182,10 +186,12 @@ class StateBranch:
                 yield Operation(self.name, source, name, target)
 
     def operation(self, state: str, operation: str) -> Operation:
+        """One operation as a value; KeyError where the SB has no such state or operation."""
         return Operation(self.name, state, operation, self.table[state][operation])
 
     @property
     def edge_count(self) -> int:
+        """How many operations all states have together."""
         return sum(map(len, self.table.values()))
 
     def _state(self, name: str) -> State:
@@ -219,6 +225,7 @@ class ImportFault:
 
     @property
     def place(self) -> Place:
+        """Where the failed import is written."""
         return self.document.place(self.path)
 
 
@@ -313,10 +320,12 @@ class Blueprint:
 
     @property
     def state_count(self) -> int:
+        """How many states all SBs have together, imported ones too."""
         return sum(len(branch.table) for branch in self)
 
     @property
     def operation_count(self) -> int:
+        """How many operations all SBs have together, imported ones too."""
         return sum(branch.edge_count for branch in self)
 
     def resolve(self, text: str | Address) -> Address:

@@ -66,6 +66,7 @@ def salvage(document: Document) -> Blueprint:
     from smsl_studio.blueprint.imports import follow, gather
 
     def own(one: Document) -> dict[str, StateBranch]:
+        """The SBs that can be read from one document."""
         return _read(one, None)[0]
 
     fields = document.fields
@@ -181,6 +182,7 @@ def _header(value: Mapping[str, Json]) -> Header:
     odd: dict[str, Json] = {}
 
     def get(key: str, kind: type) -> Any:
+        """The value of a header key; one of the wrong kind goes to ``odd`` and counts as None."""
         found = value.get(key)
         if type(found) is kind and found != "":
             return found

@@ -13,18 +13,25 @@ class NamedBranch(Protocol):
     """A State Branch (``model.StateBranch``) by the names in it."""
 
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """The name of the SB."""
+
     @property
-    def table(self) -> Mapping[str, Mapping[str, str]]: ...
+    def table(self) -> Mapping[str, Mapping[str, str]]:
+        """For each state its operations, and the target of each."""
 
 
 class NamedElements(Protocol):
     """A blueprint (``model.Blueprint``) by its State Branches."""
 
     @property
-    def branches(self) -> Mapping[str, NamedBranch]: ...
+    def branches(self) -> Mapping[str, NamedBranch]:
+        """The SBs by name."""
+
     @property
-    def roots(self) -> tuple[str, ...]: ...
+    def roots(self) -> tuple[str, ...]:
+        """The names of the SBs that stand in nobody's SUB_SBS."""
+
     def __getitem__(self, branch: str) -> NamedBranch: ...
     def __iter__(self) -> Iterator[NamedBranch]: ...
 

@@ -46,6 +46,7 @@ def revised(former: Blueprint, changed: Mapping[Document, Document]) -> Blueprin
     read = {after: branches_of(after, former) for after in changed.values()}
 
     def own(document: Document) -> dict[str, StateBranch]:
+        """The SBs of one document; a document that changed was read before."""
         return read[document] if document in read else branches_of(document, former)
 
     document = changed.get(former.document, former.document)

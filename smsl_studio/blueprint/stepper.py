@@ -300,6 +300,7 @@ class Stepper:
         way = SubRoute(region)
 
         def moves(node: Key) -> Iterator[Move]:
+            """The edges out of a node of the search that can be carried out, each with its cost."""
             here = {**configuration, **dict(zip(region.names, node, strict=True))}
             edges = self.edges.out(branch.name, node[at])
             for edge in edges:
@@ -362,6 +363,7 @@ class Stepper:
             crossing = 1 if goal == self.hierarchy.blueprint[sub].activating else -1
 
             def allowed(edge: Edge) -> bool:
+                """Whether an edge may be part of the way to the goal."""
                 return edge.crossing in (0, crossing) and self.allows({}, edge)
 
             found = self._hills[sub, goal] = Downhill(self.edges, sub, goal, allowed)

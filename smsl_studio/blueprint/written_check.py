@@ -25,10 +25,12 @@ class WrittenTerm:
 
     @property
     def truth(self) -> bool | None:
+        """Whether the term is true; None where that is unknown."""
         return self.term.truth
 
     @property
     def end(self) -> int:
+        """The offset behind the term in the text of the whole check."""
         return self.start + len(self.text)
 
 

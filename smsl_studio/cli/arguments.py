@@ -48,9 +48,11 @@ class ArgumentParser(argparse.ArgumentParser):
         self._out = out
 
     def error(self, message: str) -> NoReturn:
+        """Raise the UsageError for wrong arguments, in place of ending the process."""
         raise UsageError(message, advice=f"{self.prog} --help says what it takes.")
 
     def print_help(self, file: IO[str] | None = None) -> None:  # type: ignore[override]
+        """Print the help to standard output, whatever ``file`` says."""
         self._out.line(self.format_help().rstrip())
 
 

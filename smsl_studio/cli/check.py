@@ -15,6 +15,7 @@ from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``check``."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument(
         "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
@@ -24,6 +25,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Inspect each file and print its findings. 0: no error; 1: an error; 2: unreadable."""
     if options.world is not None:
         _must_exist(options.world)
     inspect(_nothing(), options.rule)

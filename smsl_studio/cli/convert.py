@@ -17,6 +17,7 @@ from smsl_studio.smsl.forms import SUFFIXES
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``convert``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument(
         "-o",
@@ -28,6 +29,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Write the blueprint in the form that the suffix names; UsageError where it names none."""
     form = SUFFIXES.get(Path(options.output).suffix.lower())
     if form is None:
         raise UsageError(

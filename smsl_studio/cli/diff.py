@@ -23,6 +23,7 @@ from smsl_studio.smsl.files import save_document
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``diff``."""
     parser.add_argument(
         "files", nargs="+", metavar="FILE", help="the earlier and the later blueprint; - is one"
     )
@@ -31,6 +32,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Print what differs, and draw it where asked. 0: the meaning is equal; 1: it differs."""
     files: list[str] = options.files
     if by_git(files, os.environ):
         show_for_git(files, out, print_difference)

@@ -12,11 +12,13 @@ from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``digest``."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
     add_format(parser)
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Print the three digests of each file. 0: all were read; 2: some could not be read."""
     found, status = [], 0
     for blueprint in read_each(options.files, "smsl-studio digest"):
         if blueprint is None:

@@ -19,6 +19,7 @@ STDIN = "-"
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``fmt``."""
     parser.add_argument(
         "files",
         nargs="+",
@@ -32,6 +33,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Lay out each file. 0: done; 1: ``--check`` found another layout; 2: an error in a file."""
     as_json = options.format == "json"
     if as_json and not options.check and STDIN in options.files:
         raise UsageError(

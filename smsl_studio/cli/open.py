@@ -10,11 +10,13 @@ from smsl_studio.errors import UsageError
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``open``, for its help."""
     parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
     parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Raise UsageError: ``__main__`` opens the window before it comes to the commands."""
     raise UsageError(
         "the window is opened by the program itself",
         advice="Start smsl-studio open FILE..., with nothing before it.",

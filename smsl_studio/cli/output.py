@@ -53,15 +53,19 @@ class Output:
         self.line(json_text(json.dumps(value, ensure_ascii=False)))
 
     def plain(self, text: str) -> str:
+        """The text without a colour."""
         return text
 
     def red(self, text: str) -> str:
+        """The text in red, where the output shows colours."""
         return self._in(_RED, text)
 
     def green(self, text: str) -> str:
+        """The text in green, where the output shows colours."""
         return self._in(_GREEN, text)
 
     def yellow(self, text: str) -> str:
+        """The text in yellow, where the output shows colours."""
         return self._in(_YELLOW, text)
 
     def _in(self, colour: str, text: str) -> str:

@@ -20,6 +20,7 @@ VERBS = ("allow", "forbid")
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``plugins``."""
     parser.add_argument(
         "verb",
         nargs="?",
@@ -32,6 +33,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """List all plugins, or allow or forbid one; UsageError where none, or several, fit."""
     if options.verb is None:
         return _list(options.format == "json", out)
     if options.name is None:

@@ -13,6 +13,7 @@ from smsl_studio.smsl.files import save_document
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``render``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_picture(parser, required=True)
     parser.add_argument(
@@ -24,6 +25,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Draw the chosen SBs into a file; UsageError where there is none to draw."""
     from smsl_studio.picture.colours import DARK, LIGHT
     from smsl_studio.picture.svg import draw_blueprint
 

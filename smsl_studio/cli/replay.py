@@ -34,6 +34,7 @@ BEFORE = (
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``replay``."""
     parser.add_argument("log", metavar="LOG", help="a log of run --log; - is standard input")
     instead = parser.add_mutually_exclusive_group()
     instead.add_argument(
@@ -48,6 +49,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Print the events of a log, verify it, or write its account. 1: it does not verify."""
     if options.output is not None:
         _check_output(options.output)
     with _log(options.log) as (stream, file):

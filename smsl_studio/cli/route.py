@@ -12,6 +12,7 @@ from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``route``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument("--from", dest="start", required=True, metavar="S", help="State, SB/State")
     parser.add_argument("--to", dest="goal", required=True, metavar="S", help="State, SB/State")
@@ -27,6 +28,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Print the cheapest route and its cost. 0: there is one; 1: none leads to the goal."""
     blueprint = read_argument(options.file)
     route = plan_route(blueprint, options.start, options.goal, options.avoid, options.sb)
     if route is None:

@@ -33,6 +33,7 @@ UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; s
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``run``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
     _several(parser, "--goal", "SB/State", "where to go; one an SB (default: ACTIVATING of roots)")
@@ -62,6 +63,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Run the blueprint and print its events. 0: every goal was reached; 1: it was not."""
     told = _ToldEvents(out, options.format, options.signals)
     try:
         return _execute(options, told)

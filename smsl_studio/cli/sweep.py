@@ -20,6 +20,7 @@ from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``sweep``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
     add_seed_and_host(parser)
@@ -36,6 +37,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Run every edge by itself and print the results. 0: all pass; 1: some do not."""
     from smsl_studio.front.sweeps import sweep
 
     blueprint = read_argument(options.file)

@@ -13,10 +13,12 @@ from smsl_studio.library.operation_library import TABLE
 
 
 def add_arguments(parser: ArgumentParser) -> None:
+    """The arguments of ``worlds``."""
     add_format(parser)
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
+    """Print every world, then the plugins that were not loaded, and why."""
     loaded = describe()
     worlds = [
         {"name": TABLE, "engine": "table", "hardware": False, "plugin": None, "location": None}

@@ -46,6 +46,7 @@ class BranchGraph:
             ) from None
 
     def edges_out(self, state: int) -> range:
+        """The numbers of the edges that leave a state."""
         return range(self.starts[state], self.starts[state + 1])
 
     @cached_property

@@ -237,6 +237,7 @@ def _by_neighbours(
     """The column sorted by the mean height of what each node is joined with."""
 
     def key(state: int) -> tuple[float, bool, int]:
+        """The mean height of the neighbours; nodes come before lanes, then the number decides."""
         heights = [height[other] for other in near[state] if other in height]
         mean = sum(heights) / len(heights) if heights else height[state]
         return round(mean, 6), state < 0, state

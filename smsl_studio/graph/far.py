@@ -36,6 +36,7 @@ class Spread:
         """A search that meets more states than this takes longer than a spread."""
 
     def set_weight(self, edge: int, weight: Weight) -> None:
+        """Give an edge another weight: a whole number of 1 or more, or ``inf`` to close it."""
         self.weights[edge] = weight
         if self._matrix is not None:
             self._matrix.set_weight(edge, weight)
@@ -93,11 +94,13 @@ class _Matrix:
         return self._heaviest * self._length
 
     def set_weight(self, edge: int, weight: Weight) -> None:
+        """Give an edge another weight, here in the order of the matrix."""
         self._array.data[self._place[edge]] = weight
         if weight < inf:
             self._heaviest = max(self._heaviest, weight)
 
     def far(self, goals: Collection[int]) -> Sequence[Weight]:
+        """The least weight from each state to a goal, ``inf`` where no way leads there."""
         from scipy.sparse.csgraph import dijkstra
 
         found: list[Weight] = dijkstra(self._array, indices=sorted(goals), min_only=True).tolist()

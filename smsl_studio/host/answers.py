@@ -98,6 +98,7 @@ class RunAnswers:
         )
 
         def known(told: SensorInfo) -> SensorInfo:
+            """The sensor as it is; Unfit where it reads a fact that the blueprint does not have."""
             if (told.branch, told.digit) not in facts:
                 raise Unfit(f"reads {told.branch}/{told.digit}, which is no fact")
             return told

@@ -156,12 +156,15 @@ class _Child:
         return tick, (self._status if self._status != before else None), self.host.poses()
 
     def disturb(self, target: str, kind: str, parameters: dict[str, Any]) -> tuple[str, ...]:
+        """Disturb the sensors of a name or a fact; the names of those that were met."""
         return self.host.disturb(target, kind, **parameters)
 
     def inject(self, fault: str, parameters: dict[str, Any]) -> None:
+        """Make something go wrong in the world; UsageError for a fault that it does not have."""
         self.host.inject(fault, **parameters)
 
     def close(self) -> None:
+        """Close the host, if there is one, and end after this answer."""
         self.serving = False
         if "open" in self._verbs:
             self.host.close()

@@ -67,6 +67,7 @@ def nothing() -> Codec[None]:
     """None; it takes no bytes."""
 
     def write(value: None, out: bytearray) -> None:
+        """Write no bytes; Unfit for any value but None."""
         if value is not None:
             raise Unfit(f"is {type_of(value)}, not nothing")
 
@@ -77,11 +78,13 @@ def flag() -> Codec[bool]:
     """True or False."""
 
     def write(value: bool, out: bytearray) -> None:
+        """Write one byte, 0 or 1."""
         if type(value) is not bool:
             raise Unfit(f"is {type_of(value)}, not true or false")
         out.append(value)
 
     def read(data: bytes, at: int) -> tuple[bool, int]:
+        """Read one byte; Unfit where it is not 0 or 1."""
         return a_byte(data, at) == 1, at + 1
 
     return Codec(write, read)
@@ -91,16 +94,19 @@ def whole(least: int, most: int) -> Codec[int]:
     """A whole number from ``least`` to ``most``, within 64 bits."""
 
     def check(value: int) -> int:
+        """The value; Unfit where it is out of range."""
         if not least <= value <= most:
             raise Unfit(f"is not from {least} to {most}")
         return value
 
     def write(value: int, out: bytearray) -> None:
+        """Write the number as an int64."""
         if type(value) is not int:
             raise Unfit(f"is {type_of(value)}, not a whole number")
         out += _WHOLE.pack(check(value))
 
     def read(data: bytes, at: int) -> tuple[int, int]:
+        """Read an int64; Unfit where it is out of range."""
         return check(_WHOLE.unpack_from(data, at)[0]), at + 8
 
     return Codec(write, read)
@@ -110,16 +116,19 @@ def number(least: float, most: float) -> Codec[float]:
     """A float from ``least`` to ``most``; both are finite, so that it is."""
 
     def check(value: float) -> float:
+        """The value; Unfit where it is out of range or NaN."""
         if not least <= value <= most:
             raise Unfit(f"is {value!r}, not a number from {least:g} to {most:g}")
         return value
 
     def write(value: float, out: bytearray) -> None:
+        """Write the number as a double."""
         if not isinstance(value, (int, float)) or type(value) is bool:
             raise Unfit(f"is {type_of(value)}, not a number")
         out += _FLOAT.pack(check(value))
 
     def read(data: bytes, at: int) -> tuple[float, int]:
+        """Read a double; Unfit where it is out of range."""
         return check(_FLOAT.unpack_from(data, at)[0]), at + 8
 
     return Codec(write, read)
@@ -129,11 +138,13 @@ def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[t
     """At most ``count`` floats from ``least`` to ``most``, a ``multiple`` of so many."""
 
     def check(size: int) -> int:
+        """The count; Unfit where there may not be so many numbers."""
         if size > count or size % multiple:
             raise Unfit(f"has {size} numbers, not at most {count}, a multiple of {multiple}")
         return size
 
     def write(values: Sequence[float], out: bytearray) -> None:
+        """Write how many numbers there are (uint32), then each as a double."""
         if not isinstance(values, (tuple, list)):
             raise Unfit(f"is {type_of(values)}, not numbers")
         out += COUNT.pack(check(len(values)))
@@ -143,6 +154,7 @@ def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[t
             raise Unfit("has what is no number") from None
 
     def read(data: bytes, at: int) -> tuple[tuple[float, ...], int]:
+        """Read the count, then the numbers; Unfit for too many, or one out of range."""
         size = check(COUNT.unpack_from(data, at)[0])
         found = struct.unpack_from(f"<{size}d", data, at + 4)
         return _within(found, least, most), at + 4 + 8 * size
@@ -155,12 +167,14 @@ def exactly(least: float, most: float, count: int) -> Codec[tuple[float, ...]]:
     form = struct.Struct(f"<{count}d")
 
     def write(values: tuple[float, ...], out: bytearray) -> None:
+        """Write the numbers as doubles, without their count."""
         try:
             out += form.pack(*_within(values, least, most))
         except (struct.error, TypeError):
             raise Unfit(f"is not {count} numbers") from None
 
     def read(data: bytes, at: int) -> tuple[tuple[float, ...], int]:
+        """Read the numbers; Unfit where one is out of range."""
         return _within(form.unpack_from(data, at), least, most), at + form.size
 
     return Codec(write, read)
@@ -170,6 +184,7 @@ def text(most: int) -> Codec[str]:
     """A text of at most ``most`` characters, of any that UTF-8 can write."""
 
     def write(value: str, out: bytearray) -> None:
+        """Write how many bytes the text has in UTF-8 (uint32), then these bytes."""
         if not isinstance(value, str):
             raise Unfit(f"is {type_of(value)}, not a text")
         if (length := str.__len__(value)) > most:
@@ -182,6 +197,7 @@ def text(most: int) -> Codec[str]:
         out += written
 
     def read(data: bytes, at: int) -> tuple[str, int]:
+        """Read the text; Unfit where it is too long or no UTF-8."""
         (size,) = COUNT.unpack_from(data, at)
         if size == 0:
             return "", at + 4
@@ -203,10 +219,12 @@ def opaque(most: int) -> Codec[bytes]:
     """At most ``most`` bytes, which are not looked into."""
 
     def write(value: bytes, out: bytearray) -> None:
+        """Write how many bytes there are (uint32), then the bytes."""
         out += COUNT.pack(at_most(len(value), most))
         out += value
 
     def read(data: bytes, at: int) -> tuple[bytes, int]:
+        """Read the bytes; Unfit where there are too many."""
         end = at + 4 + at_most(COUNT.unpack_from(data, at)[0], most)
         if end > len(data):
             raise Unfit("ends too early")
@@ -221,12 +239,14 @@ def one_of(options: Sequence[K]) -> Codec[K]:
     index: dict[Hashable, int] = {value: at for at, value in enumerate(known)}
 
     def write(value: K, out: bytearray) -> None:
+        """Write the index of the value (uint32)."""
         try:
             out += COUNT.pack(index[value])
         except (KeyError, TypeError):
             raise Unfit(f"is {type_of(value)}, which is none of {len(known)}") from None
 
     def read(data: bytes, at: int) -> tuple[K, int]:
+        """Read the index; Unfit where there is no such value."""
         (found,) = COUNT.unpack_from(data, at)
         if found >= len(known):
             raise Unfit(f"is number {found} of {len(known)}")
@@ -253,6 +273,7 @@ def a_byte(data: bytes, at: int) -> int:
 
 
 def at_most(count: int, most: int) -> int:
+    """The count; Unfit where it is more than ``most``."""
     if count > most:
         raise Unfit(f"has {count} entries, more than {most}")
     return count

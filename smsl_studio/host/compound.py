@@ -17,11 +17,13 @@ def optional(inner: Codec[T]) -> Codec[T | None]:
     """A value, or None."""
 
     def write(value: T | None, out: bytearray) -> None:
+        """Write one byte (is there a value?), then the value."""
         out.append(value is not None)
         if value is not None:
             inner.write(value, out)
 
     def read(data: bytes, at: int) -> tuple[T | None, int]:
+        """Read the byte, then the value where there is one."""
         return inner.read(data, at + 1) if a_byte(data, at) else (None, at + 1)
 
     return Codec(write, read)
@@ -32,6 +34,7 @@ def several(inner: Codec[T], most: int) -> Codec[tuple[T, ...]]:
     write_one, read_one = inner.write, inner.read
 
     def write(values: Sequence[T], out: bytearray) -> None:
+        """Write how many values there are (uint32), then each of them."""
         if not isinstance(values, (tuple, list)):
             raise Unfit(f"is {type_of(values)}, not a row of values")
         out += COUNT.pack(at_most(len(values), most))
@@ -42,6 +45,7 @@ def several(inner: Codec[T], most: int) -> Codec[tuple[T, ...]]:
                 raise error.at(f"[{index}]") from None
 
     def read(data: bytes, at: int) -> tuple[tuple[T, ...], int]:
+        """Read the count and the values; Unfit where there are too many."""
         count = at_most(COUNT.unpack_from(data, at)[0], most)
         at += 4
         found: list[T] = []
@@ -61,11 +65,13 @@ def repeated(inner: Codec[K], most: int) -> Codec[tuple[K, ...]]:
     table, indices = several(inner, most), several(whole(0, most), most)
 
     def write(values: Sequence[K], out: bytearray) -> None:
+        """Write each different value once, then the index of every value."""
         different = {value: at for at, value in enumerate(dict.fromkeys(values))}
         table.write(tuple(different), out)
         indices.write(tuple([different[value] for value in values]), out)
 
     def read(data: bytes, at: int) -> tuple[tuple[K, ...], int]:
+        """Read both tables; Unfit where an index has no value."""
         different, at = table.read(data, at)
         told, at = indices.read(data, at)
         if any(index >= len(different) for index in told):
@@ -84,12 +90,14 @@ def mapping(
     values = repeated(value, most) if few else several(value, most)
 
     def write(pairs: Mapping[K, V], out: bytearray) -> None:
+        """Write all keys, then all values."""
         if not isinstance(pairs, Mapping):
             raise Unfit(f"is {type_of(pairs)}, not a mapping")
         keys.write(tuple(pairs), out)
         values.write(tuple(pairs.values()), out)
 
     def read(data: bytes, at: int) -> tuple[Mapping[K, V], int]:
+        """Read keys and values; Unfit where a key comes twice or the numbers differ."""
         names, at = keys.read(data, at)
         told, at = values.read(data, at)
         found = dict(zip(names, told, strict=False))
@@ -106,12 +114,14 @@ def row(*inner: Codec[Any]) -> Codec[tuple[Any, ...]]:
     reads = tuple(one.read for one in inner)
 
     def write(values: Sequence[Any], out: bytearray) -> None:
+        """Write the values one after the other."""
         if not isinstance(values, tuple) or len(values) != len(writes):
             raise Unfit(f"is {type_of(values)}, not {len(writes)} values")
         for write_one, value in zip(writes, values, strict=True):
             write_one(value, out)
 
     def read(data: bytes, at: int) -> tuple[tuple[Any, ...], int]:
+        """Read one value of each kind."""
         found = []
         for read_one in reads:
             value, at = read_one(data, at)
@@ -135,6 +145,7 @@ def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> C
     reads = tuple((one, inner[one].read) for one in names)
 
     def write(value: T, out: bytearray) -> None:
+        """Write the fields in the order of the class; Unfit for an object of any other class."""
         if type(value) is not cls:
             raise Unfit(f"is {type_of(value)}, not {cls.__name__}")
         for one, write_one in zip(names, writes, strict=True):
@@ -144,6 +155,7 @@ def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> C
                 raise error.at(f".{one}") from None
 
     def read(data: bytes, at: int) -> tuple[T, int]:
+        """Read the fields and make the object from them."""
         found = {}
         for one, read_one in reads:
             try:
@@ -159,9 +171,11 @@ def mapped(inner: Codec[V], to_told: Callable[[T], V], from_told: Callable[[V], 
     """Another shape of a value for its way; ``from_told`` may refuse with Unfit."""
 
     def write(value: T, out: bytearray) -> None:
+        """Write what ``to_told`` makes of the value."""
         inner.write(to_told(value), out)
 
     def read(data: bytes, at: int) -> tuple[T, int]:
+        """Read the value, and give what ``from_told`` makes of it."""
         told, at = inner.read(data, at)
         return from_told(told), at
 

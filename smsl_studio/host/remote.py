@@ -31,15 +31,26 @@ class Feed(Protocol):
     """What brings messages to a reception (see ``monitor.mqtt.BrokerLink``)."""
 
     @property
-    def broker(self) -> str: ...
+    def broker(self) -> str:
+        """Where the broker is: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``."""
+
     @property
-    def connected(self) -> bool: ...
+    def connected(self) -> bool:
+        """Whether the broker is there, as far as is known."""
+
     @property
-    def lost(self) -> float | None: ...
+    def lost(self) -> float | None:
+        """For how long (s) the broker has been gone; None while it is there."""
+
     @property
-    def connections(self) -> int: ...
-    def open(self) -> None: ...
-    def close(self) -> None: ...
+    def connections(self) -> int:
+        """How often a connection was made."""
+
+    def open(self) -> None:
+        """Connect to the broker; RunRefused where there is none."""
+
+    def close(self) -> None:
+        """End the connection."""
 
 
 class Remote:

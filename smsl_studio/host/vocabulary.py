@@ -15,6 +15,7 @@ def name(most: int, empty: bool = False) -> Codec[str]:
     """A text of one line that shows what it is: see ``unfit_name``."""
 
     def check(value: str) -> str:
+        """The name as it is; Unfit where it cannot be shown on one line."""
         wrong = "" if empty and not value else unfit_name(value, most)
         if wrong:
             raise Unfit(wrong)

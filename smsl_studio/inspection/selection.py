@@ -49,6 +49,7 @@ class _Shelf:
     count: dict[str, int] = field(default_factory=dict)
 
     def put(self, remark: Remark) -> None:
+        """Count a remark, and keep it as long as it can still be listed."""
         branch = remark.address.branch
         before = self.count.get(branch, 0)
         self.count[branch] = before + 1 + len(remark.others)

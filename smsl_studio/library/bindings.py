@@ -70,6 +70,7 @@ class _Binder:
         self._by_text: dict[str, tuple[Plugin, OperationEntry, dict[str, str]] | None] = {}
 
     def operations(self) -> Iterator[tuple[Address, BoundOperation]]:
+        """Every edge that has a function, with this function; what does not fit becomes a fault."""
         for branch in self.blueprint:
             for edge in branch.edges():
                 try:
@@ -199,6 +200,7 @@ class _Binder:
                 yield edge.address, bound
 
     def sensors(self) -> Iterator[BoundSensor]:
+        """The sensors of every fact that no sub-SB expands, those of one fact in their order."""
         for branch, digit in leaf_facts(self.blueprint):
             key = fact_text(branch.name, digit)
             note = branch.fact_note(digit)

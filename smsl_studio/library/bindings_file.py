@@ -46,6 +46,7 @@ class BoundFunction(BaseModel):
 
     @property
     def arguments(self) -> dict[str, Any]:
+        """The arguments that the file gives to the function, by name."""
         return dict(self.__pydantic_extra__ or {})
 
 

@@ -122,6 +122,7 @@ def discover(
     """
 
     def load(found: FoundPlugin) -> Plugin | PluginFault:
+        """Load one plugin, and tell ``begins`` of it before its code runs."""
         if begins is not None:
             begins(found.name, found.location)
         return load_plugin(found)

@@ -137,6 +137,7 @@ class OperationLibrary:
             raise PluginError(f"the name {name!r} cannot be given to a world: it is taken")
 
         def keep(function: FunctionT) -> FunctionT:
+            """Register the function that builds the world."""
             self.worlds[name] = WorldEntry(name, engine, hardware, settle, function)
             return function
 
@@ -152,6 +153,7 @@ class OperationLibrary:
         world = proper_name(world, "a world")
 
         def keep(function: FunctionT) -> FunctionT:
+            """Register the function that arranges the world."""
             self.arrangers[world] = function
             return function
 
@@ -177,6 +179,7 @@ class OperationLibrary:
         told = words_of_values(words)
 
         def keep(function: FunctionT) -> FunctionT:
+            """Register the sensor; PluginError where names and parameters do not fit."""
             signature = signature_of(function)
             pattern = read_pattern(name, signature.types)
             where = read_pattern(fact, signature.types)
@@ -212,6 +215,7 @@ class OperationLibrary:
         touched = [proper_name(fact, "a fact") for fact in touches]
 
         def keep(function: FunctionT) -> FunctionT:
+            """Register the operation; PluginError for no generator, or names that do not fit."""
             if not inspect.isgeneratorfunction(function):
                 raise PluginError(
                     f"{function.__name__} is no generator function",
@@ -245,6 +249,7 @@ class OperationLibrary:
         name = proper_name(name, "a cost")
 
         def keep(function: FunctionT) -> FunctionT:
+            """Register the cost function; PluginError where names and parameters do not fit."""
             signature = signature_of(function, ("state", "scene", "history"))
             pattern = read_pattern(name, signature.types)
             _must_name_all(pattern, signature)
@@ -266,6 +271,7 @@ class OperationLibrary:
             raise PluginError(f"the name {name!r} cannot be given to a fault of {world!r}")
 
         def keep(function: FunctionT) -> FunctionT:
+            """Register the fault."""
             entry = FaultEntry(world, name, function, signature_of(function))
             self.faults[world, name] = entry
             return function

@@ -24,21 +24,27 @@ def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
     """The faults of the table world for a blueprint, by name."""
 
     def set_fact(world: TableWorld, fact: str, value: str) -> None:
+        """Set one sensed fact, written ``SB/digit``, to a value."""
         world.set_facts({_fact(blueprint, fact): value})
 
     def fail(world: TableWorld) -> None:
+        """Let the next operation say that it failed."""
         world.spoil("fail")
 
     def break_down(world: TableWorld) -> None:
+        """Let the next operation raise an error."""
         world.spoil("raise")
 
     def hang(world: TableWorld) -> None:
+        """Let the next operation never end."""
         world.spoil("hang")
 
     def nothing(world: TableWorld) -> None:
+        """Let the next operation end well without changing a fact."""
         world.spoil("nothing")
 
     def elsewhere(world: TableWorld, state: str) -> None:
+        """Let the next operation end well, with the facts of another state."""
         world.spoil("elsewhere", _facts_of(blueprint, state))
 
     named: dict[str, Callable[..., None]] = {

@@ -42,6 +42,7 @@ class TomlText:
         return None
 
     def place(self, key: str) -> Place:
+        """Where a key stands in the file; its first character where the key is not found."""
         line = self.line_of(key)
         text = self.lines[line - 1] if line <= len(self.lines) else ""
         return Place(self.file, line, max(text.find(key), 0) + 1)

@@ -40,6 +40,7 @@ class Stuck:
         self._caught = value is not None
 
     def passes(self, sample: Sample) -> Sample | None:
+        """The sample with the value at which the sensor is stuck."""
         if not self._caught:
             self._value, self._caught = sample.value, True
         if self._value is None:
@@ -55,6 +56,7 @@ class Drift:
         self._since: float | None = None
 
     def passes(self, sample: Sample) -> Sample | None:
+        """The sample with a value further on, by the time since the first sample."""
         if self._since is None:
             self._since = sample.time
         if sample.value not in self._values:
@@ -71,6 +73,7 @@ class Noise:
         self._rate, self._values, self._chance = rate, tuple(values), chance
 
     def passes(self, sample: Sample) -> Sample | None:
+        """The sample, by chance with another value."""
         wrong = self._chance.random() < self._rate
         others = [value for value in self._values if value != sample.value]
         if not wrong or sample.value is None or not others:
@@ -85,6 +88,7 @@ class Dropout:
         self._rate, self._chance = rate, chance
 
     def passes(self, sample: Sample) -> Sample | None:
+        """The sample, or by chance None: it is lost."""
         return None if self._chance.random() < self._rate else sample
 
 

@@ -32,15 +32,24 @@ class FactSource(Protocol):
     """
 
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """The name of the sensor."""
+
     @property
-    def branch(self) -> str: ...
+    def branch(self) -> str:
+        """The SB whose fact it reads."""
+
     @property
-    def digit(self) -> int: ...
+    def digit(self) -> int:
+        """The digit of the fact, counted from 0."""
+
     @property
-    def max_age(self) -> float: ...
+    def max_age(self) -> float:
+        """How old (s) its newest sample may be; an older one makes the fact unknown."""
+
     @property
-    def aggregation(self) -> str: ...
+    def aggregation(self) -> str:
+        """How several sensors of this fact become one value; see ``aggregate``."""
 
 
 @dataclass(frozen=True, slots=True)

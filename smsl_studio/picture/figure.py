@@ -48,10 +48,12 @@ class Figure:
 
     @property
     def shows_nodes(self) -> bool:
+        """Whether states are boxes with words in them; else they are dots."""
         return self.level in (Level.FULL, Level.COMPACT)
 
     @property
     def shows_labels(self) -> bool:
+        """Whether operations have labels."""
         return self.shows_nodes and len(self.picture.operations) <= MOST_LABELS
 
     def _level(self) -> Level:
@@ -103,6 +105,7 @@ class Figure:
 
     @property
     def height(self) -> float:
+        """The height of every node, in pixels."""
         sizes = {Level.FULL: FULL_SIZE[1], Level.COMPACT: COMPACT_SIZE[1]}
         return sizes.get(self.level, 6.0)
 
@@ -118,6 +121,7 @@ class Figure:
         return elided(self.picture.label(edge), LABEL, LONGEST_LABEL)
 
     def label_size(self, edge: int) -> tuple[float, float]:
+        """Width and height of the label of an operation, in pixels; (0, 0) where it has none."""
         if not self.shows_labels:
             return 0.0, 0.0
         picture = self.picture
@@ -152,6 +156,7 @@ class Figure:
 
 
 def chip_width(chip: Chip) -> float:
+    """The width of one fact on a node, in pixels."""
     return max(CHIP, mono_width(chip.text, CHIP_TEXT) + 8.0)
 
 

@@ -84,6 +84,7 @@ class Geometry:
         return list(concerned)
 
     def box(self, state: int) -> NodeBox:
+        """The box of a state, with its rounded corners."""
         found = self._box.get(state)
         if found is None:
             x, y, w, h = self.boxes[state].tolist()

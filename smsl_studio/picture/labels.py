@@ -59,6 +59,7 @@ class LabelPlaces:
             self._cells.setdefault(cell, []).append(wide)
 
     def is_free(self, rect: Rect) -> bool:
+        """Whether a rectangle covers no node and no place that is taken."""
         for cell in self._over(rect):
             if any(meet(rect, other) for other in self._cells.get(cell, ())):
                 return False
@@ -171,6 +172,7 @@ def _candidates(
     shares = LANE_SHARES if shape.way == "lane" else EARLY_SHARES if compact else SHARES
 
     def on_line(along: float) -> Rect | None:
+        """The rectangle of the label on the line; None where it would hide too much of the line."""
         fits = _fits(shape, along, size, unit)
         return _centred(shape.at(along), size) if fits else None
 

@@ -107,6 +107,7 @@ def _levels(row: Sequence[Passing], box: dict[int, NodeBox]) -> dict[int, int]:
     levels: dict[int, int] = {}
 
     def order(p: Passing) -> tuple[float, bool, int]:
+        """Short edges first; of equally long ones those that run to the right, then by number."""
         a, b = box[p.source].x, box[p.target].x
         return round(abs(a - b)), a > b, p.edge
 

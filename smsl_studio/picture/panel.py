@@ -27,6 +27,7 @@ class SvgPanel:
     svg: str
 
     def at(self, x: float, y: float) -> str:
+        """The SVG of the panel with its upper left corner at a point (pixels)."""
         return f'<g transform="translate({number(x)} {number(y)})">{self.svg}</g>'
 
 

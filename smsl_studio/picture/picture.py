@@ -121,6 +121,7 @@ class Picture:
         return tuple(edges[there].tolist()), tuple(edges[~there].tolist())
 
     def address(self, edge: int) -> Address:
+        """The address of an edge by its number."""
         return Address(self.branch.name, self.names[self.source[edge]], self.operations[edge])
 
     def edge(self, address: Address) -> int:

@@ -36,10 +36,12 @@ class EdgeShape:
 
     @property
     def length(self) -> float:
+        """The length of the whole line."""
         return float(self.lengths[-1])
 
     @property
     def tip(self) -> Point:
+        """The point where the line ends."""
         return float(self.points[-1, 0]), float(self.points[-1, 1])
 
     @cached_property

@@ -10,10 +10,12 @@ from smsl_studio.picture.words import MONO_FAMILY
 
 
 def number(value: float) -> str:
+    """A number for SVG, rounded to a tenth."""
     return f"{value:.1f}".removesuffix(".0")
 
 
 def points(line: Iterable[Point] | Floats) -> str:
+    """The points of a line as SVG lists them: ``x,y x,y``."""
     return " ".join(f"{number(float(x))},{number(float(y))}" for x, y in line)
 
 
@@ -38,6 +40,7 @@ def box(
 def polyline(
     line: Iterable[Point] | Floats, colour: str, width: float = 1.5, dashes: str = ""
 ) -> str:
+    """An open line through points, without a filling."""
     pattern = f' stroke-dasharray="{dashes}"' if dashes else ""
     return (
         f'<polyline points="{points(line)}" fill="none" stroke="{colour}" '
@@ -46,11 +49,13 @@ def polyline(
 
 
 def polygon(corners: Iterable[Point], fill: str, line: str = "") -> str:
+    """A closed, filled shape with these corners."""
     stroke = f' stroke="{line}" stroke-width="1.3"' if line else ""
     return f'<polygon points="{points(corners)}" fill="{fill}"{stroke}/>'
 
 
 def circle(at: Point, radius: float, fill: str, line: str = "") -> str:
+    """A filled circle about a point."""
     stroke = f' stroke="{line}" stroke-width="1.4"' if line else ""
     x, y = map(number, at)
     return f'<circle cx="{x}" cy="{y}" r="{number(radius)}" fill="{fill}"{stroke}/>'

@@ -220,11 +220,15 @@ class Held(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Paused(Event):
+    """The run is paused: no operation goes on until it is resumed."""
+
     event: ClassVar[str] = "paused"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Resumed(Event):
+    """The paused run goes on."""
+
     event: ClassVar[str] = "resumed"
 
 
@@ -261,6 +265,8 @@ class EdgeSwept(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SweepFinished(Event):
+    """The last event of a sweep: how many edges were run, how many passed, which failed."""
+
     event: ClassVar[str] = "sweep_finished"
     edges: int
     passed: int

@@ -116,6 +116,7 @@ def saving_folder() -> Path:
 
 
 def digest_of_bytes(raw: bytes) -> str:
+    """The SHA-256 of some bytes, in hex."""
     import hashlib  # needed only where several files are saved, and slow to load
 
     return hashlib.sha256(raw).hexdigest()

@@ -129,6 +129,7 @@ class BulletWorld:
 
     @property
     def time(self) -> float:
+        """The simulated time (s)."""
         return self._ticks * self.tick
 
     @property
@@ -146,6 +147,7 @@ class BulletWorld:
         return self._robot
 
     def step(self) -> None:
+        """Let the world go on by one tick of 1/240 s."""
         self._engine.stepSimulation()
         self._ticks += 1
         self._changed()
@@ -155,6 +157,7 @@ class BulletWorld:
         self.revision += 1
 
     def brake(self) -> None:
+        """Stop the robot, where there is one."""
         if self._robot is not None:
             self._robot.brake()
 
@@ -253,6 +256,7 @@ class BulletWorld:
         return self.robot.touching(self._id(name))
 
     def status(self) -> Mapping[str, str]:
+        """What the robot does and holds, in short words for people; empty without a robot."""
         if self._robot is None:
             return {}
         held = [name for name in self._loose() if self.fingers_on(name) == 2]
@@ -260,11 +264,13 @@ class BulletWorld:
         return {**holding, **self._robot.status()}
 
     def shapes(self) -> tuple[Shape, ...]:
+        """Everything that is drawn, as meshes (m) each in the frame of its body."""
         drawn = tuple(drawing.drawn(self._plan, MODELS))
         self._carriers = tuple(name for name, _ in drawn)
         return tuple(shape for _, shape in drawn)
 
     def poses(self) -> tuple[float, ...]:
+        """Position (m) and quaternion (x, y, z, w) of each shape in turn, 7 numbers each."""
         if self._carriers is None:
             self.shapes()
         frames = {} if self._robot is None else self._robot.frames()
@@ -277,12 +283,14 @@ class BulletWorld:
     # -- coming back ---------------------------------------------------------------------------
 
     def snapshot(self) -> bytes:
+        """The whole state as bytes, for ``apply``: a row of doubles."""
         state = self._state()
         if self._applied is not None and state == self._applied[0]:
             return self._applied[1]
         return np.array(state, dtype=np.float64).tobytes()
 
     def apply(self, snapshot: bytes) -> None:
+        """Go back to a snapshot; WorldError where it was taken of a world built otherwise."""
         if len(snapshot) != 8 * len(self._state()):
             raise WorldError(f"this snapshot is not of a world built like {self.name!r}")
         ticks, *values = np.frombuffer(snapshot, dtype=np.float64).tolist()
@@ -299,6 +307,7 @@ class BulletWorld:
         self._applied = (self._state(), snapshot)
 
     def fork(self) -> BulletWorld:
+        """Another world of its own engine in the same state."""
         other = BulletWorld(self.name)
         for part in self._plan:
             other.add(part)
@@ -324,5 +333,6 @@ class BulletWorld:
         return [part.name for part in self._plan if isinstance(part, Body) and part.mass > 0]
 
     def close(self) -> None:
+        """Let go of the engine; twice is harmless."""
         with silence(), suppress(pybullet.error):
             self._engine.disconnect()

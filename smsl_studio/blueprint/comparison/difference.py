@@ -57,6 +57,7 @@ class Change:
         return self.after or self.before
 
     def as_json(self) -> dict[str, Json]:
+        """The change as plain values: addresses as text, without the places in the files."""
         return {
             "kind": self.kind.value,
             "what": self.what,
@@ -103,6 +104,7 @@ class Difference:
         return bool(self.moved) and not (self.changes or self.fields)
 
     def count(self, kind: ChangeKind) -> int:
+        """How many changes are of one kind."""
         return Counter(change.kind for change in self.changes)[kind]
 
     def place_before(self, change: Change) -> Place | None:
@@ -141,6 +143,7 @@ class Difference:
         return f"{', '.join(told)} and {last} differ"
 
     def as_json(self) -> dict[str, Json]:
+        """The whole difference as plain values, each change with its places in both files."""
         return {
             "before": self.before.file,
             "after": self.after.file,

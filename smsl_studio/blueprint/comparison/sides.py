@@ -65,10 +65,13 @@ class BranchSides:
         return frozenset(self.states.values()) - self.before.table.keys()
 
     def address_before(self, state: str = "", operation: str = "") -> Address:
+        """An address in the SB of the earlier side; without names that of the SB itself."""
         return Address(self.before.name, state, operation)
 
     def address_after(self, state: str = "", operation: str = "") -> Address:
+        """An address in the SB of the later side; without names that of the SB itself."""
         return Address(self.after.name, state, operation)
 
     def add(self, change: Change) -> None:
+        """Append a change to those found so far."""
         self.sides.changes.append(change)

@@ -23,6 +23,7 @@ class Signs:
     by_address: dict[Address, str] = field(default_factory=dict)
 
     def of(self, address: Address) -> str:
+        """The sign of an element, or the empty text where it did not change."""
         return self.by_address.get(address, "")
 
     def add(self, address: Address, sign: str, blueprint: Blueprint) -> None:

@@ -91,6 +91,7 @@ def _delete_levels(draft: Draft) -> None:
     blueprint = draft.before
 
     def follow(key: tuple[str, ...]) -> tuple[str, ...] | None:
+        """The key as it stays, or None where the element that it names is gone."""
         branch = blueprint.branches.get(key[0])
         if branch is None:
             return key

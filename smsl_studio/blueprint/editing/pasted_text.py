@@ -197,6 +197,7 @@ class _StateNames:
         self._fresh = fresh_state_names(branch)
 
     def take(self, name: str) -> str:
+        """A free name for a state that was called ``name``; it counts as taken from now on."""
         if self._length:
             name = self._with_own_facts(name)
         free = self._free.take(name)

@@ -217,6 +217,7 @@ class LoggedRun:
 
     @property
     def events(self) -> tuple[Event, ...]:
+        """The events of the log, in order."""
         return tuple(one.event for one in self.records)
 
 

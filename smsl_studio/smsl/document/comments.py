@@ -44,6 +44,7 @@ class Comments:
         """The same comments at other paths; those of a path that is gone go with it."""
 
         def all_of(where: _Where) -> _Where:
+            """The comments of one kind at their new paths."""
             pairs = ((moved(path), found) for path, found in where.items())
             return {path: found for path, found in pairs if path is not None}
 
@@ -97,6 +98,7 @@ class _Placing:
             self._closing.setdefault(last, []).append(holder)
 
     def found(self, mark: re.Pattern[str]) -> Comments:
+        """All comments that ``mark`` matches, each with the element that it belongs to."""
         comments, at = Comments(), 0
         for index in range(len(self._leaves) + 1):
             leaf = self._leaves[index] if index < len(self._leaves) else None

@@ -55,6 +55,7 @@ class OpenBracket:
 
     @property
     def closer(self) -> str:
+        """The bracket that closes this one."""
         return _CLOSER[self.token.kind]
 
 

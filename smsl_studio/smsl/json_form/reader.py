@@ -73,6 +73,7 @@ def _exact_values(text: str, file: str) -> tuple[dict[str, Any], bool]:
     doubled = False
 
     def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        """The object, and a note in ``doubled`` where a key comes twice in it."""
         nonlocal doubled
         found = dict(pairs)
         if len(found) != len(pairs):

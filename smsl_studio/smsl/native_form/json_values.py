@@ -37,6 +37,7 @@ def read_json(raw: str, depth: int) -> tuple[Json, int, bool]:
     doubled = False
 
     def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+        """The object, and a note in ``doubled`` where a key comes twice in it."""
         nonlocal doubled
         found = dict(pairs)
         doubled = doubled or len(found) != len(pairs)

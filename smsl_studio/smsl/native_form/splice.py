@@ -70,6 +70,7 @@ class _NativeSplicer:
             row.commas = self._style.branch_commas
 
         def fresh(key: str, value: Json, indent: str) -> str:
+            """The text of a new member of the file: a ``_`` field or an SB."""
             if key.startswith("_"):
                 return self._style.field(key, value)
             return self._style.branch(key, value, indent)
@@ -109,11 +110,13 @@ class _NativeSplicer:
         merged = {"HEADER": changed if not same(header, changed) else header} if changed else {}
 
         def fresh(key: str, value: Json, indent: str) -> str:
+            """The text of a new member of the SB: a ``_`` field or a state."""
             if key.startswith("_"):
                 return self._style.field(key, value)
             return self._style.state(name, key, value, indent)
 
         def state_value(slot: Slot, old: Json, new: Json) -> Json:
+            """Change the text of one state of this SB; the values that it holds afterwards."""
             return self._state_value(name, slot, old, new)
 
         slots = [s for s in row.slots if s.element and s.element.kind in ("state", "field")]
@@ -173,11 +176,13 @@ class _NativeSplicer:
         indent = row.indent(outer + self._style.unit)
 
         def fresh(key: str, value: Json, indent: str) -> str:
+            """The text of a new member of the state: a ``_`` field or an operation."""
             if key.startswith("_"):
                 return self._style.field(key, value)
             return self._style.edge(branch, slot.key, key, value)
 
         def target(edge: Slot, old: Json, new: Json) -> Json:
+            """Change the target of one operation; ConvertError where it is not a name."""
             if edge.key.startswith("_"):
                 return self._field_value(edge, old, new)
             if type(new) is not str:

@@ -167,6 +167,7 @@ class _Building:
         }
 
     def take(self, event: Any) -> None:
+        """Build on with one event of the parser; events without a meaning here are skipped."""
         take = self._takes.get(type(event))
         if take is not None:
             take(event)

@@ -91,6 +91,7 @@ class _Reading:
         self.doubled = False
 
     def fault(self, node: YamlNode, sentence: str, advice: str, fix: TextFix | None = None) -> None:
+        """Add a fault at a node, unless the text has one there already."""
         if node.start not in self._told:
             self._faults.append(YamlFault(node.start, node.end - node.start, sentence, advice, fix))
 

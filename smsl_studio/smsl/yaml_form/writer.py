@@ -56,6 +56,7 @@ class _Writing:
         self.lines.extend(f"{indent}#{_fit(words)}" for words in comments)
 
     def file(self, values: Mapping[str, Json]) -> None:
+        """Write all lines of the file; ``{}`` where it has no values."""
         if values:
             self._map(values, (), FILE, "")
         else:
