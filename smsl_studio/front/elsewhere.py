@@ -8,6 +8,7 @@ from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import PluginError, UsageError, did_you_mean
+from smsl_studio.front.request import RunRequest
 from smsl_studio.host.protocol import Host, SensorInfo
 from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
@@ -20,17 +21,16 @@ PERIOD, MAX_AGE = 0.1, 0.3
 """Seconds between two samples of a source, and how old one may be where ``_facts`` is silent."""
 
 
-def with_remote(
-    blueprint: Blueprint, host: Host, world: str, seed: int, *, broker: str = "", site: str = ""
-) -> Host:
+def with_remote(request: RunRequest, host: Host) -> Host:
     """``host``, with the sensors that are elsewhere around it; itself where there are none.
 
-    ``broker`` and ``site`` take the place of what the bindings file says. UsageError where they
-    make no sense, PluginError where the file does not.
+    The broker and the site of the request take the place of what the bindings file says. UsageError
+    where they make no sense, PluginError where the file does not.
     """
+    blueprint = request.blueprint
     file = bindings_beside(blueprint.file)
     table = file.mqtt
-    broker, site = broker or table.broker, site or table.site
+    broker, site = request.broker or table.broker, request.site or table.site
     if not table.facts:
         if broker:
             advice = "Write [mqtt.facts] into the bindings file beside the blueprint."
@@ -48,8 +48,10 @@ def with_remote(
     # Loaded where a broker is named, and only there.
     from smsl_studio.monitor.mqtt import BrokerLink
 
-    remote = Remote(BrokerLink(broker, reception), reception, sensors, values, seed)
-    return WithRemote(host, remote, rules, frozenset(rules) if world == TABLE else frozenset())
+    remote = Remote(BrokerLink(broker, reception), reception, sensors, values, request.seed)
+    return WithRemote(
+        host, remote, rules, frozenset(rules) if request.world == TABLE else frozenset()
+    )
 
 
 def _sensors(blueprint: Blueprint, file: BindingsFile) -> Iterator[SensorInfo]:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
@@ -17,14 +18,7 @@ if TYPE_CHECKING:
 
 
 def make_host(
-    blueprint: Blueprint,
-    world: str,
-    seed: int,
-    host: str,
-    *,
-    plugin_paths: Sequence[Path] = (),
-    loaded: Loaded | None = None,
-    spare: Spare | None = None,
+    request: RunRequest, loaded: Loaded | None = None, spare: Spare | None = None
 ) -> Host:
     """A local or a process host.
 
@@ -32,14 +26,15 @@ def make_host(
     a process host loads those anew that serve the world, and no others. ``spare`` has a child in
     waiting for a process host.
     """
-    if host == "local":
+    blueprint, world, seed = request.blueprint, request.world, request.seed
+    if request.host == "local":
         from smsl_studio.host.local import LocalHost
 
-        return LocalHost(blueprint, world, seed, plugin_paths, loaded)
+        return LocalHost(blueprint, world, seed, request.plugin_paths, loaded)
     from smsl_studio.host.process import ProcessHost
 
     only = _locations(loaded, world)
-    return ProcessHost(blueprint, world, seed, plugin_paths, only=only, spare=spare)
+    return ProcessHost(blueprint, world, seed, request.plugin_paths, only=only, spare=spare)
 
 
 def make_ready(

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from datetime import datetime
 from itertools import count
 from pathlib import Path
-from typing import Any
 
-from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.errors import SaveError
+from smsl_studio.errors import SaveError, UsageError
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.run_header import log_header
 from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.ends import UNBEGUN
 from smsl_studio.runlog.events import Event, Held, RunFinished
 from smsl_studio.runlog.log import RunLog
 from smsl_studio.stop import unheeding, whole
-
-Json = Any
 
 
 class Recorder:
@@ -106,20 +103,15 @@ class Recorder:
         self.log = None
 
 
-def start_log(
-    path: Path,
-    blueprint: Blueprint,
-    world: str,
-    loaded: Loaded | None,
-    asked: Mapping[str, Json],
-    broker: str = "",
-    site: str = "",
-) -> RunLog:
-    """A log with its header written; ``asked`` is how the run was to be (see ``log_header``).
+def start_log(request: RunRequest, loaded: Loaded | None) -> RunLog:
+    """The log of a run that is asked for, with its header written (see ``log_header``).
 
-    SaveError where it cannot be written, UsageError where the file holds something already.
+    SaveError where it cannot be written, UsageError where the file holds something already, or
+    where none is named.
     """
-    return RunLog(path, log_header(blueprint, world, loaded, asked, broker, site))
+    if request.log is None:
+        raise UsageError("no file is named for the log of this run")
+    return RunLog(request.log, log_header(request, loaded))
 
 
 def new_recording(folder: Path, file: str, now: datetime) -> Path:

@@ -14,7 +14,7 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.digests import digests
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.front.script.script import Script
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.version import version
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
@@ -26,30 +26,23 @@ from smsl_studio.seal.digest import sha256_hex
 Json = Any
 
 
-def log_header(
-    blueprint: Blueprint,
-    world: str,
-    loaded: Loaded | None,
-    asked: Mapping[str, Json],
-    broker: str = "",
-    site: str = "",
-) -> Mapping[str, Json]:
-    """The first line of a log; ``asked`` is how the run was to be: seed, host, start, goals ...
+def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]:
+    """The first line of a log: how the run was asked for, and in which surroundings.
 
     The digests are those of the command ``digest``, and beside them the SHA-256 of every file.
     ``policy`` is the place of the trust policy, and null where the run had none. ``mqtt`` says
-    where which facts were heard that are sensed elsewhere, and is null where none are; ``broker``
-    and ``site`` were asked for in the place of what the bindings file says.
+    where which facts were heard that are sensed elsewhere, and is null where none are.
     """
+    blueprint, world = request.blueprint, request.world
     plugins = loaded.plugins if loaded else ()
     return {
         "wall_time": datetime.now(UTC).isoformat(timespec="milliseconds"),
         "node": platform.node(),
         "process": getpid(),
         "world": world,
-        **asked,
+        **request.as_json(),
         "policy": None,
-        "mqtt": _elsewhere(blueprint, broker, site),
+        "mqtt": _elsewhere(request),
         "file": str(Path(blueprint.file).absolute()),
         "digests": {
             "file": sha256_hex(blueprint.document.encoded()),
@@ -66,50 +59,18 @@ def log_header(
     }
 
 
-def asked_for(
-    *,
-    seed: int,
-    host: str,
-    start: Iterable[object] = (),
-    goals: Iterable[object] = (),
-    avoid: Iterable[object] = (),
-    on_mismatch: str = "hold",
-    by_hand: bool = False,
-    script: Script | None = None,
-    levels: Mapping[str, str] | None = None,
-    supervisor: str = "",
-) -> Mapping[str, Json]:
-    """How a run was to be, as its header says it: what was chosen, addresses as text.
-
-    ``levels`` are those set before the run, by whom or whatever; ``supervisor`` names who
-    supervises, empty where nobody does but a script.
-    """
-    return {
-        "seed": seed,
-        "host": host,
-        "start": list(map(str, start)),
-        "goals": list(map(str, goals)),
-        "avoid": list(map(str, avoid)),
-        "on_mismatch": on_mismatch,
-        "by_hand": by_hand,
-        "levels": dict(levels or {}),
-        "script": {"file": script.file, "digest": script.digest} if script else None,
-        "supervisor": supervisor,
-    }
-
-
-def _elsewhere(blueprint: Blueprint, broker: str, site: str) -> Mapping[str, Json] | None:
+def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
     """Facts that are sensed elsewhere, with the names of their sources; and where these are."""
     try:
-        table = bindings_beside(blueprint.file).mqtt
+        table = bindings_beside(request.blueprint.file).mqtt
     except StudioError:
         # The run is refused for it, or was for something else; its log shall say so all the same.
         return None
     if not table.facts:
         return None
     return {
-        "broker": broker or table.broker,
-        "site": site or table.site,
+        "broker": request.broker or table.broker,
+        "site": request.site or table.site,
         "run": table.run,
         "facts": {key: list(table.sources(key)) for key in table.facts},
     }

@@ -7,26 +7,24 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.effort import refuse_too_large
 from smsl_studio.dispatch.supervisor import Supervisor
-from smsl_studio.errors import RunRefused, SaveError, UsageError, WorldError
+from smsl_studio.errors import RunRefused, SaveError, WorldError
 from smsl_studio.front.acceptance import to_accept
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.headless import StopAsked, to_its_end
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.inputs import refusals
 from smsl_studio.front.recorder import Recorder, start_log
-from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.request import RunRequest, Several, several
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.fit import check_faults
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act, Script
-from smsl_studio.front.supervisors import supervisor_of
 from smsl_studio.library.loading import Loaded
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.library.table_faults import table_faults
@@ -35,9 +33,6 @@ from smsl_studio.stop import Stopped, heeding, whole
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare
-
-HOSTS = ("local", "process")
-Several = Written | Iterable[Written] | None
 
 
 @dataclass(frozen=True)
@@ -82,29 +77,46 @@ def open_run(
     what makes no sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
     ``spare`` (see ``make_ready``) has a child in waiting, so that the run begins at once.
     """
-    _one_of(host, HOSTS, "host")
-    _one_of(on_mismatch, ("hold", "adopt"), "on_mismatch")
-    starts = {at.branch: at.state for at in states_at(blueprint, start, "start")}
-    goals = states_at(blueprint, goal, "goal")
-    shut = operations_at(blueprint, avoid)
-    chosen = Levels(blueprint, levels or {})
+    request = RunRequest(
+        blueprint,
+        world,
+        starts=several(start),
+        goals=several(goal),
+        seed=seed,
+        host=host,
+        avoid=tuple(avoid),
+        levels=levels or {},
+        broker=broker,
+        site=site,
+        on_mismatch=on_mismatch,
+        by_hand=not automatic,
+        attended=attended,
+        supervisor=supervisor,
+        plugin_paths=tuple(plugin_paths),
+    )
+    return open_request(request, loaded, spare)
+
+
+def open_request(
+    request: RunRequest, loaded: Loaded | None = None, spare: Spare | None = None
+) -> Dispatcher:
+    """See ``open_run``; ``loaded`` are plugins that were found already."""
+    checked = request.checked()
+    blueprint, chosen = checked.blueprint, Levels(checked.blueprint, checked.levels)
     _refuse_nonsense(blueprint)
     refuse_too_large(Hierarchy(blueprint))
-    made = make_host(
-        blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded, spare=spare
-    )
     return Dispatcher(
         blueprint,
-        with_remote(blueprint, made, world, seed, broker=broker, site=site),
-        start=starts,
-        goals=goals,
-        seed=seed,
-        avoid=shut,
-        on_mismatch=on_mismatch,
-        automatic=automatic,
-        attended=attended,
+        with_remote(checked, make_host(checked, loaded, spare)),
+        start={at.branch: at.state for at in states_at(blueprint, checked.starts, "start")},
+        goals=states_at(blueprint, checked.goals, "goal"),
+        seed=checked.seed,
+        avoid=operations_at(blueprint, checked.avoid),
+        on_mismatch=checked.on_mismatch,
+        automatic=not checked.by_hand,
+        attended=checked.attended,
         levels=chosen,
-        supervisor=supervisor_of(chosen, supervisor),
+        supervisor=checked.supervisor,
         findings=to_accept(blueprint, chosen),
     )
 
@@ -142,6 +154,34 @@ def run(
     UsageError, PluginError and WorldError for what does not exist, ReadError where the script
     injects what this world has not; whatever else goes wrong is the reason of the run.
     """
+    request = RunRequest(
+        blueprint,
+        world,
+        starts=several(start),
+        goals=several(goal),
+        seed=seed,
+        host=host,
+        avoid=tuple(avoid),
+        levels=levels or {},
+        script=script,
+        broker=broker,
+        site=site,
+        on_mismatch=on_mismatch,
+        speed=speed,
+        log=None if log is None else Path(log),
+        attended=True if script and script.acts else None,
+        supervisor=supervisor,
+        plugin_paths=tuple(plugin_paths),
+    )
+    return run_request(request, on_event, stop_when)
+
+
+def run_request(
+    request: RunRequest,
+    on_event: Callable[[Event], None] | None = None,
+    stop_when: Callable[[], bool] | None = None,
+) -> Run:
+    """See ``run``."""
     events: list[Event] = []
 
     def hear(event: Event) -> None:
@@ -150,81 +190,39 @@ def run(
             on_event(event)
 
     recording, asked = Recorder(hear), StopAsked(stop_when)
+    script = request.script
     acting = ScriptPlayer(script) if script and script.acts else None
     dispatcher: Dispatcher | None = None
     loaded: Loaded | None = None
     try:
         with heeding(asked.heed):
-            loaded = known_world(world, plugin_paths, host)
-            goals = states_at(blueprint, goal, "goal")
-            starts = states_at(blueprint, start, "start")
-            shut = operations_at(blueprint, avoid)
+            loaded = known_world(request.world, request.plugin_paths, request.host)
+            checked = request.checked()
             if script is not None:
+                world, drawn = request.world, request.blueprint
                 check_faults(
-                    script, world, loaded.faults_of(world) if loaded else table_faults(blueprint)
+                    script, world, loaded.faults_of(world) if loaded else table_faults(drawn)
                 )
-            chosen = {**(levels or {}), **(script.levels if script else {})}
-            supervisor = supervisor_of(Levels(blueprint, chosen), supervisor)
             refusal: RunRefused | None = None
             try:
-                dispatcher = open_run(
-                    blueprint,
-                    world,
-                    goal=goals,
-                    start=starts,
-                    seed=seed,
-                    host=host,
-                    avoid=shut,
-                    on_mismatch=on_mismatch,
-                    attended=True if acting else None,
-                    levels=chosen,
-                    supervisor=supervisor,
-                    plugin_paths=plugin_paths,
-                    loaded=loaded,
-                    broker=broker,
-                    site=site,
-                )
+                dispatcher = open_request(checked, loaded)
             except RunRefused as refused:
                 refusal = refused
             try:
-                if log is not None:
-                    how = asked_for(
-                        seed=seed,
-                        host=host,
-                        start=starts,
-                        goals=goals,
-                        avoid=shut,
-                        on_mismatch=on_mismatch,
-                        script=script,
-                        levels=chosen,
-                        supervisor=supervisor.name if supervisor else "",
-                    )
+                if request.log is not None:
                     with whole():
-                        recording.log = start_log(
-                            Path(log), blueprint, world, loaded, how, broker, site
-                        )
+                        recording.log = start_log(checked, loaded)
                 if refusal is not None:
                     recording.end("refused", f"{refusal.sentence}. {refusal.advice}".strip(), None)
                 if dispatcher is not None:
-                    to_its_end(dispatcher, recording, speed, asked, acting)
+                    to_its_end(dispatcher, recording, request.speed, asked, acting)
             except (SaveError, WorldError) as error:
                 failed = "failed" if recording.told else "refused"
                 recording.end(failed, str(error), dispatcher)
     except Stopped:
-        if log is not None:
-            how = asked_for(
-                seed=seed,
-                host=host,
-                start=_written(start),
-                goals=_written(goal),
-                avoid=_written(avoid),
-                on_mismatch=on_mismatch,
-                script=script,
-                levels=levels,
-            )
-            recording.begin_late(
-                lambda: start_log(Path(log), blueprint, world, loaded, how, broker, site)
-            )
+        if request.log is not None:
+            # As it was asked for: perhaps nobody has looked yet whether it is there.
+            recording.begin_late(lambda: start_log(request, loaded))
         recording.stop(dispatcher)
     finally:
         try:
@@ -233,13 +231,6 @@ def run(
         finally:
             recording.close()
     return _over(events, acting, dispatcher)
-
-
-def _written(asked: Several | Iterable[Written]) -> tuple[str, ...]:
-    """What was asked for, as it was written: nobody has looked yet whether it is there."""
-    if asked is None:
-        return ()
-    return (str(asked),) if isinstance(asked, str | Address) else tuple(map(str, asked))
 
 
 def _over(
@@ -262,8 +253,3 @@ def _refuse_nonsense(blueprint: Blueprint) -> None:
             found[0].place,
             "Mend what this finding says, then run it again.",
         )
-
-
-def _one_of(value: str, known: Sequence[str], what: str) -> None:
-    if value not in known:
-        raise UsageError(f"{what} is {value!r}, not one of {', '.join(known)}")

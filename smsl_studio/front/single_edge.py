@@ -12,6 +12,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.effort import refuse_too_large
 from smsl_studio.dispatch.words import truth_word
 from smsl_studio.front.hosts import make_host
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded
@@ -46,7 +47,7 @@ def try_edge(
     """
     hierarchy = Hierarchy(blueprint)
     refuse_too_large(hierarchy)
-    place = make_host(blueprint, world, seed, host, loaded=loaded)
+    place = make_host(RunRequest(blueprint, world, seed=seed, host=host), loaded)
     try:
         target = blueprint[edge.branch].table[edge.state][edge.operation]
         return edge_alone(hierarchy, place, edge, target, seed, stop_when)[0]

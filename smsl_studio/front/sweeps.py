@@ -9,6 +9,7 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.effort import refuse_too_large, refuse_too_many_edges
 from smsl_studio.front.hosts import known_world, make_host
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import edge_alone
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.operation_library import TABLE
@@ -42,9 +43,10 @@ def sweep(
     refuse_too_large(hierarchy)
     refuse_too_many_edges(hierarchy, chosen, most)
     loaded = known_world(world, plugin_paths, host)
+    request = RunRequest(blueprint, world, seed=seed, host=host, plugin_paths=tuple(plugin_paths))
 
     def fresh() -> Host:
-        return make_host(blueprint, world, seed, host, plugin_paths=plugin_paths, loaded=loaded)
+        return make_host(request, loaded)
 
     place = fresh()
     time, passed, failed = 0.0, 0, []

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
@@ -78,7 +78,7 @@ def read_sources(folder: Path) -> Sources:
         if stat.S_ISDIR(found.st_mode):
             continue
         if stat.S_ISLNK(found.st_mode):
-            _line(whole, "link", name, os.fsencode(path.readlink()))
+            _line(whole.update, "link", name, os.fsencode(path.readlink()))
             if not _stays(path, folder):
                 raise PluginError(
                     f"{name} is a link that leads out of its folder",
@@ -91,7 +91,7 @@ def read_sources(folder: Path) -> Sources:
         raw = _read(path, name, left)
         left -= len(raw)
         digest = hashlib.sha256(raw).digest()
-        _line(whole, "file", name, digest)
+        _line(whole.update, "file", name, digest)
         if name.endswith(".py"):
             modules[name] = raw
         elif name.endswith(_CODE):
@@ -157,7 +157,7 @@ def _no_file(name: str) -> PluginError:
     return PluginError(f"{name} is no ordinary file", advice="Take it out of the folder.")
 
 
-def _line(whole: hashlib._Hash, kind: str, name: str, value: bytes) -> None:
+def _line(whole: Callable[[bytes], object], kind: str, name: str, value: bytes) -> None:
     """Add one entry to a digest; lengths keep names and values apart."""
     for part in (kind.encode(), os.fsencode(name), value):
-        whole.update(len(part).to_bytes(8, "big") + part)
+        whole(len(part).to_bytes(8, "big") + part)

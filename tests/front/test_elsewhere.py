@@ -16,6 +16,7 @@ from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import HostError, PluginError, UsageError
 from smsl_studio.front.elsewhere import with_remote
 from smsl_studio.front.inputs import read
+from smsl_studio.front.request import RunRequest
 from smsl_studio.front.run_header import log_header
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import OpenedWorld
@@ -50,8 +51,10 @@ def declare(tmp_path: Path) -> Declare:
     return make
 
 
-def _host(blueprint: Blueprint, **more: str) -> object:
-    return with_remote(blueprint, LocalHost(blueprint, "table"), "table", 0, **more)
+def _host(blueprint: Blueprint, broker: str = "", site: str = "") -> object:
+    return with_remote(
+        RunRequest(blueprint, broker=broker, site=site), LocalHost(blueprint, "table")
+    )
 
 
 def test_where_nothing_is_declared_a_host_is_what_it_is(declare: Declare) -> None:
@@ -79,11 +82,11 @@ def test_the_header_of_a_log_names_what_is_heard_and_where(declare: Declare) -> 
     blueprint = declare(MQTT + '[mqtt.facts]\n"SB1/0" = ["eye", "ear"]\n"SB1/1" = "eye"\n')
     facts = {"SB1/0": ["eye", "ear"], "SB1/1": ["eye"]}
     heard = {"broker": "127.0.0.1:1", "site": "lab", "run": "trial", "facts": facts}
-    assert log_header(blueprint, "table", None, {})["mqtt"] == heard
-    asked = log_header(blueprint, "table", None, {}, broker="10.0.0.1", site="ward")
+    assert log_header(RunRequest(blueprint), None)["mqtt"] == heard
+    asked = log_header(RunRequest(blueprint, broker="10.0.0.1", site="ward"), None)
     assert asked["mqtt"] == {**heard, "broker": "10.0.0.1", "site": "ward"}
-    assert log_header(declare(MQTT), "table", None, {})["mqtt"] is None
-    assert log_header(declare("no toml"), "table", None, {})["mqtt"] is None
+    assert log_header(RunRequest(declare(MQTT)), None)["mqtt"] is None
+    assert log_header(RunRequest(declare("no toml")), None)["mqtt"] is None
 
 
 @pytest.mark.parametrize(

@@ -9,14 +9,14 @@ from random import Random
 from typing import Any
 
 import smsl_studio as smsl
-from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.agents import RiskLimit
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import RunRefused
 from smsl_studio.front.recorder import Recorder, start_log
-from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.runs import open_request
 from smsl_studio.front.script.lines import script_of
 from smsl_studio.shipped import samples_dir
 from tests.front.any_run import any_run
@@ -145,14 +145,13 @@ def _commanded(number: int, path: Path) -> None:
     own = random.random() < 0.4
     blueprint = any_run(number).blueprint if own else smsl.read(samples_dir() / f"{name}.json")
     by_hand, levels = random.random() < 0.4, random.choice(LEVELS)
-    asked = asked_for(seed=number, host="local", by_hand=by_hand, levels=levels)
-    log = start_log(path, blueprint, "table", None, asked)
-    recording = Recorder(lambda event: None, log)
+    request = RunRequest(
+        blueprint, seed=number, host="local", by_hand=by_hand, levels=levels or {}, log=path,
+        on_mismatch=random.choice(["hold", "adopt"]), attended=True,
+    )  # fmt: skip
+    recording = Recorder(lambda event: None, start_log(request, None))
     try:
-        dispatcher = front.open_run(
-            blueprint, seed=number, host="local", automatic=not by_hand, attended=True,
-            levels=levels, on_mismatch=random.choice(["hold", "adopt"]),
-        )  # fmt: skip
+        dispatcher = open_request(request)
     except RunRefused as refused:
         recording.end("refused", refused.sentence, None)
         return

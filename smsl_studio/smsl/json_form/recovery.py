@@ -6,7 +6,7 @@ Nothing recurses, and no piece of the text is looked at more than a few times.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
 
@@ -27,22 +27,34 @@ class Recovery(Commas):
 
     def __init__(self, text: str) -> None:
         super().__init__(text)
+        steps: dict[tuple[str, str], Callable[[OpenBracket, JsonToken], None]] = {
+            ("{", "first"): self._key,
+            ("{", "key"): self._key,
+            ("{", "colon"): self._colon,
+            ("{", "value"): self._value,
+            ("{", "next"): self._next,
+            ("[", "first"): self._item,
+            ("[", "item"): self._item,
+            ("[", "next"): self._next_item,
+        }
         with suppress(JsonFaultLimit):
-            self._read()
+            self._read(steps)
         self._fold()
         self.faults = merged(self.faults, text)
 
     # --- the file ----------------------------------------------------------------------------
 
-    def _read(self) -> None:
+    def _read(
+        self, steps: Mapping[tuple[str, str], Callable[[OpenBracket, JsonToken], None]]
+    ) -> None:
+        """Read on by what is open and what may come next there, until nothing is open."""
         self._open_root()
         while self._frames:
             frame, token = self._frames[-1], self._peek()
             if token.kind == END:
                 self._unfinished(frame, token)
                 return
-            handle = _STEPS[frame.token.kind, frame.expects]
-            handle(self, frame, token)
+            steps[frame.token.kind, frame.expects](frame, token)
         self._after_the_end()
 
     def _open_root(self) -> None:
@@ -311,15 +323,3 @@ class Recovery(Commas):
             frame.expects = "item"
         else:
             self._remove(self._take())
-
-
-_STEPS: dict[tuple[str, str], Callable[[Recovery, OpenBracket, JsonToken], None]] = {
-    ("{", "first"): Recovery._key,
-    ("{", "key"): Recovery._key,
-    ("{", "colon"): Recovery._colon,
-    ("{", "value"): Recovery._value,
-    ("{", "next"): Recovery._next,
-    ("[", "first"): Recovery._item,
-    ("[", "item"): Recovery._item,
-    ("[", "next"): Recovery._next_item,
-}

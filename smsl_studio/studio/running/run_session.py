@@ -13,7 +13,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from smsl_studio import front
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
@@ -22,7 +21,8 @@ from smsl_studio.dispatch.supervision.row import PERSON, Command
 from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError
 from smsl_studio.front.recorder import new_recording, start_log
-from smsl_studio.front.run_header import asked_for
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.runs import open_request
 from smsl_studio.front.supervisors import supervisor_of
 from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
@@ -188,14 +188,15 @@ class RunSession(QObject, Commands):
         self.blueprint, self.choice, self.foreign = blueprint, choice, False
         self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
         self.record, folder, who = None, self.recordings, self.who()
+        request = _request(blueprint, choice)
 
         def record() -> RunLog | None:
-            log = _log(blueprint, choice, loaded, folder, who) if folder is not None else None
+            log = _log(request, loaded, folder, who) if folder is not None else None
             self.record = log.path if log is not None else None
             return log
 
         spare = self.spare
-        runner = Runner(lambda: _opened(blueprint, choice, loaded, spare), speed, self, record)
+        runner = Runner(lambda: open_request(request, loaded, spare), speed, self, record)
         runner.opened.connect(self._open)
         runner.refused.connect(self._refuse)
         runner.broke.connect(self._break)
@@ -301,36 +302,22 @@ class RunSession(QObject, Commands):
             self.exists_changed.emit(exists)
 
 
-def _opened(
-    blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, spare: Spare | None
-) -> Dispatcher:
-    return front.open_run(
+def _request(blueprint: Blueprint, choice: RunChoice) -> RunRequest:
+    """The run that a person chose, in a world of its own and attended."""
+    return RunRequest(
         blueprint,
         choice.world,
-        start=choice.start or None,
-        goal=choice.goal or None,
+        starts=(choice.start,) if choice.start else (),
+        goals=(choice.goal,) if choice.goal else (),
         seed=choice.seed,
-        automatic=not choice.by_hand,
-        attended=True,
         levels=choice.levels,
-        loaded=loaded,
-        spare=spare,
-    )
-
-
-def _log(
-    blueprint: Blueprint, choice: RunChoice, loaded: Loaded | None, folder: Path, who: str
-) -> RunLog:
-    """The log of a run that begins now. SaveError where there can be none."""
-    agent = supervisor_of(Levels(blueprint, choice.levels))
-    asked = asked_for(
-        seed=choice.seed,
-        host="process",
-        start=[choice.start] if choice.start else [],
-        goals=[choice.goal] if choice.goal else [],
         by_hand=choice.by_hand,
-        levels=choice.levels,
-        supervisor=agent.name if agent else who,
+        attended=True,
     )
-    path = new_recording(folder, blueprint.file, datetime.now())
-    return start_log(path, blueprint, choice.world, loaded, asked)
+
+
+def _log(request: RunRequest, loaded: Loaded | None, folder: Path, who: str) -> RunLog:
+    """The log of a run that begins now. SaveError where there can be none."""
+    agent = supervisor_of(Levels(request.blueprint, request.levels))
+    path = new_recording(folder, request.blueprint.file, datetime.now())
+    return start_log(replace(request, log=path, supervisor=agent, person=who), loaded)

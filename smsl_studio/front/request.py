@@ -1,0 +1,103 @@
+"""How a run is asked for: one frozen value for Python, the command line, the window and the log."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.levels import Levels
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.supervisor import Supervisor
+from smsl_studio.errors import UsageError
+from smsl_studio.front.script.addresses import Written, operations_at, states_at
+from smsl_studio.front.script.script import Script
+from smsl_studio.front.supervisors import supervisor_of
+from smsl_studio.library.operation_library import TABLE
+
+Json = Any
+Several = Written | Iterable[Written] | None
+HOSTS = ("local", "process")
+ON_MISMATCH = ("hold", "adopt")
+
+
+@dataclass(frozen=True, eq=False)
+class RunRequest:
+    """A run as it is asked for. Nothing is looked up before ``checked``.
+
+    ``starts`` and ``goals`` are states, at most one an SB; without them INITIAL and ACTIVATING
+    count. ``avoid`` are operations that are not used. ``levels`` are set before the run and win
+    over what the blueprint declares (see ``blueprint.levels``). ``script`` supervises it.
+    ``broker`` (HOST:PORT) and ``site`` say where sensors are heard that are elsewhere. ``speed`` is
+    that of simulated time against wall time; None: as fast as it goes. ``log`` is the file it is
+    recorded in. ``by_hand`` runs choose no operation by themselves. ``attended`` says whether
+    somebody is there who can end a hold; None: whoever answers its tasks. ``person`` names who
+    supervises where no ``supervisor`` does. ``plugin_paths`` are searched before all other folders.
+    """
+
+    blueprint: Blueprint
+    world: str = TABLE
+    starts: tuple[Written, ...] = ()
+    goals: tuple[Written, ...] = ()
+    seed: int = 0
+    host: str = "process"
+    avoid: tuple[Written, ...] = ()
+    levels: Mapping[str, str] = field(default_factory=dict)
+    script: Script | None = None
+    broker: str = ""
+    site: str = ""
+    on_mismatch: str = "hold"
+    speed: float | None = None
+    log: Path | None = None
+    by_hand: bool = False
+    attended: bool | None = None
+    supervisor: Supervisor | None = None
+    person: str = ""
+    plugin_paths: tuple[Path, ...] = ()
+
+    def checked(self) -> RunRequest:
+        """The same run with addresses that exist, what its script sets, and who supervises it.
+
+        AddressError and UsageError for what makes no sense.
+        """
+        _one_of(self.host, HOSTS, "host")
+        _one_of(self.on_mismatch, ON_MISMATCH, "on_mismatch")
+        levels = {**self.levels, **(self.script.levels if self.script else {})}
+        return replace(
+            self,
+            goals=states_at(self.blueprint, self.goals, "goal"),
+            starts=states_at(self.blueprint, self.starts, "start"),
+            avoid=operations_at(self.blueprint, self.avoid),
+            levels=levels,
+            supervisor=supervisor_of(Levels(self.blueprint, levels), self.supervisor),
+        )
+
+    def as_json(self) -> Mapping[str, Json]:
+        """What was chosen, as the header of a log says it; addresses as text."""
+        script = self.script
+        return {
+            "seed": self.seed,
+            "host": self.host,
+            "start": list(map(str, self.starts)),
+            "goals": list(map(str, self.goals)),
+            "avoid": list(map(str, self.avoid)),
+            "on_mismatch": self.on_mismatch,
+            "by_hand": self.by_hand,
+            "levels": dict(self.levels),
+            "script": {"file": script.file, "digest": script.digest} if script else None,
+            "supervisor": self.supervisor.name if self.supervisor else self.person,
+        }
+
+
+def several(asked: Several) -> tuple[Written, ...]:
+    """One place, several, or None for none, as a tuple."""
+    if asked is None:
+        return ()
+    return (asked,) if isinstance(asked, str | Address) else tuple(asked)
+
+
+def _one_of(value: str, known: tuple[str, ...], what: str) -> None:
+    if value not in known:
+        raise UsageError(f"{what} is {value!r}, not one of {', '.join(known)}")
