@@ -30,36 +30,42 @@ Fact = tuple[str, int]
 Stand = tuple[Blueprint, Broken | None]
 """The last blueprint that could be read, and the text typed since that cannot."""
 
+Show = Callable[[Blueprint, Broken | None], None]
+
 
 class _Edit(QUndoCommand):
     """The one undo command: how things stood before and after."""
 
-    def __init__(self, words: str, session: Session, before: Stand, after: Stand) -> None:
+    def __init__(self, words: str, show: Show, before: Stand, after: Stand) -> None:
         super().__init__(words)
-        self._session, self._before, self._after = session, before, after
+        self._show, self._before, self._after = show, before, after
 
     def undo(self) -> None:
-        self._session._show(*self._before)
+        """Show what was before."""
+        self._show(*self._before)
 
     def redo(self) -> None:
-        self._session._show(*self._after)
+        """Show what came of it."""
+        self._show(*self._after)
 
 
 class _GiveUp(QUndoCommand):
     """The text of a file that is imported no longer is not wanted, or wanted after all."""
 
-    def __init__(self, words: str, session: Session, document: Document) -> None:
+    def __init__(
+        self, words: str, aside: Callable[[], Aside], lay: Callable[[Aside], None], text: Document
+    ) -> None:
         super().__init__(words)
-        self._session, self._document = session, document
+        self._aside, self._lay, self._text = aside, lay, text
 
     def undo(self) -> None:
-        self._session._lay_aside({**self._session.aside, self._document.file: self._document})
+        """The text is wanted again."""
+        self._lay({**self._aside(), self._text.file: self._text})
 
     def redo(self) -> None:
-        aside = self._session.aside
-        self._session._lay_aside(
-            {file: aside[file] for file in aside.keys() - {self._document.file}}
-        )
+        """The text is given up."""
+        aside = self._aside()
+        self._lay({file: aside[file] for file in aside.keys() - {self._text.file}})
 
 
 class Session(QObject):
@@ -198,7 +204,7 @@ class Session(QObject):
 
     def give_up(self, words: str, file: str) -> None:
         """One undoable step: the text of a file that is imported no longer is not wanted."""
-        self.history.push(_GiveUp(words, self, self._aside[file]))
+        self.history.push(_GiveUp(words, lambda: self._aside, self._lay_aside, self._aside[file]))
 
     def open(self, blueprint: Blueprint, broken: Broken | None = None) -> None:
         """Replace the blueprint by another file's; history and selection start anew.
@@ -289,7 +295,7 @@ class Session(QObject):
         if after is not self._blueprint or broken != self._broken:
             after = brought_back(after, self._aside, self.unsaved)
             before = (self._blueprint, self._broken)
-            self.history.push(_Edit(words, self, before, (after, broken)))
+            self.history.push(_Edit(words, self._show, before, (after, broken)))
 
     def _show(self, blueprint: Blueprint, broken: Broken | None) -> None:
         former = self._aside.keys()
