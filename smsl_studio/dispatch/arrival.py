@@ -8,17 +8,15 @@ that are newer than whatever happened last: a commit, a command, a disturbance.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address, fact_text
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.senses import Moment
-from smsl_studio.dispatch.supervision.recheck import informed, lost
+from smsl_studio.dispatch.supervision.conduct import Conduct
+from smsl_studio.dispatch.supervision.integrity import Integrity
+from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.runlog.events import GoalReached
-
-if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
 
 HAIR = 1e-9
 
@@ -30,8 +28,16 @@ class Arrival:
     ``moved``: an operation has ended since goals were looked for; by hand nothing else is a reason.
     """
 
-    def __init__(self, run: LiveRun, goals: Sequence[Address]) -> None:
+    def __init__(
+        self,
+        run: LiveRun,
+        goals: Sequence[Address],
+        integrity: Integrity,
+        trouble: Trouble,
+        conduct: Conduct,
+    ) -> None:
         self.closing = self.moved = False
+        self._integrity, self._trouble, self._conduct = integrity, trouble, conduct
         self._run, self._goals = run, tuple(goals)
         self._told: set[Address] = set()
         self._since: Moment | None = None
@@ -55,50 +61,51 @@ class Arrival:
         if moved or self._since is None:
             self._since = self._run.senses.moment
 
+    def close(self) -> None:
+        """Whoever attended the run is gone."""
+        self.closing = True
+
     def forget(self) -> None:
         """Something happened: readings must be newer than that."""
         self._since = None
 
-    def look(self, driver: Driver) -> None:
+    def look(self) -> None:
         """A tick has passed: tell the goals where the check is true, hold where it is not. Where
         readings are still awaited, and within the settling time, nothing happens."""
         run, since = self._run, self._since
         if since is None:
             return
         run.look()
-        if lost(driver):
+        if self._integrity.lost():
             return
         here = self._reached
         if self.closing and len(here) < len(self._goals):
-            driver.finish("held", "The goals do not hold any more, and nobody is there to decide.")
+            words = "The goals do not hold any more, and nobody is there to decide."
+            self._conduct.finish("held", words)
         elif _doubtful(run, here) or run.broken():
             if run.time - since.time >= run.opened.settle - HAIR:
                 self.forget()
-                informed(driver, lambda: driver.hold(driver.trouble.unconfirmed(here)))
+                self._integrity.informed(lambda: self._hold(here))
         else:
             late = run.senses.late(since, self._facts(here))
-            driver.sentence = _waits(here, late) if late else ""
+            self._conduct.say(_waits(here, late) if late else "")
             if not late:
-                self._tell(driver, here)
+                self._tell(here)
 
-    def _tell(self, driver: Driver, here: Sequence[Address]) -> None:
-        run, state = self._run, driver.state
+    def _hold(self, goals: Sequence[Address]) -> None:
+        self._conduct.hold(self._trouble.unconfirmed(goals))
+
+    def _tell(self, here: Sequence[Address]) -> None:
+        run = self._run
         new = [goal for goal in here if goal not in self._told]
         arrived = self.moved or bool(new)
         self._told.update(new)
         self.moved, self._since = False, None
         for goal in new:
-            driver.loops.forget()
-            driver.repeats.forget()
             run.emit(GoalReached(t=run.time, goal=str(goal)))
-        if state.by_hand:
-            state.once = False
-        elif arrived and state.once:
-            state.once = False
-            driver.now_paused()
-        elif len(here) == len(self._goals):
-            word = "holds" if len(here) == 1 else "hold"
-            driver.finish("goal_reached", f"{', '.join(map(str, here))} {word}.")
+        word = "holds" if len(here) == 1 else "hold"
+        words = f"{', '.join(map(str, here))} {word}." if len(here) == len(self._goals) else ""
+        self._conduct.arrived(bool(new), arrived, words)
 
     def _facts(self, goals: Sequence[Address]) -> set[FactKey]:
         """Every fact that goals hang on, and every critical one."""

@@ -186,14 +186,12 @@ class Carrier:
         if unsure:
             self._fail(unsure, risky=False, pending=bool(run.transit))
             return
-        run.transit = action.transit
+        run.cross(action.transit)
         now = run.time
         for edge in action.begins:
             function = self.bound.function if edge is action.edge else self._function(edge)
             address, target = str(edge), edge.target
-            run.events.append(
-                OperationStarted(t=now, address=address, target=target, function=function)
-            )
+            run.emit(OperationStarted(t=now, address=address, target=target, function=function))
         if run.people_say:
             run.emit(*run.senses.forget(changed_by(run, action)))
         self.since, self._answerable, self._by = now, True, ""
@@ -249,7 +247,7 @@ class Carrier:
 
     def _tick(self) -> Tick:
         tick, changes = self._run.senses.tick()
-        self._run.events.extend(changes)
+        self._run.emit(*changes)
         return tick
 
     def _running(self) -> None:
@@ -270,9 +268,7 @@ class Carrier:
     def _ended(self, outcome: str, message: str) -> None:
         run = self._run
         address = str(self.action.edge)
-        run.events.append(
-            OperationEnded(t=run.time, address=address, outcome=outcome, message=message)
-        )
+        run.emit(OperationEnded(t=run.time, address=address, outcome=outcome, message=message))
 
     def _settle(self) -> None:
         self.stage = ActionStage.SETTLING
@@ -293,8 +289,7 @@ class Carrier:
             self._fail(self._lost_words, risky=False)
             return
         after = action.after
-        run.pending.update(action.moved)
-        run.transit = after
+        run.cross(after, action.moved)
         targets = {**action.moved, **action.committed}
         checks = [run.check(branch, state, after) for branch, state in targets.items()]
         asked = in_checks(run, checks) if run.people_say and self._answerable else ()
@@ -312,7 +307,7 @@ class Carrier:
             run.commit(action.committed, action.commits)
             operations = tuple(map(str, action.commits))
             committed = dict(action.committed)
-            run.events.append(Committed(t=run.time, operations=operations, configuration=committed))
+            run.emit(Committed(t=run.time, operations=operations, configuration=committed))
         self._rests.end(action)
         self._index += 1
         if self._index == len(self.step.actions):
@@ -329,7 +324,7 @@ class Carrier:
         # What checks true has neither: it is what nearly every check comes to.
         misses = () if truth else all_words(run.blueprint, check.misses)
         unknown = () if truth else all_words(run.blueprint, check.unknown)
-        run.events.append(
+        run.emit(
             StateChecked(
                 t=run.time,
                 address=check.address,

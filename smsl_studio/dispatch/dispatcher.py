@@ -271,7 +271,7 @@ class Dispatcher(Commands):
         self._ended = self.end_for(reason, sentence)
         if self._driver is not None:
             refuse(self._driver, self._waiting, "the run is over")
-            self._driver.carrier = None
+            self._driver.let_go()
             self._driver.desk.withdraw()
         self._waiting = []
         return (*self._drain(), *before, self._ended)
@@ -280,5 +280,4 @@ class Dispatcher(Commands):
         self._status = None
         if self._driver is None:
             return ()
-        events, self._driver.run.events = tuple(self._driver.run.events), []
-        return events
+        return self._driver.run.drain()

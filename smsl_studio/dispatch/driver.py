@@ -16,7 +16,7 @@ from smsl_studio.dispatch.bypass import Bypasses
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.outlook import Outlook
-from smsl_studio.dispatch.people.admission import admit
+from smsl_studio.dispatch.people.admission import Admission
 from smsl_studio.dispatch.people.board import Closed
 from smsl_studio.dispatch.people.desk import Desk
 from smsl_studio.dispatch.people.start import StartTasks
@@ -24,8 +24,8 @@ from smsl_studio.dispatch.planner import holds
 from smsl_studio.dispatch.price_updates import PriceUpdates
 from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.stage import ActionStage, StepFailure
+from smsl_studio.dispatch.supervision.integrity import Integrity
 from smsl_studio.dispatch.supervision.loop_guard import REPEATS, LoopGuard
-from smsl_studio.dispatch.supervision.recheck import informed, lost
 from smsl_studio.dispatch.supervision.review import Reviewer
 from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.trouble import Hold, Trouble
@@ -63,16 +63,16 @@ class Driver:
         self.reviewer, self.loops, self.attended = reviewer, loops, attended
         self.repeats = LoopGuard(REPEATS)
         self.desk = Desk(run, someone or (lambda: self.attended))
-        self.starting = StartTasks(self, seed, course.goals, findings)
+        self.starting = StartTasks(run, self.desk, self, seed, course.goals, findings)
+        self.integrity = Integrity(run, self.desk, trouble, self)
+        self.admission = Admission(run, course, self.desk, reviewer, loops, self)
         self.outlook = Outlook(run, course)
         self.pricing = PriceUpdates(run, course)
         self.bypasses = Bypasses(run, course)
         self.carrier: Carrier | None = None
-        self.proposed: Address | None = None
-        self.chosen = False
         self.ended: RunFinished | None = None
         self.sentence = ""
-        self.arrival = Arrival(run, course.goals)
+        self.arrival = Arrival(run, course.goals, self.integrity, trouble, self)
         self._broken_since: float | None = None
 
     @property
@@ -138,11 +138,11 @@ class Driver:
         run = self.run
         self.arrival.begin()
         self._tick()
-        if not watched or lost(self) or self.desk.keeps:
+        if not watched or self._lost() or self.desk.keeps:
             return
         self.pricing.ask()
         if self.arrival.moved and not self.desk.busy and self.arrival.open:
-            self.arrival.look(self)
+            self.arrival.look()
             return
         if not run.broken():
             self._broken_since = None
@@ -160,16 +160,16 @@ class Driver:
         self.run.emit(*changes)
 
     def _propose(self) -> None:
-        if lost(self):
+        if self._lost():
             return
         if self.arrival.closing or self.arrival.open:
             self.arrival.begin()
             self._tick()
-            self.arrival.look(self)
+            self.arrival.look()
             return
         step = self._next()
         if step is not None:
-            admit(self, step)
+            self.admission.admit(step)
 
     def _next(self) -> JointStep | None:
         """The next step of the route; None where the run holds instead."""
@@ -191,11 +191,22 @@ class Driver:
             self.bypasses.tell((*(edge.address for edge in step.edges), *course.ahead))
         return step
 
-    def begin(self, step: JointStep) -> None:
-        """Carry a step out, from this tick on; every guard was asked."""
+    def _lost(self) -> bool:
+        """Whether the run has begun, and holds now because a critical fact is lost."""
+        return self.starting.told and self.integrity.lost()
+
+    def begin(self, step: JointStep, chosen: bool) -> None:
+        """Carry a step out, from this tick on; every guard was asked. ``chosen``: by a person."""
+        if chosen:
+            self.course.drop_plan()
+            self.loops.forget()
+            self.reviewer.forget()
+            self.bypasses.tell((edge.address for edge in step.edges), again=True)
+        else:
+            self.loops.count(self.run.configuration, step.asked)
+        self.state.begin(chosen)
         self.release()
         self.desk.withdraw()
-        self.state.too_late = None
         self.carrier = Carrier(self.run, step)
         self._carry(self.carrier)
 
@@ -224,7 +235,7 @@ class Driver:
         if self.carrier is None:
             self.arrival.begin(moved=True)
             if self.state.once and (self.state.by_hand or not self.arrival.open):
-                self.state.once = False
+                self.state.stepped()
                 if not self.state.by_hand:
                     self.now_paused()
 
@@ -244,14 +255,15 @@ class Driver:
         if failure.unanswered or failure.lost:
             relocalise()
         else:
-            informed(self, relocalise)
+            self.integrity.informed(relocalise)
 
     # what commands need -------------------------------------------------------------------------
 
     def next_edge(self) -> Address | None:
         """The operation that people are asked about, else what the route begins next from here."""
-        if self.proposed is not None and self.desk.busy and not self.desk.keeps:
-            return self.proposed
+        proposed = self.admission.proposed
+        if proposed is not None and self.desk.busy and not self.desk.keeps:
+            return proposed
         if holds(self.run.configuration, self.course.goals):
             return None
         return self.course.next_operation(self.run.configuration)
@@ -268,6 +280,33 @@ class Driver:
         else:
             self.hold(Hold(why))
 
+    def arrived(self, new: bool, moved: bool, sentence: str) -> None:
+        """Goals were told: a step ends here, and where all hold (``sentence``) the run does."""
+        state = self.state
+        if new:
+            self.loops.forget()
+            self.repeats.forget()
+        if state.by_hand:
+            state.stepped()
+        elif moved and state.once:
+            state.stepped()
+            self.now_paused()
+        elif sentence:
+            self.finish("goal_reached", sentence)
+
+    def say(self, sentence: str) -> None:
+        """What the run waits for, or why it does not go on."""
+        self.sentence = sentence
+
+    def let_go(self) -> Carrier | None:
+        """Nothing is carried out any more; what was, until now."""
+        carrier, self.carrier = self.carrier, None
+        return carrier
+
+    def nobody_attends(self) -> None:
+        """Nobody is there any more to decide when it holds."""
+        self.attended = False
+
     def withdraw(self) -> None:
         """What was proposed is so no longer: the next proposal is made anew."""
         self.course.drop_plan()
@@ -281,11 +320,10 @@ class Driver:
         """Nobody moves until someone decides; unattended, the run is over. None does nothing."""
         if hold is None:
             return
-        state = self.state
         self.desk.withdraw()
         self.arrival.forget()
-        state.held, self.sentence = hold, hold.reason
-        state.once = state.pausing = state.paused = False
+        self.state.hold(hold)
+        self.sentence = hold.reason
         details = tuple(hold.details)
         held = Held(t=self.run.time, reason=hold.reason, details=details, kind=hold.kind)
         self.run.emit(held)
@@ -294,8 +332,9 @@ class Driver:
 
     def release(self) -> None:
         """The run holds no longer."""
-        self.state.held, self.sentence, self._broken_since = None, "", None
-        self.trouble.candidates = ()
+        self.state.release()
+        self.sentence, self._broken_since = "", None
+        self.trouble.forget()
 
     def finish(self, reason: str, sentence: str) -> None:
         """The run is over; the last event, which is told at the end of the tick, says why."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping
+from types import MappingProxyType
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import (
@@ -24,6 +25,8 @@ from smsl_studio.dispatch.people.rules import leveled_rules
 from smsl_studio.dispatch.senses import Senses
 from smsl_studio.host.protocol import Happened, Host, OpenedWorld
 from smsl_studio.runlog.events import Event
+
+NOWHERE: Mapping[str, str] = MappingProxyType({})
 
 
 class LiveRun:
@@ -83,8 +86,23 @@ class LiveRun:
         return self.levels.operation(edge.address) == HUMAN
 
     def emit(self, *events: Event) -> None:
+        """Something happened."""
         if events:
             self.events.extend(events)
+
+    @property
+    def mark(self) -> int:
+        """How many events wait to be told."""
+        return len(self.events)
+
+    def tell_before(self, mark: int, event: Event) -> None:
+        """Tell an event before all that came since a mark."""
+        self.events.insert(mark, event)
+
+    def drain(self) -> tuple[Event, ...]:
+        """The events that wait to be told; they do so no longer."""
+        events, self.events = tuple(self.events), []
+        return events
 
     def look(self) -> None:
         """Read every sensor now."""
@@ -134,6 +152,15 @@ class LiveRun:
                 self.configuration[name] = state
                 self.since[name] = self.time
                 self.previous.pop(name, None)
+
+    def cross(self, transit: frozenset[FactKey], moved: Mapping[str, str] = NOWHERE) -> None:
+        """Base digits are in transit from now on, and SBs stand elsewhere, not committed."""
+        self.pending.update(moved)
+        self.transit = transit
+
+    def blame(self, edge: Edge) -> None:
+        """An edge failed; cost functions hear of it."""
+        self.history.append((str(edge), "failed"))
 
     def drop_pending(self) -> None:
         """Forget what was in transit; the committed configuration stands."""

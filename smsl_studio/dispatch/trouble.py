@@ -55,6 +55,10 @@ class Trouble:
         self._course = course
         self._adopts = adopts
 
+    def forget(self) -> None:
+        """The run holds no longer: what the scene agreed with then is no offer."""
+        self.candidates = ()
+
     def blame(self, step: JointStep, failure: StepFailure) -> None:
         """An operation failed: tag it and the root's edge risky."""
         run = self._run
@@ -62,7 +66,7 @@ class Trouble:
             roots = [edge for edge in step.edges if edge.branch in run.hierarchy.roots]
             for edge in dict.fromkeys((failure.edge, *roots)):
                 self._course.tag_risky(edge.address, failure.reason)
-                run.history.append((str(edge), "failed"))
+                run.blame(edge)
                 run.emit(OperationRisky(t=run.time, address=str(edge), reason=failure.reason))
         self._course.drop_plan()
         run.drop_pending()

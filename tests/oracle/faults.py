@@ -27,7 +27,8 @@ from smsl_studio.dispatch.planner import Planner
 from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.safeguards import Safeguards
 from smsl_studio.dispatch.senses import Senses
-from smsl_studio.dispatch.supervision.review import Reviewer
+from smsl_studio.dispatch.supervision.review import ALLOWED, Reviewer
+from smsl_studio.dispatch.supervisor import Verdict
 from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.library import table
 from smsl_studio.monitor import facts as monitor_facts
@@ -105,15 +106,13 @@ def _nobody_confirms(patch: Patch) -> None:
 
 
 def _the_supervisor_is_not_heard(patch: Patch) -> None:
-    whole = Reviewer.lets_begin
+    whole = Reviewer.verdict
 
-    def deaf(self: Reviewer, driver: Driver, step: Any) -> bool:
-        with pytest.MonkeyPatch.context() as inner:
-            inner.setattr(self, "_obey", lambda *_: None)
-            whole(self, driver, step)
-        return True
+    def deaf(self: Reviewer, run: LiveRun, step: Any) -> Verdict:
+        whole(self, run, step)
+        return ALLOWED
 
-    patch.setattr(Reviewer, "lets_begin", deaf)
+    patch.setattr(Reviewer, "verdict", deaf)
 
 
 def _avoided_edges_are_used(patch: Patch) -> None:
@@ -255,18 +254,25 @@ def _critical_may_be_lost(patch: Patch) -> None:
 
 def _critical_is_not_asked_before(patch: Patch) -> None:
     patch.setattr(guards, "lost_critical", lambda run: ())
-    patch.setattr("smsl_studio.dispatch.driver.lost", lambda driver: False)
+    patch.setattr(Driver, "_lost", lambda self: False)
     patch.setattr(Safeguards, "begin", lambda self, action: ())
 
 
 def _people_are_asked_first(patch: Patch) -> None:
-    patch.setattr("smsl_studio.dispatch.supervision.recheck.all_theirs", lambda *_: True)
+    patch.setattr("smsl_studio.dispatch.supervision.integrity.all_theirs", lambda *_: True)
 
 
 def _goals_are_believed(patch: Patch) -> None:
     patch.setattr(arrival, "_doubtful", lambda run, here: False)
     patch.setattr(Senses, "late", lambda self, since, facts: ())
-    patch.setattr(arrival, "lost", lambda driver: False)
+    whole = arrival.Arrival.look
+
+    def look(self: arrival.Arrival) -> None:
+        with pytest.MonkeyPatch.context() as inner:
+            inner.setattr(self._integrity, "lost", lambda: False)
+            whole(self)
+
+    patch.setattr(arrival.Arrival, "look", look)
     patch.setattr(LiveRun, "broken", lambda self: ())
 
 
@@ -276,7 +282,7 @@ def _goals_are_told_at_once(patch: Patch) -> None:
     def after(self: Driver, carrier: Carrier) -> None:
         whole(self, carrier)
         if self.carrier is None and self.ended is None and self.state.held is None:
-            self.arrival._tell(self, self.arrival._reached)
+            self.arrival._tell(self.arrival._reached)
 
     patch.setattr(Driver, "_after", after)
 

@@ -7,96 +7,173 @@ function answers why the step was refused at once; empty where it begins or peop
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.continuum import HUMAN, SHARED
 from smsl_studio.blueprint.joint import JointStep
+from smsl_studio.dispatch.course import Course
 from smsl_studio.dispatch.guards import refusals
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
-from smsl_studio.dispatch.people.desk import no_words, who_words
+from smsl_studio.dispatch.people.desk import Desk, no_words, who_words
 from smsl_studio.dispatch.people.needed import of_step
-from smsl_studio.dispatch.people.questions import (
-    GO_ON,
-    PAUSE,
-    PRUNE,
-    confirm_task,
-    supervise_task,
-)
+from smsl_studio.dispatch.people.questions import GO_ON, confirm_task, supervise_task
 from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.supervision.conduct import Conduct
+from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
+from smsl_studio.dispatch.supervision.review import Reviewer
+from smsl_studio.dispatch.supervisor import ALLOW, ASK, PAUSE, PRUNE, Verdict
 from smsl_studio.dispatch.trouble import Hold
 from smsl_studio.runlog.events import Commanded, OperationPruned, OperationRefused
 
-if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
 
+class Admission:
+    """Lets steps begin, or turns them down. ``proposed`` is the operation that was last put to the
+    guards, ``chosen`` says that a person asked for it."""
 
-def admit(driver: Driver, step: JointStep, chosen: bool = False) -> str:
-    """Let a step begin, if everything that is asked first agrees. ``chosen``: a person asked for
-    it, so nobody has to supervise that choice, and a refusal holds nothing."""
-    driver.proposed, driver.chosen = step.asked.address, chosen
-    facts = of_step(driver.run, step)
-    if not facts:
-        return _guarded(driver, step, chosen)
+    def __init__(
+        self,
+        run: LiveRun,
+        course: Course,
+        desk: Desk,
+        reviewer: Reviewer,
+        loops: LoopGuard,
+        conduct: Conduct,
+    ) -> None:
+        self.proposed: Address | None = None
+        self.chosen = False
+        self._run, self._course, self._desk = run, course, desk
+        self._reviewer, self._loops, self._conduct = reviewer, loops, conduct
 
-    def said(closed: tuple[Closed, ...]) -> None:
-        no = no_words(closed)
-        _refuse(driver, step, chosen, (no,)) if no else _guarded(driver, step, chosen)
+    def admit(self, step: JointStep, chosen: bool = False) -> str:
+        """Let a step begin, if everything that is asked first agrees. ``chosen``: a person asked
+        for it, so nobody has to supervise that choice, and a refusal holds nothing."""
+        self.proposed, self.chosen = step.asked.address, chosen
+        facts = of_step(self._run, step)
+        if not facts:
+            return self._guarded(step, chosen)
 
-    nobody = driver.desk.ask(facts, said)
-    return _refuse(driver, step, chosen, (nobody,)) if nobody else ""
+        def said(closed: tuple[Closed, ...]) -> None:
+            no = no_words(closed)
+            self._refuse(step, chosen, (no,)) if no else self._guarded(step, chosen)
 
+        nobody = self._desk.ask(facts, said)
+        return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
-def supervised(driver: Driver, step: JointStep, why: str = "") -> str:
-    """Ask a person whether a step of the route may begin; why that is no use, if it is none."""
+    def _supervised(self, step: JointStep, why: str = "") -> str:
+        """Ask a person whether a step of the route may begin; why that is no use, if it is none."""
 
-    def decided(closed: tuple[Closed, ...]) -> None:
-        if closed[0].yes:
-            _confirmed(driver, step, chosen=False)
-        else:
-            _obey(driver, step, closed[0])
+        def decided(closed: tuple[Closed, ...]) -> None:
+            if closed[0].yes:
+                self._confirmed(step, chosen=False)
+            else:
+                self._obey_people(step, closed[0])
 
-    return driver.desk.ask([supervise_task(driver.run.blueprint, step.asked.address, why)], decided)
+        task = supervise_task(self._run.blueprint, step.asked.address, why)
+        return self._desk.ask([task], decided)
 
+    def _guarded(self, step: JointStep, chosen: bool) -> str:
+        run = self._run
+        reasons = self._barred(step) or refusals(run, step)
+        if reasons:
+            return self._refuse(step, chosen, reasons)
+        if chosen:
+            objection = self._reviewer.objection(run, step)
+            if objection:
+                return self._refuse(step, chosen, (objection,))
+            return self._confirmed(step, chosen, fresh=True)
+        circling = self._loops.why_not(run.configuration, step.asked)
+        if circling:
+            self._course.drop_plan()
+            self._conduct.hold(Hold(circling))
+            return circling
+        verdict = self._reviewer.verdict(run, step)
+        if verdict.decision != ALLOW:
+            self._obey_supervisor(step, verdict)
+            if not self._desk.busy:
+                self._course.drop_plan()
+            return ""
+        if run.levels.supervision != HUMAN:
+            return self._confirmed(step, chosen, fresh=True)
+        nobody = self._supervised(step)
+        return self._refuse(step, chosen, (nobody,)) if nobody else ""
 
-def _guarded(driver: Driver, step: JointStep, chosen: bool) -> str:
-    run = driver.run
-    reasons = _barred(driver, step) or refusals(run, step)
-    if reasons:
-        return _refuse(driver, step, chosen, reasons)
-    if chosen:
-        objection = driver.reviewer.objection(run, step)
-        if objection:
-            return _refuse(driver, step, chosen, (objection,))
-        return _confirmed(driver, step, chosen, fresh=True)
-    circling = driver.loops.why_not(run.configuration, step.asked)
-    if circling:
-        driver.course.drop_plan()
-        driver.hold(Hold(circling))
-        return circling
-    if not driver.reviewer.lets_begin(driver, step):
-        if not driver.desk.busy:
-            driver.course.drop_plan()
+    def _confirmed(self, step: JointStep, chosen: bool, fresh: bool = False) -> str:
+        """People confirm what must be confirmed, all of it before anything moves; then it begins.
+
+        ``fresh``: the guards were asked at this very moment."""
+        questions = confirmations(self._run, step) if self._run.people_act else ()
+        if not questions:
+            return self._begin(step, chosen, fresh)
+
+        def said(closed: tuple[Closed, ...]) -> None:
+            no = no_words(closed)
+            self._refuse(step, chosen, (no,)) if no else self._begin(step, chosen)
+
+        nobody = self._desk.ask(questions, said)
+        return self._refuse(step, chosen, (nobody,)) if nobody else ""
+
+    def _begin(self, step: JointStep, chosen: bool, fresh: bool = False) -> str:
+        """Begin, if the guards still agree."""
+        reasons = () if fresh else self._barred(step) or refusals(self._run, step)
+        if reasons:
+            return self._refuse(step, chosen, reasons)
+        self._conduct.begin(step, chosen)
         return ""
-    if run.levels.supervision != HUMAN:
-        return _confirmed(driver, step, chosen, fresh=True)
-    nobody = supervised(driver, step)
-    return _refuse(driver, step, chosen, (nobody,)) if nobody else ""
 
+    def _barred(self, step: JointStep) -> tuple[str, ...]:
+        """What was shut out since the step was worked out."""
+        shut = self._course.shut
+        if not shut:
+            return ()
+        return tuple(f"{one} is {shut[one.address]}" for one in step.edges if one.address in shut)
 
-def _confirmed(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -> str:
-    """People confirm what must be confirmed, all of it before anything moves; then it begins.
+    def _refuse(self, step: JointStep, chosen: bool, reasons: tuple[str, ...]) -> str:
+        run = self._run
+        self._course.drop_plan()
+        run.emit(OperationRefused(t=run.time, address=str(step.asked), reasons=reasons))
+        if not chosen:
+            self._conduct.hold(Hold(f"{step.asked} cannot begin: {reasons[0]}", reasons))
+        return "; ".join(reasons)
 
-    ``fresh``: the guards were asked at this very moment."""
-    questions = confirmations(driver.run, step) if driver.run.people_act else ()
-    if not questions:
-        return _begin(driver, step, chosen, fresh)
+    def _obey_people(self, step: JointStep, closed: Closed) -> None:
+        """A person has decided against a step: skip it, shut it out, pause; or has not decided."""
+        run, address = self._run, step.asked.address
+        if closed.outcome != ANSWERED or closed.answer is None:
+            self._refuse(step, False, (no_words([closed]),))
+            return
+        self._course.drop_plan()
+        decision, by = closed.answer.value, who_words(closed)
+        assert decision != GO_ON.value, "that is a yes"
+        run.emit(Commanded(t=run.time, command=decision, by=by, address=str(address)))
+        if decision == PAUSE:
+            self._conduct.paused_or_held(f"{by} wants a pause before {address}")
+        else:
+            self._skip(address, decision, "")
 
-    def said(closed: tuple[Closed, ...]) -> None:
-        no = no_words(closed)
-        _refuse(driver, step, chosen, (no,)) if no else _begin(driver, step, chosen)
+    def _obey_supervisor(self, step: JointStep, verdict: Verdict) -> None:
+        """The supervisor does not let it begin: skip it, shut it out, pause, or ask a person."""
+        run, address = self._run, step.asked.address
+        reason, name = verdict.reason, self._reviewer.name
+        said = {"by": name, "address": str(address), "reason": reason}
+        run.emit(Commanded(t=run.time, command=verdict.decision, **said))
+        if verdict.decision == PAUSE:
+            self._conduct.paused_or_held(f"{name} wants a pause before {address}: {reason}")
+            return
+        if verdict.decision == ASK:
+            if self._supervised(step, f"{name} asks: {reason}"):
+                self._conduct.hold(Hold(f"{name} asks about {address}: {reason}"))
+            return
+        words = f"{name} says no" + (f": {reason}" if reason else "")
+        run.emit(OperationRefused(t=run.time, address=str(address), reasons=(words,)))
+        self._skip(address, verdict.decision, reason)
 
-    nobody = driver.desk.ask(questions, said)
-    return _refuse(driver, step, chosen, (nobody,)) if nobody else ""
+    def _skip(self, address: Address, decision: str, reason: str) -> None:
+        """Shut an operation out until it is restored, or skip it once."""
+        run = self._run
+        if decision == PRUNE:
+            self._course.prune(address, reason)
+            run.emit(OperationPruned(t=run.time, address=str(address), reason=reason))
+        else:
+            self._course.veto(address, run.configuration)
 
 
 def confirmations(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
@@ -110,57 +187,3 @@ def confirmations(run: LiveRun, step: JointStep) -> tuple[Question, ...]:
         if note.confirm or run.levels.operation(edge.address) == SHARED:
             found.append(confirm_task(run.blueprint, edge.address))
     return tuple(found)
-
-
-def _begin(driver: Driver, step: JointStep, chosen: bool, fresh: bool = False) -> str:
-    """Begin, if the guards still agree."""
-    run, state = driver.run, driver.state
-    reasons = () if fresh else _barred(driver, step) or refusals(run, step)
-    if reasons:
-        return _refuse(driver, step, chosen, reasons)
-    if chosen:
-        driver.course.drop_plan()
-        state.paused |= state.held is not None and not state.by_hand
-        driver.loops.forget()
-        driver.reviewer.forget()
-        driver.bypasses.tell((edge.address for edge in step.edges), again=True)
-    else:
-        driver.loops.count(run.configuration, step.asked)
-    driver.begin(step)
-    return ""
-
-
-def _barred(driver: Driver, step: JointStep) -> tuple[str, ...]:
-    """What was shut out since the step was worked out."""
-    shut = driver.course.shut
-    if not shut:
-        return ()
-    return tuple(f"{one} is {shut[one.address]}" for one in step.edges if one.address in shut)
-
-
-def _refuse(driver: Driver, step: JointStep, chosen: bool, reasons: tuple[str, ...]) -> str:
-    run = driver.run
-    driver.course.drop_plan()
-    run.emit(OperationRefused(t=run.time, address=str(step.asked), reasons=reasons))
-    if not chosen:
-        driver.hold(Hold(f"{step.asked} cannot begin: {reasons[0]}", reasons))
-    return "; ".join(reasons)
-
-
-def _obey(driver: Driver, step: JointStep, closed: Closed) -> None:
-    """A person has decided against a step: skip it, shut it out, pause; or has not decided."""
-    run, address = driver.run, step.asked.address
-    if closed.outcome != ANSWERED or closed.answer is None:
-        _refuse(driver, step, False, (no_words([closed]),))
-        return
-    driver.course.drop_plan()
-    decision, by = closed.answer.value, who_words(closed)
-    assert decision != GO_ON.value, "that is a yes"
-    run.emit(Commanded(t=run.time, command=decision, by=by, address=str(address)))
-    if decision == PAUSE.value:
-        driver.paused_or_held(f"{by} wants a pause before {address}")
-    elif decision == PRUNE.value:
-        driver.course.prune(address, "")
-        run.emit(OperationPruned(t=run.time, address=str(address), reason=""))
-    else:
-        driver.course.veto(address, run.configuration)

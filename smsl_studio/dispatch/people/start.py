@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.people.board import ANSWERED, Closed
-from smsl_studio.dispatch.people.desk import no_words
+from smsl_studio.dispatch.people.desk import Desk, no_words
 from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.questions import start_task
+from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.start import start_events
+from smsl_studio.dispatch.supervision.conduct import Conduct
 from smsl_studio.dispatch.trouble import Hold
 from smsl_studio.errors import RunRefused
 from smsl_studio.runlog.events import FactChanged
-
-if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
 
 
 class StartTasks:
@@ -27,8 +25,16 @@ class StartTasks:
     ``seed`` are for the record.
     """
 
-    def __init__(self, driver: Driver, seed: int, goals: Sequence[Address], findings: str) -> None:
-        self._driver = driver
+    def __init__(
+        self,
+        run: LiveRun,
+        desk: Desk,
+        conduct: Conduct,
+        seed: int,
+        goals: Sequence[Address],
+        findings: str,
+    ) -> None:
+        self._run, self._desk, self._conduct = run, desk, conduct
         self._seed, self._goals, self._findings = seed, tuple(goals), findings
         self._told = False
 
@@ -48,14 +54,14 @@ class StartTasks:
         if self._told:
             self._accepted()
             return
-        run = self._driver.run
+        run = self._run
         changes = run.senses.look()
         facts = in_checks(run, run.checks(run.configuration))
         if not facts:
             self._tell(changes)
             return
         run.emit(*changes)
-        nobody = self._driver.desk.ask(facts, self._said)
+        nobody = self._desk.ask(facts, self._said)
         if nobody:
             raise RunRefused(
                 nobody,
@@ -70,10 +76,10 @@ class StartTasks:
                 raise RunRefused(no, advice="The start must be known before anything moves.")
             self._tell(())
         except RunRefused as refused:
-            self._driver.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
+            self._conduct.finish("refused", f"{refused.sentence}. {refused.advice}".strip())
 
     def _tell(self, changes: tuple[FactChanged, ...]) -> None:
-        self._driver.run.emit(*start_events(self._driver.run, self._seed, self._goals, changes))
+        self._run.emit(*start_events(self._run, self._seed, self._goals, changes))
         self._told = True
         self._accepted()
 
@@ -81,15 +87,14 @@ class StartTasks:
         """Ask whether the findings are accepted, where there are any to accept."""
         if not self._findings:
             return
-        nobody = self._driver.desk.ask([start_task(self._findings)], self._decided)
+        nobody = self._desk.ask([start_task(self._findings)], self._decided)
         if nobody:
-            self._driver.hold(Hold(nobody, (self._findings,)))
+            self._conduct.hold(Hold(nobody, (self._findings,)))
 
     def _decided(self, closed: tuple[Closed, ...]) -> None:
-        driver = self._driver
         if closed[0].yes:
             self._findings = ""
         elif closed[0].outcome == ANSWERED:
-            driver.finish("refused", f"The findings were not accepted: {no_words(closed)}.")
+            self._conduct.finish("refused", f"The findings were not accepted: {no_words(closed)}.")
         else:
-            driver.hold(Hold(no_words(closed), (self._findings,)))
+            self._conduct.hold(Hold(no_words(closed), (self._findings,)))

@@ -17,16 +17,16 @@ def leave(driver: Driver) -> None:
     """
     if driver.phase == "waiting":
         driver.desk.settled()
-    driver.attended = False
+    driver.nobody_attends()
     held, phase = driver.state.held, driver.phase
     if held is not None and phase in ("no_route", "fault_hold"):
         driver.finish(held.ends, held.reason)
     elif phase == "stopped":
         driver.finish("stopped", driver.sentence)
     elif phase in ("ready", "paused") and _at_goals(driver):
-        driver.state.by_hand = False
+        driver.state.follow(route=True)
         driver.state.resume()
-        driver.arrival.closing = True
+        driver.arrival.close()
     elif phase == "waiting" and not driver.starting.told:
         driver.finish("refused", f"The start is not known, and {driver.desk.nobody}.")
     elif phase == "waiting":

@@ -36,9 +36,8 @@ def stop(driver: Driver, *, by: str = PERSON) -> str:
     except (HostError, Stopped) as error:  # what is gone does not move
         words = error.sentence if isinstance(error, HostError) else MUTE
         touched, gone = _end_all(driver), f" {words[:1].upper()}{words[1:]}."
-    state.latch()
-    state.taken_over, state.stopped, state.touched = "", by, touched
-    driver.sentence = f"Stopped by {by}.{gone}"
+    state.stop(by, touched)
+    driver.say(f"Stopped by {by}.{gone}")
     run.emit(RunStopped(t=run.time, by=by))
     if gone or not driver.attended:
         driver.finish("stopped", driver.sentence)
@@ -47,10 +46,8 @@ def stop(driver: Driver, *, by: str = PERSON) -> str:
 
 def reset(driver: Driver, *, by: str = PERSON) -> str:
     """Unlatch to paused; what the stopped operation may have touched is unknown."""
-    run, state = driver.run, driver.state
-    touched, state.touched, state.stopped = state.touched, (), ""
-    driver.sentence = ""
-    state.pause(carrying=False)
+    run, touched = driver.run, driver.state.reset()
+    driver.say("")
     unknown = tuple(fact_text(*key) for key in touched)
     run.emit(RunReset(t=run.time, by=by, unknown=unknown))
     run.emit(*run.senses.doubt(touched, "an operation that was stopped may have changed it"))
@@ -69,11 +66,10 @@ def end(driver: Driver, *, by: str = PERSON) -> str:
 
 def take_over(driver: Driver, *, by: str = PERSON) -> str:
     """Automation is locked out; the dispatcher only observes."""
-    run, state = driver.run, driver.state
+    run = driver.run
     _cut(driver, f"{by} took over")
-    state.latch()
-    state.taken_over = by
-    driver.sentence = f"{by[:1].upper()}{by[1:]} has taken over."
+    driver.state.take_over(by)
+    driver.say(f"{by[:1].upper()}{by[1:]} has taken over.")
     run.emit(TakenOver(t=run.time, by=by))
     # Whatever the person does now, what was said of the scene before is no evidence afterwards.
     run.emit(*run.senses.forget(sensed_facts(run.blueprint)))
@@ -84,13 +80,13 @@ def give_back(driver: Driver, *, by: str = PERSON) -> str:
     """Ask the scene, and people first what only they can say of it; the one configuration it
     agrees with is offered to be accepted."""
     driver.run.look()
-    driver.state.offered = None
+    driver.state.offer(None)
     facts = everywhere(driver.run)
     if not facts:
         return _offer(driver)
 
     def said(_: object) -> None:
-        driver.sentence = _offer(driver) or driver.sentence
+        driver.say(_offer(driver) or driver.sentence)
 
     return driver.desk.ask(facts, said, keep=True)
 
@@ -100,7 +96,7 @@ def _offer(driver: Driver) -> str:
     run, state = driver.run, driver.state
     found = located(run)
     if len(found) == 1:
-        state.offered = found[0]
+        state.offer(found[0])
         return ""
     if found:
         names = " or ".join(_states(one) for one in found)
@@ -122,12 +118,11 @@ def accept(driver: Driver, *, by: str = PERSON) -> str:
         return "nothing is offered: give it back first"
     run.look()
     if located(run) != (offered,):
-        state.offered = None
+        state.offer(None)
         return f"the scene no longer agrees with {_states(offered)} alone: give it back again"
     run.senses.vouch()
-    state.latch()
-    state.taken_over, driver.sentence = "", ""
-    state.paused = not state.by_hand
+    state.give_back()
+    driver.say("")
     driver.loops.forget()
     run.emit(GivenBack(t=run.time, by=by, configuration=dict(offered)))
     driver.trouble.adopt(offered)
@@ -169,7 +164,7 @@ def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
 
 def _end_all(driver: Driver) -> tuple[FactKey, ...]:
     """Nothing that was going on or planned goes on; the facts it may have touched."""
-    carrier, driver.carrier = driver.carrier, None
+    carrier = driver.let_go()
     driver.desk.withdraw()
     driver.reviewer.forget()
     driver.run.drop_pending()

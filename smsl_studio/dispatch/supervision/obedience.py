@@ -28,8 +28,7 @@ def obey(driver: Driver, commands: list[Command]) -> None:
     gone: HostError | None = None
     while commands:
         command = commands[0]
-        events = driver.run.events
-        at = len(events)
+        at = driver.run.mark
         try:
             refused = (
                 f"the world is gone: {gone.sentence}" if gone else _why_not(driver, command, done)
@@ -42,7 +41,7 @@ def obey(driver: Driver, commands: list[Command]) -> None:
         del commands[0]
         if not refused or command.row.stands:
             done.append(command)
-        events.insert(at, _told(driver, command, refused))
+        driver.run.tell_before(at, _told(driver, command, refused))
     if gone is not None:
         raise gone
 

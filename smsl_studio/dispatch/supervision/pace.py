@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.dispatch.guards import asked
-from smsl_studio.dispatch.people.admission import admit
 from smsl_studio.dispatch.supervision.recheck import recheck
 from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.runlog.events import OperationRefused, Resumed
@@ -42,9 +41,10 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
             driver.repeats.count(run.configuration, answer.asked)
             answer = (circling,) if circling else answer
         if isinstance(answer, JointStep):
-            refused = admit(driver, answer, chosen=True)
+            refused = driver.admission.admit(answer, chosen=True)
             # What was held by a pause until now, a question, is no longer what the run waits for.
-            driver.state.frozen &= bool(refused)
+            if not refused:
+                driver.state.thaw()
             return refused
         reasons = answer
     run.emit(OperationRefused(t=run.time, address=str(address), reasons=reasons))
@@ -59,7 +59,7 @@ def pause(driver: Driver, *, by: str = PERSON) -> str:
     if carrier is None or not carrier.moving or carrier.can_freeze:
         driver.now_paused()
         return ""
-    state.pausing = True
+    state.pause_later()
     if carrier.bound.stop != "finish":
         carrier.abort(carrier.bound.stop, "it was paused and cannot be held")
     return ""
@@ -70,7 +70,7 @@ def resume(driver: Driver, *, by: str = PERSON) -> str:
     from now on."""
     state = driver.state
     if driver.phase == "ready":
-        state.by_hand = False
+        state.follow(route=True)
     state.resume()
     driver.run.emit(Resumed(t=driver.run.time))
     if driver.carrier is None:
@@ -94,8 +94,8 @@ def step(driver: Driver, *, by: str = PERSON) -> str:
 
 def set_automatic(driver: Driver, automatic: bool, *, by: str = PERSON) -> str:
     """Follow the route by itself, or wait to be asked."""
-    driver.state.by_hand = not automatic
-    route_asks = driver.starting.over and not driver.chosen and not driver.desk.keeps
+    driver.state.follow(route=bool(automatic))
+    route_asks = driver.starting.over and not driver.admission.chosen and not driver.desk.keeps
     if driver.state.by_hand and route_asks:
         driver.withdraw()
     return ""

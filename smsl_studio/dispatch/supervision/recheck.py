@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.carrier import Carrier
 from smsl_studio.dispatch.effects import moved_by
-from smsl_studio.dispatch.people.needed import all_theirs, in_checks
 from smsl_studio.dispatch.recovery import stands
-from smsl_studio.dispatch.safeguards import lost_critical, lost_terms
 from smsl_studio.dispatch.words import all_words
 
 if TYPE_CHECKING:
@@ -29,47 +26,11 @@ def recheck(driver: Driver) -> None:
         driver.loops.forget()
         driver.course.lift_vetoes(held.skipped)
         driver.release()
-        informed(driver, lambda: driver.hold(driver.trouble.relocalise()))
+        driver.integrity.informed(lambda: driver.hold(driver.trouble.relocalise()))
         return
     run.look()
     if not stands(run, run.configuration):
-        informed(driver, lambda: _read_again(driver))
-
-
-def informed(driver: Driver, then: Callable[[], None]) -> None:
-    """Do it once people were asked for those facts of the active states that are unknown and
-    theirs to say; at once where there are none, or nobody is there."""
-    run = driver.run
-    run.look()
-    facts = in_checks(run, run.checks(run.configuration))
-    if not facts or driver.desk.ask(facts, lambda _: then(), keep=True):
-        then()
-
-
-def lost(driver: Driver) -> bool:
-    """Hold where a critical fact is false or unknown; whether that is so.
-
-    It holds at once, whatever people are being asked. Only where all that is lost is theirs to say
-    they are asked first, or may finish what they are asked already.
-    """
-    run = driver.run
-    if not driver.starting.told or not lost_critical(run):
-        return False
-
-    def hold() -> None:
-        facts = lost_critical(run)
-        driver.hold(driver.trouble.lost(facts) if facts else None)
-
-    theirs = all_theirs(run, lost_terms(run))
-    if theirs and driver.desk.keeps:
-        return False
-    driver.withdraw()
-    if theirs:
-        informed(driver, hold)
-    else:
-        run.look()
-        hold()
-    return True
+        driver.integrity.informed(lambda: _read_again(driver))
 
 
 def _recheck_others(driver: Driver, carrier: Carrier) -> None:

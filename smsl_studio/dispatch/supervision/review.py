@@ -1,12 +1,9 @@
-"""Asking the supervisor, last of all guards, and what becomes of its verdict."""
+"""Asking the supervisor, last of all guards."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.people.admission import supervised
 from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.dispatch.supervisor import (
     ALLOW,
@@ -18,14 +15,10 @@ from smsl_studio.dispatch.supervisor import (
     Supervisor,
     Verdict,
 )
-from smsl_studio.dispatch.trouble import Hold
-from smsl_studio.runlog.events import Commanded, OperationPruned, OperationRefused
-
-if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
 
 RISKS = ("", "low", "medium", "high")
 DECISIONS = (ALLOW, VETO, PRUNE, PAUSE, ASK)
+ALLOWED = Verdict(ALLOW)
 
 
 class Reviewer:
@@ -40,23 +33,24 @@ class Reviewer:
         self._doubtful: tuple[tuple[str, ...], Address] | None = None
         self._trusted = False
 
-    def lets_begin(self, driver: Driver, step: JointStep) -> bool:
-        """Whether a step of the route may begin; else its verdict has been carried out."""
-        supervisor, run, address = self._supervisor, driver.run, step.asked.address
-        if supervisor is None:
-            return True
-        here = (tuple(run.configuration.values()), address)
-        if self._trusted and self._doubtful == here:
-            self.forget()
-            return True
+    @property
+    def name(self) -> str:
+        """Who it is, for the record; empty where it is nobody."""
+        return "" if self._supervisor is None else self._supervisor.name
+
+    def verdict(self, run: LiveRun, step: JointStep) -> Verdict:
+        """What is said of a step of the route."""
+        if self._supervisor is None:
+            return ALLOWED
+        here = (tuple(run.configuration.values()), step.asked.address)
+        trusted = self._trusted and self._doubtful == here
         self.forget()
-        verdict = self._review(supervisor, run, step)
-        if verdict.decision == ALLOW:
-            return True
-        self._obey(driver, verdict, supervisor.name, step)
+        if trusted:
+            return ALLOWED
+        verdict = self._review(self._supervisor, run, step)
         if verdict.decision == PAUSE:
             self._doubtful = here
-        return False
+        return verdict
 
     def objection(self, run: LiveRun, step: JointStep) -> str:
         """Why an operation that a person asked for may not begin. Who asks back or wants a pause
@@ -86,26 +80,6 @@ class Reviewer:
         except Exception as error:
             words = f"it failed, {type(error).__name__}: {error}"
         return Verdict(ASK, words)
-
-    def _obey(self, driver: Driver, verdict: Verdict, name: str, step: JointStep) -> None:
-        run, reason, address = driver.run, verdict.reason, step.asked.address
-        said = {"by": name, "address": str(address), "reason": reason}
-        run.emit(Commanded(t=run.time, command=verdict.decision, **said))
-        if verdict.decision == PAUSE:
-            driver.paused_or_held(f"{name} wants a pause before {address}: {reason}")
-            return
-        if verdict.decision == ASK:
-            why = f"{name} asks: {reason}"
-            if supervised(driver, step, why):
-                driver.hold(Hold(f"{name} asks about {address}: {reason}"))
-            return
-        words = f"{name} says no" + (f": {reason}" if reason else "")
-        run.emit(OperationRefused(t=run.time, address=str(address), reasons=(words,)))
-        if verdict.decision == VETO:
-            driver.course.veto(address, run.configuration)
-        elif verdict.decision == PRUNE:
-            driver.course.prune(address, reason)
-            run.emit(OperationPruned(t=run.time, address=str(address), reason=reason))
 
 
 def proposal(run: LiveRun, step: JointStep) -> Proposal:

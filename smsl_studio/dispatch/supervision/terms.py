@@ -25,7 +25,7 @@ def veto(
         here.update(carrier.step.after)
         begun = [edge.address for edge in carrier.step.edges]
         if address is None or address in begun:
-            driver.state.too_late = carrier.step.asked.address
+            driver.state.come_too_late(carrier.step.asked.address)
             whole = carrier.step.asked.address
             part = f", and {address} is part of it" if address not in (None, whole) else ""
             return f"too late, {whole} is being carried out{part}; a stop ends it"
@@ -48,7 +48,7 @@ def prune(driver: Driver, address: Address, reason: str, *, by: str = PERSON) ->
     driver.course.prune(address, reason)
     run.emit(OperationPruned(t=run.time, address=str(address), reason=reason))
     if carrier is not None and address in carrier.uncommitted:
-        driver.state.frozen = False
+        driver.state.thaw()
         carrier.abort("hold", f"{address} was pruned: {reason}")
     driver.withdraw()
     return ""

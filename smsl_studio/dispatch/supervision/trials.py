@@ -44,7 +44,7 @@ def inject(driver: Driver, /, fault: str, *, by: str = PERSON, **parameters: flo
 
 def full_map(driver: Driver, on: bool, *, by: str = PERSON) -> str:
     """Show a supervisor the whole map instead of the neighbours, or no longer."""
-    driver.state.full_map = bool(on)
+    driver.state.show_map(bool(on))
     return ""
 
 
