@@ -1,4 +1,4 @@
-"""One tree of expected errors; everything else is a fault of ours and crashes honestly.
+"""The tree of expected errors. Any other error is a fault of this program, and is not caught.
 
 ::
 
@@ -147,10 +147,10 @@ class PlanningError(StudioError):
 
 
 _MANY = 5000
-"""So many known names are compared at most."""
+"""At most so many known names are compared."""
 
 _LONGEST = 200
-"""Longer names have no near ones: to compare them takes the square of their length."""
+"""Longer names are not compared, because the time grows with the square of their length."""
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
@@ -162,7 +162,7 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 def nearest(name: str, known: Iterable[str]) -> str:
     """The known name most like ``name``, or the empty text.
 
-    Of names equally close, the one that is alike in most places.
+    Of equally close names it is the one with the most equal characters at equal positions.
     """
     if len(name) > _LONGEST:
         return ""

@@ -3,7 +3,7 @@
 Every SMSL reader skips them, so each is optional; each is typed and checked here. A field that
 does not fit is left out of the meaning and reported (rule R29), never guessed at. Units: seconds.
 
-The notes are plain values; pydantic, which checks them, is loaded when there is one to check.
+Notes are plain values. pydantic checks them; it is loaded only when there is a note to check.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Json = Any
 
 
 class _Note:
-    """What an entry may say; a word that it has no field for does not fit."""
+    """The base of all notes. An entry with a key that is no field of its note does not fit."""
 
     __pydantic_config__: ClassVar = {"extra": "forbid"}
 
@@ -51,7 +51,8 @@ class FactNote(_Note):
     conflict_after: Annotated[float, Ge(0), Le(60)] = 0.0
     """How long (s) its sensors may disagree before it is unknown."""
     question: str = ""
-    """What a person is asked, where one says what it is; ``roles`` has one role for each person."""
+    """The question to a person who says what the fact is; ``roles`` has one role for each
+    person."""
     roles: tuple[str, ...] = ()
     answer_within: Annotated[float, Gt(0)] | None = None
     escalates_to: str = ""
@@ -81,7 +82,7 @@ class OperationNote(_Note):
 
     title: str = ""
     cost: Annotated[float, Ge(0), Le(1e12)] | None = None
-    """Bounded, so that the cost of any route is a number too."""
+    """It has an upper bound, so that the cost of every route is finite."""
     risk: Literal["low", "medium", "high"] | None = None
     actor: Literal["human", "shared", "robot"] | None = None
     confirm: tuple[str, ...] = ()
@@ -139,7 +140,7 @@ class Notes:
 PLAIN = OperationNote()
 
 FAR = 1e7
-"""So many pixels from the middle, in either direction, nothing is drawn any more."""
+"""Pixels. A position must be nearer than this to the middle in both directions."""
 
 
 def read_notes(fields: Mapping[str, Json]) -> Notes:
@@ -193,7 +194,7 @@ def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, 
 
 
 def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...], str], ...]]:
-    """``_levels`` of a file: what is human, shared or automatic; and what is none of these."""
+    """The levels that ``_levels`` of a file declares, and the entries that are no level."""
     if raw is None:
         return {}, ()
     if not isinstance(raw, dict):
@@ -205,7 +206,8 @@ def read_levels(raw: Json) -> tuple[dict[str, str], tuple[tuple[tuple[str, ...],
 
 
 def point_of(at: Json) -> tuple[float, float] | None:
-    """A position as ``_layout`` writes it; None for what is none, or too far away to be drawn."""
+    """A position ``[x, y]`` of ``_layout`` (pixels); None where it is none, or too far away to
+    draw."""
     if not isinstance(at, list) or len(at) != 2:
         return None
     if not all(type(value) in (int, float) and abs(value) < FAR for value in at):
@@ -223,7 +225,7 @@ def _validated(
 def _with_words(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> tuple[NoteT | None, frozenset[str]]:
-    """The note in ``raw``, and which of its words fit; none where one is missing that must not."""
+    """The note in ``raw`` and which of its words fit; no note where a required word is missing."""
     from pydantic import ValidationError
 
     kind: Any = model

@@ -33,7 +33,8 @@ class Reading:
 
 @dataclass(frozen=True)
 class Scene:
-    """The facts as sensed at one instant (the paper's *s*); nobody senses what is not in it."""
+    """The facts as sensed at one instant (the paper's *s*); a fact that is not in it has no
+    sensor."""
 
     readings: Mapping[FactKey, Reading] = field(default_factory=lambda: MappingProxyType({}))
     time: float = 0.0
@@ -91,8 +92,8 @@ class CheckResult:
 
 
 class _Expected(NamedTuple):
-    """A state whose facts hang on no sub-SB: what each must read, and the results if all do, or if
-    nobody senses them."""
+    """For a state without sub-SBs: what each fact must read, and two results made in advance, one
+    for all facts sensed so and one for no fact sensed."""
 
     pairs: tuple[tuple[FactKey, str], ...]
     sensed: CheckResult
@@ -129,7 +130,7 @@ def state_check(
 
 
 class _Checking:
-    """One state check on its way down: a sub-SB that several bases share is checked once."""
+    """One state check over all levels; a sub-SB that several bases share is checked only once."""
 
     def __init__(
         self,
@@ -166,11 +167,11 @@ class _Checking:
 def as_expected(
     branch: StateBranch, state: str, scene: Scene, held: str | None
 ) -> CheckResult | None:
-    """The result of a state check whose facts are all as the state wants them: every one sensed
-    so, or none sensed and the SB believed (``held``) to be there.
+    """The result of a state check in which every fact is as the state wants it.
 
-    None where that is not so, or a fact hangs on a sub-SB: then every term must be looked at. It
-    is what most checks of a run that goes well come to, so it is made once for each state.
+    Either all are sensed so, or none is sensed and the SB is believed (``held``) to be there. None
+    in every other case, and where a sub-SB expands a fact: then each term must be checked. Most
+    checks of a run end here, so each state keeps its two results.
     """
     try:
         kept: _Expected = branch.__dict__[_KEY][state]
@@ -206,7 +207,8 @@ def _expected(branch: StateBranch, state: str) -> _Expected:
 
 
 def sub_below(blueprint: Blueprint, branch: StateBranch, digit: int) -> StateBranch | None:
-    """The sub-SB whose state check a digit is, None where it is read like any other fact."""
+    """The sub-SB whose state check gives the value of a digit; None where the digit is read like
+    any other fact."""
     sub = blueprint.branches.get(branch.subs.get(digit, ""))
     return sub if sub is not None and sub.activating in sub.table else None
 

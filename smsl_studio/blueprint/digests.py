@@ -1,7 +1,7 @@
-"""The digests of a blueprint: what is told apart, and what an approval signs.
+"""The digests of a blueprint, by which blueprints are told apart and which an approval signs.
 
-Outside of all three are ``_layout``, comments, the name and the form of the file, NUM_STATES,
-unknown header keys and other ``_`` fields. The order of SBs counts; that of states and operations
+None of the three covers ``_layout``, comments, the name and the form of the file, NUM_STATES,
+unknown header keys or other ``_`` fields. The order of SBs counts; that of states and operations
 only through the defaults.
 """
 

@@ -68,8 +68,8 @@ class Edge:
 
 
 class Extra(Protocol):
-    """What an edge costs on top of its cost; of those that are not closed in themselves (no
-    function, into a failure), only ``closed`` ones cost more."""
+    """What an edge costs in addition. An edge without a function, or one into a failure, may cost
+    more; of all other edges only those in ``closed`` do."""
 
     @property
     def closed(self) -> Mapping[Address, str]:
@@ -86,7 +86,7 @@ class Edges:
 
     ``exact`` are the addresses whose function was bound to exactly this ``State/Operation``: the
     only functions that run on an edge which needs none. ``costs`` stand in the place of declared
-    ones; ``extra`` says what an edge costs on top of that, whatever it is.
+    ones; ``extra`` gives what an edge costs in addition.
     """
 
     def __init__(
@@ -129,7 +129,7 @@ class Edges:
         return found.get(address.operation)
 
     def required_by(self, branch: str) -> frozenset[str]:
-        """The SBs of which operations of an SB require facts."""
+        """The SBs whose facts are required by operations of this SB."""
         found = self._required_by.get(branch)
         if found is None:
             found = self._required_by[branch] = frozenset(

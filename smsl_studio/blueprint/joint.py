@@ -1,4 +1,4 @@
-"""The joint step: everything one asked edge brings about, and what becomes true together.
+"""The joint step: everything that carrying out one edge does, and what becomes true together.
 
 A joint step is a sequence of actions; each runs one library function. An edge is *done* when its
 last part is done, and *commits* with the edges that must become true together with it (clause 6).
@@ -53,10 +53,10 @@ class JointStep:
 
 @dataclass(eq=False)
 class Carried:
-    """One edge while a script is written: the actions it begins and is done with.
+    """One edge of a joint step being written, with its first action and the one that ends it.
 
-    ``places`` are the SBs it leaves elsewhere; ``order`` grows as edges are done; ``transit`` are
-    the base digits in transit from its start to its commit.
+    ``places`` are the SBs that it moves, each with its new state; ``order`` grows as edges are
+    done; ``transit`` are the base digits in transit from its start to its commit.
     """
 
     edge: Edge
@@ -68,11 +68,11 @@ class Carried:
 
 
 class StepDraft:
-    """A joint step while it is being written; ``configuration`` is where the writing has got to.
+    """A joint step while it is written; ``configuration`` is where its SBs stand so far.
 
-    ``links`` are pairs (crossing, base edge) that commit together. A ``light`` script is written
-    for its cost and its end alone: routes of flat subs are taken in one stride (``stride``), and
-    it cannot be made a joint step.
+    ``links`` are pairs (crossing, base edge) that commit together. A ``light`` draft only finds out
+    the cost and the end: the route of a flat sub is one entry (``stride``), and no joint step can
+    be made from it.
     """
 
     def __init__(self, configuration: Mapping[str, str], light: bool = False) -> None:
@@ -91,7 +91,7 @@ class StepDraft:
         return self.carried[0].edge if self.carried else None
 
     def begin(self, edge: Edge, transit: tuple[FactKey, ...] = ()) -> Carried:
-        """An edge starts with the next function that runs."""
+        """Let an edge start with the next function that runs."""
         carried = Carried(edge, len(self.functions), transit)
         self.carried.append(carried)
         self.cost += edge.cost
@@ -99,32 +99,32 @@ class StepDraft:
         return carried
 
     def stride(self, branch: str, goal: str, cost: float, count: int) -> None:
-        """A flat sub goes all its way to ``goal``."""
+        """Move a flat sub to ``goal`` by a route of ``count`` edges."""
         self.configuration[branch] = goal
         self.cost += cost
         self.counts[branch] = self.counts.get(branch, 0) + count
 
     def add(self, other: StepDraft, names: Iterable[str]) -> None:
-        """All that another light script did to the SBs ``names`` is done here too."""
+        """Take over everything that another light draft did to the SBs ``names``."""
         self.configuration.update((name, other.configuration[name]) for name in names)
         self.cost += other.cost
         for branch, count in other.counts.items():
             self.counts[branch] = self.counts.get(branch, 0) + count
 
     def run(self, edge: Edge) -> int:
-        """The edge's own function runs; its index."""
+        """Let the edge's own function run; the index of that action."""
         self.functions.append(edge)
         return len(self.functions) - 1
 
     def finish(self, carried: Carried, done: int, places: Mapping[str, str]) -> None:
-        """The edge is true after action ``done``, and the SBs stand in ``places``."""
+        """Let the edge be true after action ``done``, with its SBs in ``places``."""
         carried.order = self._finished
         self._finished += 1
         carried.done, carried.places = done, places
         self.configuration.update(places)
 
     def joint_step(self) -> JointStep:
-        """The script as a frozen value."""
+        """The finished joint step as a frozen value."""
         done = sorted(self.carried, key=lambda c: (c.done, c.order))
         commits = _commits(self.carried, done, self.links)
         actions = tuple(_actions(self.functions, self.carried, done, commits))
@@ -140,8 +140,8 @@ Commits = Mapping[int, int]
 def _commits(
     carried: list[Carried], done: list[Carried], links: list[tuple[Carried, Carried]]
 ) -> Commits:
-    """When each edge commits: crossings with their bases' edges, and what follows them in an SB
-    while they are pending with them too (clause 6)."""
+    """After which action each edge commits (clause 6). A crossing commits with the edges of its
+    bases, and with them every edge that follows in one of their SBs while they are pending."""
     number = {id(c): index for index, c in enumerate(carried)}
     into = list(range(len(carried)))
     ends = [c.done for c in carried]

@@ -1,7 +1,8 @@
 """The human-automation continuum: who does, senses, inspects and supervises (paper, section on it).
 
-Levels are ``human``, ``shared`` and ``automatic``. An operation's comes from its actor, a fact's
-from its aggregation, all of them may be declared in ``_levels`` of the file or set before a run.
+Levels are ``human``, ``shared`` and ``automatic``. An operation has the level of its actor, a fact
+that of its aggregation. Each level may be declared in ``_levels`` of the file instead, or set
+before a run.
 """
 
 from __future__ import annotations
@@ -33,8 +34,8 @@ class Levels:
 
     Keys are ``inspection``, ``supervision``, ``SB/digit`` (a fact), ``SB/State/Operation`` or
     ``SB/Operation`` (every edge of that name; the single edge wins). ``before`` is what is set
-    before a run; it wins over ``_levels`` of the files, and these over the annotations.
-    UsageError where ``before`` names what is not there, or says no level.
+    before a run; it wins over ``_levels`` of the files, and these over the annotations. UsageError
+    where ``before`` names something that does not exist, or gives no level.
     """
 
     def __init__(self, blueprint: Blueprint, before: Mapping[str, str] = NOTHING) -> None:
@@ -56,7 +57,8 @@ class Levels:
         return self._of(SUPERVISION) or DEFAULTS[SUPERVISION]
 
     def operation(self, edge: Address) -> str:
-        """Who carries an edge out: a person, a person's word and then the library, the library."""
+        """The level of an edge: a person carries it out (human), a person confirms it and the
+        library carries it out (shared), or the library does so alone (automatic)."""
         branch = self._blueprint[edge.branch]
         if self._said:
             named = f"{Address(edge.branch)}/{note_key(edge.operation)}"
@@ -70,7 +72,8 @@ class Levels:
         return OF_ACTOR.get(actor or "", AUTOMATIC)
 
     def fact(self, branch: str, digit: int) -> str:
-        """Who says what a fact is: a person, sensors and then a person, sensors."""
+        """The level of a fact: a person says what it is (human), sensors and then a person do
+        (shared), or sensors alone (automatic)."""
         said = self._of(fact_text(branch, digit)) if self._said else ""
         if said:
             return said
@@ -86,12 +89,12 @@ class Levels:
 
     @cached_property
     def _spoken_of(self) -> frozenset[str]:
-        """The SBs of whose operations or facts anything was said."""
+        """The SBs with an operation or a fact whose level was declared or set."""
         keys = (key for said in self._said for key in said if "/" in key)
         return frozenset(Address.split(key)[0] for key in keys)
 
     def _of(self, *keys: str) -> str:
-        """What was said of the first key that anything was said of, the run's word first."""
+        """What was set before the run for the first of these keys, else what the files declare."""
         return next((said[key] for said in self._said for key in keys if key in said), "")
 
 
@@ -126,12 +129,12 @@ class Spectrum:
 
     @property
     def shares(self) -> tuple[Share, ...]:
-        """The four shares in the order in which people read them."""
+        """The shares of inspection, operations, facts and supervision, in this order."""
         return (self.inspection, self.operations, self.facts, self.supervision)
 
     @property
     def position(self) -> float:
-        """The middle of the kinds that the procedure has, each counting alike."""
+        """The mean position of the kinds that the procedure has, all with equal weight."""
         some = [share for share in self.shares if share.count]
         return sum(share.position for share in some) / len(some)
 

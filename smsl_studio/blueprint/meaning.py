@@ -1,7 +1,7 @@
 """What a blueprint and its annotations mean, as plain values: equal where they say the same.
 
-Defaults are made explicit by leaving them out: a cost of 1, and no cost, is one meaning. An entry
-that does not fit its table means what is written, word for word; so do arguments of a binding.
+Defaults are left out: a cost of 1 and no cost are one meaning. An entry that does not fit its table
+is kept as it is written, word for word; so are the arguments of a binding.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 Json = Any
 MEANING_FIELDS = ("_facts", "_states", "_operations")
 AS_WRITTEN = "as written"
-"""Beside the tables, the entries that do not fit them, by their path."""
+"""The key of the entries that do not fit their table, by their path."""
 
 _COST = 1.0
 """The cost of an operation that declares none."""
@@ -115,7 +115,7 @@ def branch_meaning(branch: MeantBranch) -> dict[str, Json]:
 
 
 def _hazards_written(blueprint: MeantBlueprint) -> Json:
-    """What stands in ``_hazards``: of the file, or one behind the other of all its files."""
+    """The hazards of the file, or those of all its files one after the other."""
     written = [one.values.get("_hazards") for one in blueprint.documents]
     if not any(written[1:]):
         return written[0]
@@ -124,7 +124,8 @@ def _hazards_written(blueprint: MeantBlueprint) -> Json:
 
 
 def notes_meaning(branch: MeantBranch) -> dict[str, Json]:
-    """What is said of an SB's facts, states and operations; nothing where only defaults are."""
+    """The annotations of an SB's facts, states and operations; empty where they only say
+    defaults."""
     if not any(branch.fields.get(key) for key in MEANING_FIELDS):
         return {}
     notes = branch.notes
@@ -142,7 +143,7 @@ def notes_meaning(branch: MeantBranch) -> dict[str, Json]:
 
 
 def hazards_meaning(raw: Json) -> list[Json]:
-    """What ``_hazards`` says, in an order of its own, because the written one means nothing."""
+    """The hazards in ``_hazards``, sorted, because their written order has no meaning."""
     if not isinstance(raw, list):
         return [word_for_word(raw)] if raw else []
     from smsl_studio.blueprint.annotations import read_hazards
@@ -155,8 +156,8 @@ def hazards_meaning(raw: Json) -> list[Json]:
 
 
 def levels_written(*documents: Document) -> dict[str, Json]:
-    """What stands in ``_levels`` of some files, the first that says a key; what is no map stands
-    under ``_levels`` itself."""
+    """The entries of ``_levels`` in some files; of equal keys the first one counts. A ``_levels``
+    that is no map stands under that key itself."""
     found: dict[str, Json] = {}
     for document in documents:
         raw = document.values.get("_levels")
@@ -167,13 +168,13 @@ def levels_written(*documents: Document) -> dict[str, Json]:
 
 
 def levels_meaning(written: Mapping[str, Json]) -> Json:
-    """What levels say beyond the defaults; None where that is nothing."""
+    """The levels that are not defaults; None where there are none."""
     said = {key: level for key, level in written.items() if DEFAULTS.get(key) != level}
     return {k: v if isinstance(v, str) else word_for_word(v) for k, v in said.items()} or None
 
 
 def subs_meaning(pairs: Sequence[tuple[str, int]]) -> list[Json]:
-    """The sub-SBs with their digits; one that no double holds exactly counts as it is written."""
+    """The sub-SBs with their digits; a digit that a double cannot hold exactly becomes a text."""
     return [[sub, d if abs(d) < _EXACT else str(d)] for sub, d in sorted(pairs)]
 
 
@@ -190,7 +191,7 @@ def _fact(branch: MeantBranch, digit: int, note: FactNote) -> dict[str, Json]:
 
 
 def _operation(notes: Notes, key: str) -> dict[str, Json]:
-    """The note of a name or of one edge; an edge's is told apart from that of its name."""
+    """The note of an operation name; for one edge, what its note changes in that of the name."""
     own = _with_cost(notes.operations[key])
     state, _, name = key.rpartition("/")
     common = notes.operations.get(name) if state else None

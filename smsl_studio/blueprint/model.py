@@ -270,7 +270,7 @@ class Blueprint:
         return (self.document, *(item.document for item in files))
 
     def home(self, branch: str) -> Document:
-        """The document in which an SB stands; its own for what stands in none."""
+        """The document in which an SB stands; the blueprint's own for a name that is in none."""
         return self.imported.get(branch, self.document)
 
     @cached_property
@@ -290,7 +290,7 @@ class Blueprint:
 
     @cached_property
     def hazards(self) -> tuple[Hazard, ...]:
-        """What must never hold together, as any of its documents says."""
+        """The hazards of all its documents: facts that must never hold together."""
         return tuple(hazard for one in self.documents for hazard in self.hazards_of(one))
 
     def hazards_of(self, document: Document) -> tuple[Hazard, ...]:
@@ -303,7 +303,7 @@ class Blueprint:
 
     @cached_property
     def levels(self) -> Mapping[str, str]:
-        """What ``_levels`` of its documents says, its own before those it imports."""
+        """The levels that its documents declare; of equal keys its own document counts first."""
         found: dict[str, str] = {}
         for document in self.documents:
             for key, level in self.levels_of(document).items():
@@ -361,7 +361,7 @@ class Blueprint:
 
 @cache
 def _no_notes() -> Notes:
-    """What an SB says of itself that says nothing; one for all of them."""
+    """The notes of an SB without annotations; all such SBs share one value."""
     from smsl_studio.blueprint.annotations import Notes
 
     return Notes()

@@ -1,4 +1,4 @@
-"""Document to Blueprint: what is written becomes what is meant.
+"""From a Document to the Blueprint that it means.
 
 Refused (ReadError, exit 2) is only what cannot be a blueprint: an SB, HEADER, state or target of
 the wrong kind. Everything else opens and is reported by inspection.
@@ -28,9 +28,9 @@ def read_blueprint(
     """The blueprint a document means; ReadError names every place of what cannot be one.
 
     An SB whose values are the very objects that ``former`` was read from is taken over from it,
-    with everything that has been worked out about it, so that an edit costs what it touches.
-    Imported files are found relative to the document's own; those that ``former`` imports, or
-    that are among the ``opened``, count as they are in memory. See ``imports``.
+    with everything that was worked out about it, so that an edit takes time only for what it
+    changes. Imported files are found relative to the document's own; those that ``former`` imports,
+    or that are among the ``opened``, count as they are in memory. See ``imports``.
     """
     own = partial(branches_of, former=former)
     fields = document.fields
@@ -140,9 +140,9 @@ def _are_names(lengths: Collection[int]) -> bool:
 
 
 def _is_plain(table: Mapping[str, Json]) -> bool:
-    """Whether these are states with operations that lead to names, and nothing else.
+    """Whether a table holds nothing but states whose operations lead to names.
 
-    Asked of whole tables, in the interpreter's own loops, because nearly all are.
+    It looks at whole tables with the interpreter's own loops, because nearly all tables are so.
     """
     lengths = set(map(len, table))
     if not set(map(type, table.values())) <= {dict} or not _are_names(lengths):
@@ -161,7 +161,7 @@ def _operations(
     state_fields: dict[str, dict[str, Json]],
     wrong: list[Wrong],
 ) -> Mapping[str, str]:
-    """The operations of one state; its ``_`` fields and what is no target go elsewhere."""
+    """The operations of one state; ``_`` fields go to ``state_fields``, faults to ``wrong``."""
     found: dict[str, str] = {}
     for key, target in value.items():
         if key[:1] == "_":
@@ -211,9 +211,9 @@ KNOWN = ("INITIAL", "ACTIVATING", "NUM_FACTS", "SUB_SBS", "NUM_STATES")
 
 
 def sub_entries(written: Json) -> Iterator[tuple[Path, str, Json]]:
-    """What stands in SUB_SBS (a map, or a list of one-key maps): where, the sub-SB, its digit.
+    """The entries of SUB_SBS (a map, or a list of one-key maps): the path, the sub-SB, its digit.
 
-    What is no map in a list comes with an empty name; ``_`` names are passed over.
+    An element of a list that is no map has an empty name; ``_`` names are left out.
     """
     if isinstance(written, list):
         for index, item in enumerate(written):

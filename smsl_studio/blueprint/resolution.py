@@ -1,4 +1,4 @@
-"""From a written address to what it means: the one element of a blueprint that has it."""
+"""Resolving a written address to the one element of a blueprint that has it."""
 
 from __future__ import annotations
 

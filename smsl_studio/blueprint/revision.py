@@ -1,4 +1,4 @@
-"""A blueprint with other texts: whatever changes a document of one ends here."""
+"""A blueprint after a change of its texts; every change of a document goes through here."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from smsl_studio.smsl.document.likeness import same
 def with_document(blueprint: Blueprint, document: Document) -> Blueprint:
     """The blueprint with one of its documents (known by its ``file``) as it is given here.
 
-    What stands in it as before is not read again, and no other document is; where its
-    ``_imports`` changed they are followed anew, without reading from disk what is in memory.
-    ReadError where the document cannot be part of a blueprint, UsageError where it is none of
-    this one. A file that could not be imported yet may be given too.
+    Only what changed in it is read again. Where its ``_imports`` changed they are followed anew,
+    but documents in memory are not read from disk. ReadError where the document cannot be part of a
+    blueprint, UsageError where it does not belong to this one. A file that could not be imported so
+    far may be given too.
     """
     for before in blueprint.documents:
         if before.file == document.file:
@@ -33,7 +33,7 @@ def with_document(blueprint: Blueprint, document: Document) -> Blueprint:
 
 
 def imported_anew(blueprint: Blueprint) -> Blueprint:
-    """The blueprint with those imports that led to nothing so far, where they now lead to a file.
+    """The blueprint with every import that failed so far and now leads to a file.
 
     What is in memory is not read again.
     """
@@ -42,7 +42,7 @@ def imported_anew(blueprint: Blueprint) -> Blueprint:
 
 
 def revised(former: Blueprint, changed: Mapping[Document, Document]) -> Blueprint:
-    """The blueprint with other texts: each former document to the one that it is now."""
+    """The blueprint with changed texts; ``changed`` maps each former document to its new one."""
     read = {after: branches_of(after, former) for after in changed.values()}
 
     def own(document: Document) -> dict[str, StateBranch]:
@@ -70,7 +70,7 @@ def _with_import(blueprint: Blueprint, document: Document) -> Blueprint:
 
 
 def _with_former_values(before: Document, document: Document) -> Document:
-    """The document whose equal values are the very objects that were there before."""
+    """The document with the former objects for all values that are equal to the former ones."""
     values = dict(document.values)
     for key, value in values.items():
         former = before.values.get(key)

@@ -38,9 +38,9 @@ class Terms:
     """What may be used: edges shut out with the reason, and the edges that have a function.
 
     ``bound`` None stands for a plan without a world: every edge counts as bound. ``failing`` are
-    the edges that may be used though they lead into a failure state (None: all of them); nothing
-    but a person's word puts one there. ``costs`` stand in the place of declared ones, ``extra``
-    says what an edge costs on top.
+    the edges that may be used though they lead into a failure state (None: all of them); only a
+    person can put one there. ``costs`` replace declared ones; ``extra`` gives what an edge costs in
+    addition.
     """
 
     shut: Mapping[Address, str] = field(default_factory=dict)
@@ -52,7 +52,8 @@ class Terms:
 
 
 class Stepper:
-    """Writes joint steps; remembers what it found, so that one is kept as long as its terms."""
+    """Writes joint steps and keeps what it found. A new one is needed only when the terms
+    change."""
 
     def __init__(self, hierarchy: Hierarchy, terms: Terms | None = None) -> None:
         self.hierarchy = hierarchy
@@ -70,8 +71,8 @@ class Stepper:
     def step(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
         """The joint step of an edge out of its SB's active state (clauses 5, 6, 10).
 
-        It has an allowance of its own, and is unavailable where that does not suffice. It heeds
-        (see ``stop``); called off and asked again it goes on from there.
+        It has an allowance of its own, and is Unavailable where that is used up. It can be stopped
+        (see ``stop``); asked again, it continues from there.
         """
         before, self.allowance = self.allowance, Allowance(self.hierarchy)
         try:
@@ -84,7 +85,7 @@ class Stepper:
             self.allowance = before
 
     def written(self, configuration: Configuration, edge: Edge) -> JointStep | Unavailable:
-        """The same with the allowance of now; PlanningError where that does not suffice."""
+        """The same with the current allowance; PlanningError where that is used up."""
         key = (self.key(configuration), edge)
         found = self._steps.get(key)
         if found is None:
@@ -93,12 +94,13 @@ class Stepper:
                 self._carry(script, edge, {})
                 found = script.joint_step()
             except Unavailable as no:
-                found = no.with_traceback(None)  # which would keep all that was at hand
+                found = no.with_traceback(None)  # a traceback would keep all local values
             self._steps[key] = found
         return found
 
     def glance(self, configuration: Configuration, edge: Edge) -> StepDraft | None:
-        """What a joint step would cost and where it would end, without writing it down."""
+        """The cost and the end of a joint step without its actions; None where it is
+        unavailable."""
         script = StepDraft(configuration, light=True)
         try:
             self._carry(script, edge, {})
@@ -136,8 +138,8 @@ class Stepper:
         return carried
 
     def allows(self, configuration: Configuration, edge: Edge) -> bool:
-        """Whether an edge by itself may be used from a configuration: not shut, bound, required
-        facts given. All there is to ask of a pure edge that is no crossing."""
+        """Whether an edge alone may be used from a configuration: not shut out, bound, required
+        facts given. For a pure edge that is no crossing this is the whole question."""
         try:
             self._allow(configuration, edge)
         except Unavailable:
@@ -234,7 +236,7 @@ class Stepper:
                 self._carry(script, part, held)
 
     def _take(self, script: StepDraft, way: SubRoute, held: Held) -> None:
-        """Go a sub-route in one stride; what it changes and costs is worked out once."""
+        """Take a whole sub-route at once; its changes and its cost are worked out only once."""
         if way.whole is None:
             whole = StepDraft(script.configuration, light=True)
             before, self._within = self._within, way
@@ -266,7 +268,7 @@ class Stepper:
         key = (branch.name, goal, region.key(configuration), taken)
         way = self._routes.get(key)
         if way is None:
-            # A search that was called off goes on; one that gave up does so again at once.
+            # A search that was stopped continues; one that gave up gives up again at once.
             way = self._routes[key] = self._search(configuration, branch, goal, held)
         self.allowance.use(way, self._within)
         if way.search is not None:
@@ -315,7 +317,7 @@ class Stepper:
                     continue
                 to = region.key(script.configuration)
                 yield Move(to, script.cost, 1, lambda: (), (edge.name,), edge)
-            # Last, so that a node that is called off and looked at again is counted once.
+            # Last, so that a node that is visited again after a stop is counted only once.
             self.allowance.spend(len(edges), way)
 
         most = patience(self.hierarchy.blueprint.state_count)
@@ -335,7 +337,7 @@ class Stepper:
         return Unavailable(words, *reasons)
 
     def _shut_in(self, branch: StateBranch) -> list[str]:
-        """Why edges of a flat sub cannot be used, as many reasons as a person reads."""
+        """Why edges of a flat sub cannot be used, with ``MOST_REASONS`` reasons at most."""
         if branch.name not in self._blocks:
             reasons: list[str] = []
             for state in branch.table:
@@ -357,7 +359,7 @@ class Stepper:
         script.stride(branch.name, goal, *far)
 
     def downhill(self, sub: str, goal: str) -> Downhill:
-        """All ways of a plain sub to a goal at once."""
+        """The ways of a plain sub to a goal, from all its states at once."""
         found = self._hills.get((sub, goal))
         if found is None:
             crossing = 1 if goal == self.hierarchy.blueprint[sub].activating else -1

@@ -1,9 +1,9 @@
-"""A state check as the paper writes it, every term alive.
+"""A state check in the notation of the paper, with the truth of every term.
 
     C_State110 := lambda s: [f1(s), f2(s), f3(s)]
 
-f1 is the first fact, and it holds where the scene has the value that the state wants. The paper has
-it true or false; here it may be unknown, too, and says why.
+f1 is the first fact, and it holds where the scene has the value that the state wants. In the paper
+a term is true or false; here it may also be unknown, with a reason.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What commands there are, and the arguments they share."""
+"""The table of commands, and the arguments that several of them share."""
 
 from __future__ import annotations
 

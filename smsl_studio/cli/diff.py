@@ -59,7 +59,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 def print_difference(difference: Difference, out: Output) -> None:
     """Every change on a line: its sign, its address, its sentence, its places; then the sum.
 
-    What differs beside the meaning stands apart, under a line of its own.
+    Differences without a meaning follow under a line of their own.
     """
     for change in difference.changes:
         sign = sign_of(change.kind)

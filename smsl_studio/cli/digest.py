@@ -1,4 +1,4 @@
-"""``digest``: SHA-256 of what a blueprint does, of what is said of it, and of all it needs."""
+"""``digest``: the SHA-256 digests of a blueprint: behaviour, annotations, and both with imports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``open``: the window. It has a door of its own; this one only says so."""
+"""``open``: the window. ``__main__`` opens it by itself; this command only says so."""
 
 from __future__ import annotations
 

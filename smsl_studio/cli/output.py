@@ -27,14 +27,14 @@ class Output:
         self._colours = stream.isatty() and not os.environ.get("NO_COLOR")
 
     def line(self, text: str) -> None:
-        """One line, or several in one text; it is on its way when this returns."""
+        """Write one line, or several in one text; it is flushed when this returns."""
         self.text(f"{text}\n")
 
     def text(self, text: str) -> None:
-        """A text as it is.
+        """Write a text as it is.
 
         SaveError where it cannot be written; BrokenPipeError where nobody reads it any more. Where
-        it is broken off, because its reader takes nothing in, the rest of it goes nowhere.
+        writing is broken off because the reader takes nothing in, the rest is lost.
         """
         try:
             self._stream.write(text)
@@ -73,7 +73,7 @@ class Output:
 
 
 def lead_nowhere(stream: TextIO) -> None:
-    """What is still to be written to a stream is lost; nobody waits for it to be read."""
+    """Throw away what is still to be written to a stream, so that nobody waits for its reader."""
     with contextlib.suppress(OSError, ValueError, AttributeError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())
@@ -96,7 +96,7 @@ def note_losses(file: str) -> None:
 
 
 def last_note(text: str) -> None:
-    """The note of a command that was stopped: lost also where nobody takes it in."""
+    """The note of a command that was stopped; it is lost where standard error takes nothing in."""
     try:
         taken_in = select.select([], [sys.stderr.fileno()], [], 0.0)[1]
     except (OSError, ValueError, AttributeError):  # it is closed, or replaced in Python
@@ -108,7 +108,7 @@ def last_note(text: str) -> None:
 def report(error: StudioError, name: str) -> None:
     """An expected error: what is wrong with its place, then the advice, one line each.
 
-    Of a text that cannot be read, every fault.
+    For a text that cannot be read, all faults are reported.
     """
     for one in error.faults if isinstance(error, ReadError) else (error,):
         note(str(one) if one.place else f"{name}: {one}")
@@ -118,11 +118,11 @@ def report(error: StudioError, name: str) -> None:
 
 @contextlib.contextmanager
 def claimed_stdout() -> Iterator[TextIO]:
-    """Standard output for us alone: what anyone else prints meanwhile goes to standard error.
+    """Standard output for our data alone: what other code prints goes to standard error.
 
-    Library code, and the C code below it, may print what it likes; data stays whole. Where
-    standard output was already replaced in Python, the hosts keep prints apart by themselves;
-    where it is closed, the data goes nowhere.
+    So prints of library code, and of C code below it, do not mix with the data. Where standard
+    output was already replaced in Python, the hosts keep prints apart by themselves; where it is
+    closed, the data goes nowhere.
     """
     if sys.stdout is None:
         with open(os.devnull, "w", encoding="utf-8") as nowhere:  # noqa: PTH123
@@ -152,7 +152,8 @@ def claimed_stdout() -> Iterator[TextIO]:
 
 
 def _hold_place_of_stderr() -> None:
-    """Standard error is closed: keep its number from being given to our data."""
+    """Open file number 2 where standard error is closed, so that our data does not get that
+    number."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     if nowhere != 2:
         os.dup2(nowhere, 2)

@@ -105,7 +105,7 @@ def fault_as_json(fault: PluginFault) -> dict[str, Any]:
 
 
 def waiting_as_json(found: FoundPlugin) -> dict[str, Any]:
-    """A plugin of which nothing was loaded, as plain values: its own words, and why."""
+    """A plugin that is not loaded, as plain values: what its manifest says, and why it is not."""
     words = found.manifest
     return {
         "name": found.name,
@@ -121,7 +121,7 @@ def waiting_as_json(found: FoundPlugin) -> dict[str, Any]:
 
 
 def print_waiting(found: FoundPlugin, out: Output) -> None:
-    """A plugin of which nothing was loaded, for people."""
+    """Print a plugin that is not loaded, for people."""
     words = found.manifest
     version = f" {words.version}" if words else ""
     state = out.yellow(found.state.value)

@@ -70,7 +70,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     except Stopped:
         if told.finished or not options.signals.asked:
             raise
-        # So early that there was no run which could tell it.
+        # It was stopped so early that no run could report the stop.
         finished = RunFinished(
             t=0.0, reason="stopped", sentence=UNBEGUN, operations=0, configuration={}
         )
@@ -87,7 +87,8 @@ class _ToldEvents:
         self._begun = False
 
     def tell(self, event: Event) -> None:
-        """One line; the last one says that the run is over, and a stop of it carried out."""
+        """Print one event. With the last one the run is over, and a stop that was asked for is
+        done."""
         if not self._begun:
             self._begun = True
             note(UNINSPECTED)
@@ -109,7 +110,7 @@ def _execute(options: argparse.Namespace, told: _ToldEvents) -> int:
         )
     blueprint = read_argument(options.file)
     script = _script(options.script, options.file, blueprint)
-    # What guards a run and is misspelt guards nothing: this is said, whoever inspected it or not.
+    # A misspelt annotation protects nothing, so these findings are shown before every run.
     for finding in inspect(blueprint, ("R29",)):
         note(f"{finding.place}: {finding.message}")
     look_for_garbage()

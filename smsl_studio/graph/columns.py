@@ -1,4 +1,4 @@
-"""Columns for small procedures: forward is right, and a fact of its own is a row.
+"""A layout in columns for small procedures: forward is right, an independent fact makes rows.
 
 Where most operations change one fact, a state's column is the number of facts in which it differs
 from INITIAL; else it is its place on the longest chain of forward operations. A fact that every

@@ -22,7 +22,7 @@ Weight = float
 
 
 class Spread:
-    """Spreads from the goals over the edges backwards; ``weights`` may change in between.
+    """Searches from the goals backwards over all edges; ``weights`` may change between searches.
 
     Change them by ``set_weight`` alone: scipy has its own copy of them.
     """
@@ -33,7 +33,8 @@ class Spread:
         self._matrix = _Matrix(graph, weights) if len(graph) >= large else None
         share = 8 if self._matrix is None else 64
         self.patience = max(256, len(graph) // share)
-        """A search that meets more states than this takes longer than a spread."""
+        """A search that visits more states than this takes longer than this search of all
+        states."""
 
     def set_weight(self, edge: int, weight: Weight) -> None:
         """Give an edge another weight: a whole number of 1 or more, or ``inf`` to close it."""

@@ -1,7 +1,7 @@
-"""What the child of a run may answer: one line a verb, one line a field.
+"""The answers that the child of a run may give: one line for each verb, one for each field.
 
-What both sides know is told by its number: an edge and a fact of the blueprint, a sensor that was
-told when the world was opened. So an answer cannot name what is not there.
+Edges and facts of the blueprint and sensors of the opened world are sent as numbers, which both
+sides know. So an answer cannot name anything else.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from smsl_studio.world.protocol import Shape
 MOST_SENSORS = MOST_FAULTS = 100_000
 MOST_SHAPES, MOST_CORNERS = 10_000, 2**22
 MOST_LATE = 10_000
-"""Samples that may come at one tick besides one of every sensor: those that were held up."""
+"""The samples of one tick beyond one of every sensor: those that a delay held up."""
 
 
 POSES = numbers(-FAR, FAR, 7 * MOST_SHAPES)
@@ -146,7 +146,7 @@ class RunAnswers:
         }
 
     def opened(self, opened: OpenedWorld) -> None:
-        """From now on the sensors of this world may speak, and no others."""
+        """Accept samples from the sensors of this world from now on, and from no others."""
         sensors = [(one.branch, one.digit, one.name) for one in opened.sensors]
         sample: Codec[Sample] = mapped(
             row(

@@ -1,4 +1,4 @@
-"""The child of the process host: a local host behind a pipe, and nothing of its parent's.
+"""The child of the process host: a local host behind a pipe, with nothing of its parent's state.
 
 Commands are a verb and its arguments; each is answered with what ``RunAnswers`` says of the verb,
 with a StudioError, or with the words of what broke. The child ends when it is told to, and as soon
@@ -37,7 +37,7 @@ from smsl_studio.smsl.forms import form_named
 
 HEARTBEAT = 0.1
 PICTURE = 1.0 / 60.0
-"""Wall seconds between two pictures: more often nobody looks."""
+"""Wall seconds between two pictures; nobody sees more of them."""
 
 Poses = tuple[float, ...]
 Status = Mapping[str, str]
@@ -47,8 +47,8 @@ Status = Mapping[str, str]
 class Recipe:
     """All a child needs to build the same world: the blueprint's documents, world, seed, plugins.
 
-    The documents are triples (file, form, text), the blueprint's own first: what is open in the
-    parent counts, whatever stands on disk.
+    The documents are triples (file, form, text), the blueprint's own first: these are the texts
+    that are open in the parent, not those on disk.
     """
 
     documents: tuple[tuple[str, str, str], ...]
@@ -62,7 +62,7 @@ class Recipe:
 
 
 def main(pipe: int, beat: int) -> None:
-    """The child's whole life: answer one command after the other."""
+    """Answer one command after the other until the child is to end."""
     settle_in()
     confine(os.getppid())
     wire = ChildWire(socket.socket(fileno=pipe))
@@ -74,7 +74,7 @@ def main(pipe: int, beat: int) -> None:
             if os.getpid() != me:  # library code has forked, and this is the copy
                 break
             wire.send(kind, body)
-    # Threads that library code left behind, and what it registered for the exit, hold up nothing.
+    # End at once: threads and exit handlers of library code must not delay the end.
     os._exit(0)
 
 
@@ -114,7 +114,7 @@ class _Child:
             import_module("smsl_studio.world.bullet")
 
     def prepare(self, recipe: Recipe) -> None:
-        """Read the blueprint, and build the world as far as it goes: ``open`` tells of faults."""
+        """Read the blueprint and build the world; where that fails, ``open`` reports the fault."""
         limit_process(recipe.memory)
         documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
         blueprint = read_gathered(documents)
@@ -180,7 +180,7 @@ def _plain(error: StudioError) -> StudioError:
 
 
 def _live_with_parent(pipe: int, beat: int) -> None:
-    """Show a pulse while the parent lives; end at once, in whatever library code, when it dies."""
+    """Write a heartbeat while the parent lives; end the process at once when the parent is gone."""
     os.set_blocking(beat, False)
     parent = select.poll()
     parent.register(pipe, 0)

@@ -113,7 +113,7 @@ def whole(least: int, most: int) -> Codec[int]:
 
 
 def number(least: float, most: float) -> Codec[float]:
-    """A float from ``least`` to ``most``; both are finite, so that it is."""
+    """A float from ``least`` to ``most``, never NaN."""
 
     def check(value: float) -> float:
         """The value; Unfit where it is out of range or NaN."""
@@ -135,7 +135,8 @@ def number(least: float, most: float) -> Codec[float]:
 
 
 def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[tuple[float, ...]]:
-    """At most ``count`` floats from ``least`` to ``most``, a ``multiple`` of so many."""
+    """At most ``count`` floats from ``least`` to ``most``; how many is a multiple of
+    ``multiple``."""
 
     def check(size: int) -> int:
         """The count; Unfit where there may not be so many numbers."""
@@ -163,7 +164,7 @@ def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[t
 
 
 def exactly(least: float, most: float, count: int) -> Codec[tuple[float, ...]]:
-    """So many floats from ``least`` to ``most``."""
+    """Exactly ``count`` floats from ``least`` to ``most``."""
     form = struct.Struct(f"<{count}d")
 
     def write(values: tuple[float, ...], out: bytearray) -> None:
@@ -234,7 +235,7 @@ def opaque(most: int) -> Codec[bytes]:
 
 
 def one_of(options: Sequence[K]) -> Codec[K]:
-    """One of values that both sides know; their index is all that is told."""
+    """One of several values that both sides know; only its index is sent."""
     known: tuple[K, ...] = tuple(options)
     index: dict[Hashable, int] = {value: at for at, value in enumerate(known)}
 
@@ -256,7 +257,7 @@ def one_of(options: Sequence[K]) -> Codec[K]:
 
 
 def _within(values: Sequence[float], least: float, most: float) -> tuple[float, ...]:
-    # A sum that is finite has no NaN in it, with which no order could be relied on.
+    # A finite sum has no NaN in it; with a NaN, min and max could not be trusted.
     total = sum(values)
     if values and not (math.isfinite(total) and least <= min(values) <= max(values) <= most):
         raise Unfit(f"has what is not a number from {least:g} to {most:g}")

@@ -168,7 +168,8 @@ def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> C
 
 
 def mapped(inner: Codec[V], to_told: Callable[[T], V], from_told: Callable[[V], T]) -> Codec[T]:
-    """Another shape of a value for its way; ``from_told`` may refuse with Unfit."""
+    """A value that is sent in another shape: ``to_told`` makes it, ``from_told`` turns it back, or
+    raises Unfit."""
 
     def write(value: T, out: bytearray) -> None:
         """Write what ``to_told`` makes of the value."""

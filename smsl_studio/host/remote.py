@@ -1,7 +1,7 @@
-"""Sensors that are elsewhere: a host whose facts are, in part, told over a network.
+"""Sensors over a network: a host that adds their samples to those of another host.
 
-It stands around another host, in the dispatcher's process. What comes over the network is fetched
-when the run looks; a slow network, a dead broker or a flood costs facts, never a tick.
+It runs in the dispatcher's process and wraps the other host. Messages are fetched when the run asks
+for them. A slow network, a dead broker or too many messages make facts unknown, but delay no tick.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Feed(Protocol):
 
 
 class Remote:
-    """The sources of one run that are elsewhere, as the run fetches them."""
+    """The network sources of one run."""
 
     def __init__(
         self,
@@ -75,7 +75,8 @@ class Remote:
         return monotonic()
 
     def open(self) -> None:
-        """Connect, and give every source the time to speak. RunRefused: there is no broker."""
+        """Connect, and wait at most ``HELLO`` s for every source. RunRefused: there is no
+        broker."""
         self._line.open()
         until = monotonic() + HELLO
         while self._reception.silent and monotonic() < until:
@@ -128,16 +129,17 @@ class Remote:
         )
 
     def close(self) -> None:
-        """Hear nothing more, and wait for nobody who has not spoken yet."""
+        """End the connection, also while ``open`` waits for a source."""
         self._closed.set()
         self._line.close()
 
 
 class WithRemote:
-    """A host with sensors elsewhere: what the other one does, and what they say.
+    """A host that does what another one does, and has further sensors over a network.
 
-    ``rules`` are those of the facts that are told from elsewhere. ``alone`` are facts that the
-    world does not sense then (the table, on which every fact stands anyhow).
+    ``rules`` are those of the facts that are told from elsewhere. ``alone`` are facts that only the
+    network senses: samples of the world for them are dropped (the table world has every fact
+    anyhow).
     """
 
     def __init__(
@@ -162,7 +164,7 @@ class WithRemote:
             opened,
             sensors=tuple(sorted(kept, key=self._place)),
             rules={**opened.rules, **self._rules},
-            # What was said before an operation ended is too old when its target is checked.
+            # Samples from before the end of an operation are too old when its target is checked.
             settle=max(opened.settle, patience),
             remote=self.remote,
         )

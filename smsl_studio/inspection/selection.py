@@ -43,7 +43,8 @@ def listed(blueprint: Blueprint, remarks: Iterable[Remark]) -> Iterator[Finding]
 
 @dataclass
 class _Shelf:
-    """Remarks of one severity, and how many places each SB has; a few more are not kept."""
+    """Remarks of one severity, and the number of places in each SB. Remarks that cannot be listed
+    any more are counted, but not kept."""
 
     kept: list[Remark] = field(default_factory=list)
     count: dict[str, int] = field(default_factory=dict)

@@ -138,7 +138,7 @@ def discover(
 def gathered(
     every: Iterable[FoundPlugin], load: Callable[[FoundPlugin], Plugin | PluginFault]
 ) -> Loaded:
-    """What becomes of plugins that were found: ``load`` is asked about those that are allowed."""
+    """The result of loading the plugins that were found; ``load`` is called for those allowed."""
     plugins: list[Plugin] = []
     faults: list[PluginFault] = []
     waiting: list[FoundPlugin] = []
@@ -153,7 +153,7 @@ def gathered(
 
 
 def load_plugin(found: FoundPlugin) -> Plugin | PluginFault:
-    """Run the code of one plugin: what it registered, or the one fault that it is."""
+    """Run the code of one plugin; the plugin, or a fault where it did not load."""
     try:
         return _loaded(found)
     except PluginError as error:
@@ -189,7 +189,7 @@ def _sort_in(
     plugins: list[Plugin],
     faults: list[PluginFault],
 ) -> None:
-    """Put what became of a plugin where it belongs; one whose names do not fit is a fault."""
+    """Put a plugin among those that loaded or the faults; one whose names do not fit is a fault."""
     if isinstance(loaded, PluginFault):
         faults.append(loaded)
         return

@@ -1,6 +1,6 @@
-"""What can go wrong in the table world, so that any blueprint can be tried against it.
+"""The faults of the table world, with which any blueprint can be tested.
 
-``set`` writes one fact down behind everybody's back; the others befall the next operation.
+``set`` changes one fact without an operation; the others act on the next operation.
 """
 
 from __future__ import annotations
@@ -61,9 +61,9 @@ def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
 def befallen(
     world: TableWorld, how: str, facts: Mapping[FactKey, str]
 ) -> Generator[None, None, bool | None]:
-    """An operation that something befalls: it fails, raises, hangs, does nothing or ends elsewhere.
+    """An operation with a fault: it fails, raises, hangs, does nothing or ends elsewhere.
 
-    Only ``fail`` says so itself; ``nothing`` and ``elsewhere`` say that all went well.
+    Only ``fail`` reports this itself; ``nothing`` and ``elsewhere`` report success.
     """
     if how == "raise":
         raise RuntimeError("it was made to raise")

@@ -1,4 +1,4 @@
-"""TOML files with places: what the standard library's parser does not tell."""
+"""TOML files with the places of keys, which the standard library's parser does not give."""
 
 from __future__ import annotations
 
@@ -53,8 +53,9 @@ def read_toml(
 ) -> tuple[TomlText, dict[str, Any]]:
     """The text and values of a TOML file; PluginError with the place of a mistake.
 
-    What is no ordinary file is one, and so is one of more than ``largest`` bytes. With ``inside``,
-    the real path of a folder, the file is read only where it lies below that, links resolved.
+    A file that is no ordinary one, or has more than ``largest`` bytes, is a mistake too. With
+    ``inside``, the real path of a folder, the file is read only where it lies below that, links
+    resolved.
     """
     file = str(path)
     try:

@@ -1,4 +1,4 @@
-"""Disturbances: what goes wrong between a sensor and whoever listens, on purpose and on a switch.
+"""Disturbances between a sensor and the monitor, switched on for a test.
 
 Kinds, each at most once on a sensor, and in this order: ``stuck``, ``drift`` and ``noise`` change
 what is said, ``dropout`` loses it, ``delay`` holds it up. They are seeded: equal runs are disturbed
@@ -17,7 +17,7 @@ from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.monitor.sample import BAD, GOOD, Sample
 
 NONE = "none"
-"""The kind that takes all others away."""
+"""The kind that switches all others off."""
 
 HAIR = 1e-9
 
@@ -28,12 +28,12 @@ class Disturbance(Protocol):
     """One thing that goes wrong with the samples of one sensor, from the moment it is made."""
 
     def passes(self, sample: Sample) -> Sample | None:
-        """What becomes of a sample; None: nobody ever hears of it."""
+        """The sample as it goes on; None where it is lost."""
         ...
 
 
 class Stuck:
-    """It says the same whatever holds: ``value``, or what it read first."""
+    """The sensor always reads the same: ``value``, or what it read first."""
 
     def __init__(self, value: str | None) -> None:
         self._value = value
@@ -49,7 +49,7 @@ class Stuck:
 
 
 class Drift:
-    """Every so many seconds it reads one value further on, and at the last of them it stays."""
+    """Every ``every`` seconds the sensor reads one value further on; at the last one it stays."""
 
     def __init__(self, every: float, values: Sequence[str]) -> None:
         self._every, self._values = every, tuple(values)
@@ -67,7 +67,7 @@ class Drift:
 
 
 class Noise:
-    """Of all samples this share reads any other value."""
+    """A share of all samples (``rate``, 0 to 1) has another value."""
 
     def __init__(self, rate: float, values: Sequence[str], chance: Random) -> None:
         self._rate, self._values, self._chance = rate, tuple(values), chance
@@ -82,7 +82,7 @@ class Noise:
 
 
 class Dropout:
-    """Of all samples this share is lost."""
+    """A share of all samples (``rate``, 0 to 1) is lost."""
 
     def __init__(self, rate: float, chance: Random) -> None:
         self._rate, self._chance = rate, chance
@@ -102,7 +102,7 @@ PARAMETERS: Mapping[str, tuple[str, Parameter | None]] = {
     "dropout": ("rate", 1.0),
     "delay": ("seconds", 0.1),
 }
-"""What each kind may be told, and what it is told where nothing is said."""
+"""The parameter of each kind, and its default."""
 
 
 def checked(kind: str, parameters: Mapping[str, Any]) -> Parameter | None:
@@ -164,7 +164,7 @@ class DisturbedSensor:
             self._on[kind] = self._made(kind, parameter, chance)
 
     def take(self, sample: Sample, now: float) -> None:
-        """A sample sets out at ``now`` (s)."""
+        """Take a sample that the sensor sends at ``now`` (s)."""
         for kind in ORDER:
             if kind in self._on:
                 passed = self._on[kind].passes(sample)
@@ -174,7 +174,7 @@ class DisturbedSensor:
         self._held.append((now + self._delay, sample))
 
     def release(self, now: float) -> tuple[Sample, ...]:
-        """The samples that arrive by ``now`` (s), in the order they set out."""
+        """The samples that arrive by ``now`` (s), in the order in which they were sent."""
         arrived = tuple(sample for due, sample in self._held if due <= now + HAIR)
         self._held = [one for one in self._held if one[0] > now + HAIR]
         return arrived

@@ -3,7 +3,7 @@
 Ages are measured on the receiver's clock, from the moment a sample was accepted: that of the run
 (simulated time in simulation), and the monotonic one for samples that came from elsewhere. Only a
 growing (boot, sequence) of a source refreshes its fact: late, repeated and retained samples do not.
-How several sources become one value is ``aggregate``'s; who speaks for a source, ``ledger``'s.
+``aggregate`` makes one value of several sources; ``ledger`` decides who speaks for a source.
 """
 
 from __future__ import annotations
@@ -56,9 +56,10 @@ class FactSource(Protocol):
 class SourceState:
     """One source of one fact, as a person wants to see it; times in seconds.
 
-    ``sample`` is the newest that came. ``latency`` is beyond the quickest way of its boot.
-    ``counted``, ``repeated`` and ``late`` say how many samples came; only the first refreshed.
-    ``limit`` is how old it may be; None: what a person said holds until it is said anew.
+    ``sample`` is the newest that came. ``latency`` is the delay beyond that of the quickest sample
+    since its source started. ``counted``, ``repeated`` and ``late`` are numbers of samples; only
+    the counted ones refreshed the fact. ``limit`` is how old it may be; None: what a person said
+    holds until it is said anew.
     """
 
     fact: FactKey
@@ -88,8 +89,8 @@ class _Fact:
 class FactMonitor:
     """C_fact: from the samples of the sensors to the scene.
 
-    The order of the sensors of one fact is their priority. Samples of anyone else are dropped and
-    counted as ``strangers``. What a person says of a fact is told by ``answer`` alone.
+    The order of the sensors of one fact is their priority. Samples of other sensors are dropped and
+    counted as ``strangers``. What a person says of a fact comes only through ``answer``.
     """
 
     def __init__(
@@ -182,10 +183,9 @@ class FactMonitor:
 
 
 def _others(fact: _Fact, now: float) -> list[SourceValue]:
-    """What is said by no sensor that stands: a person's answer, and named sensors nobody has.
+    """A person's answer, and unknown for every named sensor that this world does not have.
 
-    Where none of those that are named stands, the fact is one that nobody reads, not one that is
-    believed.
+    Where no named sensor exists, nobody reads the fact, so it is unknown and not believed.
     """
     answers = [_answered(fact, now)] if fact.rule.people and fact.answer else []
     if fact.sources and not fact.rule.awaits_all:
@@ -233,8 +233,8 @@ def _just_read(value: str | None) -> Reading:
 
 
 def _patient(fact: _Fact, verdict: Aggregate, said: list[SourceValue], now: float) -> Aggregate:
-    """What was agreed stays, ageing, while sources disagree for no longer than is declared, and
-    one of them still says so."""
+    """Keep the value agreed on last, with its growing age, while sources disagree for no longer
+    than declared and one of them still gives it."""
     if not verdict.conflict:
         fact.agreed = (verdict, now) if verdict.value is not None else None
         return verdict

@@ -1,7 +1,7 @@
 """Figure: one SB laid out for paper. Positions, sizes of nodes, lines and labels, level of detail.
 
-On paper there is no zoom and nothing to point at: a small SB is drawn out until every node has
-room and every label a place; a large one keeps its layout and shows less of each element.
+On paper there is no zoom and nothing to point at: a small SB is enlarged until every node has room
+and every label a place; a large one keeps its layout and shows less of each element.
 """
 
 from __future__ import annotations
@@ -161,7 +161,7 @@ def chip_width(chip: Chip) -> float:
 
 
 def full_width(face: Face) -> float:
-    """108, growing with name and facts."""
+    """The width of a node with its name and facts: 108 pixels or more."""
     chips = sum(chip_width(chip) + GAP for chip in face.chips) - GAP
     words = face.title if face.title and not face.chips else ""
     wanted = max(width(face.name, NAME), width(words, LABEL)) + 24.0
@@ -169,7 +169,7 @@ def full_width(face: Face) -> float:
 
 
 def compact_width(face: Face) -> float:
-    """46, growing with the facts."""
+    """The width of a node with its facts only: 46 pixels or more."""
     return min(max(mono_width(face.short, SHORT) + 18.0, COMPACT_SIZE[0]), WIDEST / 2)
 
 

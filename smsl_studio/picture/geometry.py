@@ -17,9 +17,9 @@ from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
 
 MOST_AROUND = 60
-"""So many pairs of states get a way around nodes; in a denser picture it would show nothing."""
+"""At most so many pairs of states get a way around nodes; in a denser picture it shows nothing."""
 MOST_AT_ONCE = 20
-"""In a large picture each of more edges between two states than these is routed when asked for."""
+"""In a large picture, where two states share more edges than this, each is routed when needed."""
 LabelSize = Callable[[int], tuple[float, float]]
 """The size of an edge's label in scene units; (0, 0) for none."""
 

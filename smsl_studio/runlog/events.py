@@ -1,9 +1,9 @@
 """Run events: the one story of a run, in simulated time.
 
 An event carries no wall time, host, path or process number (those stand in the log's header), so
-that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text. What
-moves and is sensed is told here, what people and supervisors do in ``regulation``; both are read
-from this module.
+that equal runs print equal bytes. ``t`` is simulated seconds. Addresses are written as text. Events
+of motion and sensing stand here, those of people and supervisors in ``regulation``; both are
+imported from this module.
 """
 
 from __future__ import annotations
@@ -234,7 +234,7 @@ class Resumed(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GoalReached(Event):
-    """One goal holds."""
+    """One goal is reached."""
 
     event: ClassVar[str] = "goal_reached"
     goal: str

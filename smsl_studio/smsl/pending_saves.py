@@ -46,12 +46,12 @@ class PendingFile:
 
     @property
     def part(self) -> Path:
-        """The new bytes, as long as they have not taken their place."""
+        """The file that holds the new bytes until they take their place."""
         return self._beside("part")
 
     @property
     def old(self) -> Path:
-        """What stood there before, as long as it might have to come back."""
+        """The file that keeps the former bytes as long as they may have to come back."""
         return self._beside("old")
 
     @property
@@ -97,7 +97,7 @@ class PendingSave:
 
     @property
     def counts(self) -> bool:
-        """Whether its new bytes count."""
+        """Whether its new bytes count instead of the former ones."""
         return self.record.suffix == JOURNAL
 
     def renamed(self, suffix: str) -> PendingSave:

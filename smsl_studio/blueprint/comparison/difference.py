@@ -1,4 +1,4 @@
-"""A difference as frozen values: what a list, a picture, a rule and a script read alike."""
+"""A difference as frozen values, for lists, pictures, rules and scripts."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from smsl_studio.errors import Place
 Json = Any
 Path = tuple[str, ...]
 _TOLD = 5
-"""So many fields without meaning are named in the sentence."""
+"""The sentence names at most so many fields without meaning."""
 
 
 class ChangeKind(Enum):
@@ -53,7 +53,7 @@ class Change:
 
     @property
     def address(self) -> Address | None:
-        """Where to look: on the later side if it is there still."""
+        """The address on the later side, or the one on the earlier side where it was removed."""
         return self.after or self.before
 
     def as_json(self) -> dict[str, Json]:
@@ -117,7 +117,7 @@ class Difference:
 
     @property
     def words(self) -> str:
-        """The whole in one sentence."""
+        """One sentence that sums up the difference."""
         if self.same:
             return "No difference."
         boxes = "1 state was" if len(self.moved) == 1 else f"{len(self.moved)} states were"

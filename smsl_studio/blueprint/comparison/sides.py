@@ -1,4 +1,4 @@
-"""Both sides of a comparison, and how names of the one are called on the other."""
+"""Both sides of a comparison, and the names that elements of one have on the other."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class Sides:
     changes: list[Change] = field(default_factory=list)
 
     def fact(self, text: str) -> str:
-        """A fact of the earlier side as the later one calls it."""
+        """The name on the later side of a fact of the earlier one."""
         found = split_fact(text)
         if found is None or found[0] not in self.branches:
             return text
         return fact_text(self.branches[found[0]], found[1])
 
     def branch(self, name: str) -> str:
-        """An SB of the earlier side as the later one calls it."""
+        """The name on the later side of an SB of the earlier one."""
         return _renamed(name, self.branches, self._given)
 
     @cached_property
@@ -37,10 +37,10 @@ class Sides:
 
 
 def _renamed(name: str, names: Mapping[str, str], given: Collection[str]) -> str:
-    """A name as the later side has it.
+    """The name that an element of the earlier side has on the later one.
 
-    What names nothing on the earlier side is not what got this name by renaming: no name of the
-    later side is equal to it.
+    A name that only a renamed element has on the later side names nothing on the earlier one. It
+    gets a null character, so that it is equal to no name of the later side.
     """
     return f"{name}\0" if name in given else names.get(name, name)
 
@@ -57,7 +57,8 @@ class BranchSides:
     """For (state, operation) of the earlier side, the new name of an operation renamed there."""
 
     def state(self, name: str) -> str:
-        """A state of the earlier side, or a name that is none, as the later one calls it."""
+        """The name on the later side of a state of the earlier one; also for a name that is no
+        state."""
         return _renamed(name, self.states, self._given)
 
     @cached_property

@@ -1,4 +1,4 @@
-"""What of each side a difference marks: the sign of every state and operation that changed."""
+"""The signs of a difference: how each side marks the elements that changed."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ class Signs:
         return self.by_address.get(address, "")
 
     def add(self, address: Address, sign: str, blueprint: Blueprint) -> None:
-        """Mark an element and, where it came or went, all that belongs to it."""
-        # What came or went stays so, whatever else is told about it.
+        """Mark an element and, where it was added or removed, everything that belongs to it."""
+        # An element that was added or removed keeps this sign, whatever other change names it.
         if self.by_address.get(address) in (ADDED, REMOVED):
             return
         self.by_address[address] = sign

@@ -1,4 +1,4 @@
-"""Deleting: an element goes, and with it what would otherwise point at nothing."""
+"""Deleting an element, together with everything that would then point at nothing."""
 
 from __future__ import annotations
 
@@ -87,7 +87,8 @@ def _delete_branches(draft: Draft, gone: Collection[str]) -> None:
 
 
 def _delete_levels(draft: Draft) -> None:
-    """The levels of operations that are gone; what the name of one says stays, as its note does."""
+    """Delete the levels of operations that are gone; the level of a name stays, as its note
+    does."""
     blueprint = draft.before
 
     def follow(key: tuple[str, ...]) -> tuple[str, ...] | None:

@@ -1,4 +1,4 @@
-"""Pasting: what stands in a text becomes part of a blueprint, under names that are free."""
+"""Pasting: the elements in a text become part of a blueprint, under names that are free."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ def paste(
 ) -> tuple[Blueprint, tuple[Address, ...]]:
     """Put a copied text (see ``excerpt``), or any SMSL text, into the blueprint; the new addresses.
 
-    States and operations go into ``branch``, whole SBs behind the others; what is pasted takes a
-    free name where its own is taken, and what speaks of it follows. ``at`` is where the middle of
-    the states comes to lie. EditRefused for what is no SMSL.
+    States and operations go into ``branch``, whole SBs behind the others; an element whose name is
+    taken gets a free one, and what refers to it is changed alike. ``at`` is the new middle of the
+    states. EditRefused where the text is no SMSL.
     """
     return _put(blueprint, [(branch, *item) for item in _values(text).items()], PastedPlaces(at=at))
 
@@ -116,7 +116,7 @@ class _Into:
         self.added = 0
 
     def states(self, value: Values, places: PastedPlaces) -> Iterator[Address]:
-        """Put in states with what speaks of them."""
+        """Put in states with their annotations."""
         draft, branch = self._draft, self._branch
         states = [key for key in value if not key.startswith("_") and key != HEADER]
         names = {state: self._names.take(state) for state in states}
@@ -140,7 +140,7 @@ class _Into:
             draft.table(branch, "_layout")[names[state]] = place
 
     def operations(self, value: Values, _: PastedPlaces) -> Iterator[Address]:
-        """Put operations into the states that have the names of those they left."""
+        """Put operations into the states that are called like those from which they were copied."""
         states = [key for key in value if not key.startswith("_") and key != HEADER]
         edges = []
         for state in states:
@@ -162,9 +162,9 @@ class _Into:
         self._edge_notes(value, edges)
 
     def _edge_notes(self, value: Values, edges: Iterable[tuple[str, str, str, str]]) -> None:
-        """Let the notes of operations follow: (state, operation) before, and now.
+        """Copy the notes of operations; edges are (state, operation) before, then after pasting.
 
-        What is said of all operations of a name must not fall on those that were here before.
+        A note for all operations of a name must not apply to operations that were here before.
         """
         notes, branch = _map(value, "_operations"), self._branch
         here = _map(self._found.fields, "_operations")
@@ -184,9 +184,9 @@ class _Into:
 
 
 class _StateNames:
-    """Names for states that come into an SB: their own where it is free and carries facts as the
-    others do, and no other state has these facts; else the next one in the manner of the SB.
-    """
+    """Names for new states of an SB. A state keeps its own name where that is free, has as many
+    facts as the others, and no other state has the same facts; else it gets the next name of the
+    kind that the SB uses."""
 
     def __init__(self, branch: StateBranch) -> None:
         shape = branch.shape

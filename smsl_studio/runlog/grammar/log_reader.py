@@ -32,7 +32,7 @@ Going = Callable[[float], None]
 _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
 _HEAD = re.compile(rb'\{"head":\{"count":(0|[1-9][0-9]{0,17}),"hash":"([0-9a-f]{64})"\}\}\n')
 OFTEN = 256
-"""Who waits for a long log hears after so many events how far it is read."""
+"""Progress in a long log is reported after so many events."""
 _LOOKED_AT = 100
 """So many lines are enough to tell a log without its header from any other file."""
 
@@ -113,7 +113,8 @@ class LogReader:
             self._doubts(_NO_HEAD)
 
     def remains_of_log(self) -> bool:
-        """Whether what did not read is a log that was changed, and no file of another kind."""
+        """Whether the file that could not be read is a changed log, and not a file of another
+        kind."""
         with suppress(ReadError):
             for _ in range(_LOOKED_AT):
                 if self._seems_log or not (line := self._next()):
@@ -245,8 +246,8 @@ def read_log(path: Path, commands: CommandWords, going: Going | None = None) -> 
 
     ``commands`` are those that a run knows; a log that tells of others is doubted.
 
-    ``going`` hears now and then which share of its bytes is read (0 to 1); what it raises is
-    raised here, so that a long log can be given up.
+    ``going`` is called now and then with the share of bytes that are read (0 to 1); what it raises
+    ends the reading, so that a long log can be given up.
     """
     with open_log(path) as stream:
         size = max(os.fstat(stream.fileno()).st_size, 1)

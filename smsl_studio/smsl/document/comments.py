@@ -1,7 +1,7 @@
 """Comments: which element each belongs to, so that a text that is written anew keeps them.
 
 A comment on a line of its own belongs to the member below it, or to the end of the map or list that
-closes first; one behind something belongs to that line. Elements are told by their paths, so that
+closes first; one behind something belongs to that line. Elements are named by their paths, so that
 comments can go from one written form to another.
 """
 
@@ -34,7 +34,7 @@ class Comments:
         return sum(len(found) for where in every for found in where.values())
 
     def of_elements(self, path: Path, count: int) -> bool:
-        """Whether something is said of an element of the list at ``path``."""
+        """Whether an element of the list at ``path`` has a comment."""
         if not self.over and not self.beside:
             return False
         below = ((*path, str(index)) for index in range(count))
@@ -75,7 +75,7 @@ class Holder(NamedTuple):
 def comments_between(
     text: str, leaves: Iterable[Leaf], holders: Iterable[Holder], mark: re.Pattern[str]
 ) -> Comments:
-    """The comments between the names and values of a text, where alone one can stand.
+    """The comments of a text, which can only stand between its names and values.
 
     ``mark`` matches a whole comment; its group 1 is what it says. Inner holders come before outer
     ones.

@@ -1,7 +1,7 @@
-"""What is open while a broken JSON text is read, and what a closing bracket tells.
+"""The open brackets of a broken JSON text while it is read, and what a closing one means.
 
-For a bracket it counts how many are still to come and looks at the indentation, so that one that
-is missing is told where the next key stands too far left, and one too many where it stands.
+It counts the brackets still to come and compares indentation. So a missing bracket is reported
+where the next key stands too far left, and an extra one where it stands.
 """
 
 from __future__ import annotations

@@ -47,7 +47,7 @@ def recover(text: str, file: str) -> Document:
 
 
 def form_within(text: str) -> str:
-    """The other form in which a faulty text clearly is; of one beyond the budget none is told."""
+    """The other form in which a faulty text is clearly written; empty for one beyond the budget."""
     from smsl_studio.smsl.json_form.refusals import other_form
 
     return other_form(text) if beyond_budget(text) is None else ""

@@ -1,4 +1,4 @@
-"""The one text edit: make a native text read to other values by changing only what differs.
+"""Editing a native text: it gets other values, and only what differs is changed.
 
 Row by row, as in the JSON form (see ``arrangement``): what is equal keeps its text to the
 character, a rename splices the name, and what is new takes the layout of its neighbours. Comments

@@ -1,4 +1,4 @@
-"""YAML text to a tree of nodes: what is written where, before anyone asks what it means.
+"""YAML text to a tree of nodes, each with its place; their meaning is read later.
 
 The events come from libyaml (through PyYAML), which constructs nothing. Anchors are resolved and
 aliases counted, so that a small text cannot stand for a huge one. Where the text is no YAML,
