@@ -57,7 +57,7 @@ def _open_window(arguments: list[str]) -> int:
 
 
 def _missing_display() -> str:
-    """Why no window can be shown here; Qt would abort the process without another word."""
+    """Why no window can be shown here; without this check Qt would abort the process."""
     asked = ("QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY")
     if sys.platform != "linux" or any(os.environ.get(name) for name in asked):
         return ""

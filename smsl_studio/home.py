@@ -1,4 +1,4 @@
-"""The user's own folder, and what in it only the user can have written."""
+"""The user's own folder, and which files in it only the user can have written."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text from outside, made fit to be shown: one function for each kind of output.
+"""Text from outside, made safe to show: one function for each kind of output.
 
 Names come from files, plugins and other programs, and may hold anything: escape sequences that
 steer a terminal, tags that a window or a browser obeys, marks that turn the text around them, and

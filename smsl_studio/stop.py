@@ -1,4 +1,4 @@
-"""A stop: how work that lasts is called off, and what it may leave undone.
+"""A stop: how long work is ended early, and what it may leave undone.
 
 Work is called off by an exception, ``Stopped``, on one of two ways:
 
@@ -32,19 +32,19 @@ Listener = Callable[[], object]
 
 
 def _nobody() -> None:
-    """Nobody calls anything off."""
+    """The listener that never stops anything."""
 
 
 class Stopped(KeyboardInterrupt):
-    """The work is no longer wanted. It passes whoever catches errors, as Ctrl-C does."""
+    """The work is to stop. Like Ctrl-C it passes code that catches errors."""
 
 
 class BrokenOff(Stopped):
-    """The same, raised at any place: what was going on there may be half done."""
+    """A stop that is raised at any place: the work there may be half done."""
 
 
 class _Thread(threading.local):
-    """What one thread is at."""
+    """The work of one thread, as far as a stop is concerned."""
 
     listener: Listener | None = None
     whole = 0
@@ -77,7 +77,7 @@ class StopListener:
 
 
 def heed() -> None:
-    """Ask whether this work is still wanted; ``Stopped`` where it is not."""
+    """Raise ``Stopped`` where the listener of this thread wants the work to stop."""
     listener = _thread.listener
     if listener is not None and not _thread.whole:
         listener()

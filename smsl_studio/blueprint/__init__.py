@@ -1,1 +1,1 @@
-"""The heart and only shared vocabulary: what is meant, as frozen values and pure functions."""
+"""The blueprint: the vocabulary that all packages share, as frozen values and pure functions."""

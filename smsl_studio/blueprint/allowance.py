@@ -11,12 +11,12 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.errors import PlanningError
 
 MOST_WORK = 6_000_000
-"""So much work a plan takes at most, besides ``PER_EDGE`` times the size for every edge."""
+"""The most work that a plan may take, besides ``PER_EDGE`` times the size for every edge."""
 
 PER_EDGE = 8
 
 MOST_CARRIED = 5_000
-"""So many operations one joint step has at most."""
+"""One joint step has at most so many operations."""
 
 LESS = "Name a nearer goal, or use fewer levels of sub-SBs, or fewer requires."
 
@@ -39,14 +39,14 @@ class Allowance:
         self._charged: set[Part] = set()
 
     def spend(self, edges: int, part: Part | None = None) -> None:
-        """So many edges are about to have been looked at, for a part or for the question itself."""
+        """Count so many edges as looked at, for a part or for the question itself."""
         work = (1 + edges) * self.size
         self._take(work)
         if part is not None:
             part.own += work
 
     def use(self, part: Part, by: Part | None) -> None:
-        """A part is used by another one, or by the question itself."""
+        """Count a part that another part, or the question itself, uses."""
         if by is not None:
             by.used.add(part)
         waiting = [part]
@@ -67,7 +67,7 @@ class Allowance:
 
 
 def refuse_too_many_carried(asked: object, count: int) -> None:
-    """PlanningError for a joint step of more operations than anybody would wait for."""
+    """PlanningError for a joint step with too many operations."""
     if count > MOST_CARRIED:
         raise PlanningError(
             f"{asked} would take more than {MOST_CARRIED:,} operations with those of the sub-SBs",

@@ -18,7 +18,7 @@ Configuration = Mapping[str, str]
 
 
 class Hierarchy:
-    """Who expands whom, worked out once for one blueprint. RunRefused where SUB_SBS go in a circle.
+    """Which SB expands which, worked out once for a blueprint. RunRefused for a cycle of SUB_SBS.
 
     ``order`` has every SB, bases before their subs, else in file order. A sub-SB that does not
     exist, or a digit that no state has, is left out: inspection reports it (R07).
@@ -42,7 +42,7 @@ class Hierarchy:
         self._trees: dict[str, tuple[str, ...]] = {}
 
     def _bases_first(self) -> tuple[str, ...]:
-        """The first in file order of those whose bases all stand before it, again and again."""
+        """An order of SBs in which every SB follows its bases, otherwise in file order."""
         names = tuple(self.blueprint.branches)
         number = {name: index for index, name in enumerate(names)}
         waiting = {name: len(bases) for name, bases in self.bases.items()}
@@ -86,7 +86,7 @@ class Hierarchy:
 
 
 _SHOWN = 12
-"""So many SBs of a circle are named."""
+"""At most so many SBs of a cycle are named."""
 
 
 def _spread(start: str, near: Callable[[str], Iterable[str]]) -> set[str]:

@@ -1,4 +1,4 @@
-"""Every way to one state of a flat SB at once: how far it is, and which edge comes next."""
+"""The ways to one state of a flat SB from all others: the cost of each, and its next edge."""
 
 from __future__ import annotations
 

@@ -96,7 +96,7 @@ def _fitting(blueprint: Blueprint, branch: StateBranch, terms: tuple[Term, ...])
 
 
 def _read(blueprint: Blueprint, branch: StateBranch, term: Term) -> tuple[str, bool]:
-    """A value, and whether a state must want it or must not (a sub-SB that is off)."""
+    """A value, and whether a state must want it, or must not (for a sub-SB that is off)."""
     digit = term.fact[1]
     if sub_below(blueprint, branch, digit) is None:
         return term.reading or "", True

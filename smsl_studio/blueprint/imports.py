@@ -27,10 +27,10 @@ from smsl_studio.smsl.document.limits import MAX_BRANCHES, MAX_VALUES, TOO_MANY_
 from smsl_studio.smsl.files import content_of, document_of
 
 MOST = 500
-"""So many files are imported in all; who needs more has made a mistake, or a trap."""
+"""At most so many files are imported in all; more are a mistake, or an attack."""
 
 MOST_WRITTEN = 20_000
-"""So many entries of all lists are looked at; files on several ways count once for each."""
+"""At most so many entries of all lists are read; a file on several ways counts once for each."""
 
 SHOWN = 200
 """Characters of a name that are shown where it leads to nothing."""
@@ -130,7 +130,8 @@ class _Entry:
         return self.chain[-1]
 
     def failure(self, sentence: str, advice: str, end: str = "") -> ImportFailure:
-        """What is told where it led to nothing; ``end`` is what it leads to, if that is known."""
+        """The fault where an import led to nothing; ``end`` is what it leads to, if that is
+        known."""
         return ImportFailure(
             sentence, self.home, self.path, (*self.chain, end or self.name), advice
         )

@@ -11,7 +11,7 @@ from smsl_studio.blueprint.model import Blueprint, StateBranch
 
 _TRIES = 4096
 _LONGEST = 64
-"""So many facts at most are put into a name that nobody has typed."""
+"""At most so many facts are put into a name that is made here."""
 
 
 def fresh_branch_name(blueprint: Blueprint) -> str:

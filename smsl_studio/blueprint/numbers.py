@@ -1,4 +1,4 @@
-"""The states of an SB by number, and where its operations lead: what many questions begin with."""
+"""The states of an SB by number, and the targets of its operations."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ from smsl_studio.smsl.splice import reconcile
 
 
 def relocated(document: Document, file: str | os.PathLike[str]) -> Document:
-    """The document as it has to read to stand at ``file`` and import what it imports now.
+    """The document with the import names that it needs at ``file`` to import what it imports now.
 
     Imports are named from the folder of the file that names them. The very same document where
     the folder stays or nothing is imported; absolute names stay. ConvertError where it may import

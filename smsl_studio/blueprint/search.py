@@ -1,4 +1,4 @@
-"""The cheapest way through a space that unfolds as it is walked: ties by count, then by names."""
+"""The cheapest way through a space that is built on demand; ties by count, then by names."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def patience(states: int) -> int:
 
 
 def nothing(node: object) -> float:
-    """Nothing is known of what is still to be paid."""
+    """The estimate of the remaining cost where nothing is known: 0."""
     return 0.0
 
 

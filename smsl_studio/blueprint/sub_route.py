@@ -1,4 +1,4 @@
-"""The way of one sub-SB to ACTIVATING or back to INITIAL, kept for all who ask for it."""
+"""The way of one sub-SB to ACTIVATING or back to INITIAL, kept so that it is found only once."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Region:
         self.border = tuple(border)
 
     def key(self, configuration: Configuration) -> Key:
-        """A configuration as far as it counts."""
+        """The part of a configuration that the way depends on."""
         return tuple(configuration[name] for name in self.names)
 
 

@@ -1,4 +1,4 @@
-"""Blueprint to values: what is meant, as a document can write it."""
+"""From a Blueprint to the plain values that a document can write."""
 
 from __future__ import annotations
 

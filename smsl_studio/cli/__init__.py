@@ -1,4 +1,4 @@
-"""The command line: one small file a command, loaded only when it is the one.
+"""The command line: one small file for each command, loaded only when that command is given.
 
 Exit status: 0 good, 1 the answer is no, 2 wrong usage or an input that cannot be read; 128 and the
 number of the signal (130 for Ctrl-C, 143 for SIGTERM) where the command was stopped.

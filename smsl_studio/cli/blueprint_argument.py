@@ -15,7 +15,8 @@ STDIN = "<stdin>"
 
 
 def read_argument(file: str) -> Blueprint:
-    """The blueprint in a file, or on standard input; what was read instead of a file is said."""
+    """The blueprint in a file, or on standard input; a note tells what was read instead of a
+    file."""
     blueprint = read(file) if file != "-" else read_bytes(standard_input(), STDIN)
     note_stand_ins(blueprint)
     return blueprint
@@ -40,7 +41,7 @@ def inputs_of(blueprint: Blueprint) -> tuple[str | int, ...]:
 
 
 def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
-    """The blueprint of every file; None for one that cannot be read, which is told."""
+    """The blueprint of every file; None for one that cannot be read, which is reported."""
     for file in files:
         try:
             blueprint = read_argument(file)

@@ -22,7 +22,7 @@ from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import read_ordinary
 
 _MOST_LINES = 3000
-"""Longer texts that cannot be read are told to differ and not compared line by line."""
+"""Longer unreadable texts are only reported to differ, and not compared line by line."""
 
 
 def by_git(arguments: Sequence[str], environment: Mapping[str, str]) -> bool:
@@ -74,7 +74,7 @@ def _read(raw: bytes | OSError | None, name: str) -> Blueprint:
 
 
 def _show_lines(raws: Sequence[bytes | OSError | None], names: Sequence[str], out: Output) -> None:
-    """The lines that differ, as the only thing that can be said."""
+    """Print the lines that differ, where the meaning cannot be compared."""
     texts = [raw.decode("utf-8", "replace") if isinstance(raw, bytes) else "" for raw in raws]
     before, after = (text.splitlines() for text in texts)
     if max(len(before), len(after)) > _MOST_LINES:

@@ -1,4 +1,4 @@
-"""Ctrl-C, SIGTERM and SIGHUP on the command line call off what it is at (see ``stop``).
+"""Ctrl-C, SIGTERM and SIGHUP on the command line stop the running command (see ``stop``).
 
 The first signal counts; later ones change nothing, so that what has to be closed is closed. Where a
 library has swallowed the exception it is raised again.
@@ -37,13 +37,14 @@ class Signals:
         return bool(self.asked)
 
     def take(self) -> None:
-        """The stop is carried out: only what does not come to its end now is broken off."""
+        """Note that the stop is carried out: from now on only work that does not end is broken
+        off."""
         self._taken = True
         if self.asked:
             signal.setitimer(signal.ITIMER_REAL, AGAIN, AGAIN)
 
     def close(self) -> None:
-        """The command is over: nothing is called off any more."""
+        """Note that the command is over: no signal stops it any more."""
         self._taken = self._over = True
         if self.asked:
             signal.setitimer(signal.ITIMER_REAL, 0.0)
@@ -64,7 +65,7 @@ class Signals:
             self.insist(number, frame)
 
     def insist(self, number: int, frame: FrameType | None) -> None:
-        """Break off what is going on, unless it must be whole: that heeds at its end."""
+        """Break off the work, unless it must be whole; such work checks for a stop at its end."""
         if self.asked and not self._over and not is_whole():
             raise BrokenOff
 

@@ -1,4 +1,4 @@
-"""Run events as lines for people: the time, the word, and what matters of the rest."""
+"""Run events as lines for people: the time, the word, and the fields that matter."""
 
 from __future__ import annotations
 

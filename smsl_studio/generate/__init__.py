@@ -1,1 +1,1 @@
-"""Blueprints that are worked out instead of drawn: from the rules of a procedure."""
+"""Blueprints that are computed from the rules of a procedure instead of drawn."""

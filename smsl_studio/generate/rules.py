@@ -64,11 +64,11 @@ def hanoi(disks: int) -> Blueprint:
 
 
 LOST = {"h": "held, not yet put down", "x": "dropped: on no peg, or on a smaller disk"}
-"""What a disk's fact says where it is on no peg as it should be."""
+"""The values of a disk's fact where the disk is on no peg."""
 
 
 def recovering_moves(facts: Facts) -> Iterator[tuple[str, Facts]]:
-    """The moves of the game, and from where a disk is lost those that bring it back.
+    """The moves of the game, and those that bring a lost disk back.
 
     ``Op_recover2c`` brings disk 2 to peg c, where no smaller disk is in the way.
     """

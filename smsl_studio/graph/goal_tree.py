@@ -1,4 +1,4 @@
-"""The ways from every state of a State Branch to its goals: one spread, then a look at each step.
+"""The ways from all states of a State Branch to its goals: one search, then one look a step.
 
 The way is the first by cost, then by the number of operations, then by the sequence of their names.
 An edge that is closed or becomes dearer is repaired from the state that asks, not by a new spread:
@@ -102,7 +102,7 @@ class GoalTree:
     # weights ------------------------------------------------------------------------------------
 
     def _fresh(self) -> Spread:
-        """Every weight anew: the cost in units that divide all of them, and 1 for the count."""
+        """Work out all weights: the cost in units that divide all costs, and 1 for the count."""
         costs = self._costs
         self._unit = FINE if costs is None else gcd(*set(costs)) or 1
         self._scale = max(1, len(self.graph))
@@ -119,7 +119,8 @@ class GoalTree:
         return cost // self._unit * self._scale + 1
 
     def _reweigh(self, edge: int, weight: Weight) -> None:
-        """Note a weight; what was found is dropped, and the spread too where it gets too high."""
+        """Note a weight and drop what was found; drop the search too where the weight gets too
+        high."""
         self._spread.set_weight(edge, weight)
         far = self._far
         if far is None:

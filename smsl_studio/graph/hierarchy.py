@@ -39,7 +39,7 @@ def levels(blueprint: Blueprint) -> dict[str, int]:
 
 
 MOST_CYCLES = 100
-"""So many cycles are sought: nobody breaks up more in one go."""
+"""At most so many cycles are looked for: nobody removes more at once."""
 
 
 def cycles(blueprint: Blueprint) -> tuple[tuple[str, ...], ...]:

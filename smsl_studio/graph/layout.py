@@ -21,12 +21,12 @@ from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
 SMALL = 60
-"""Up to so many states columns are readable."""
+"""With more states than this columns are not readable."""
 MOST_SPREAD = 8_000
 """Up to so many states distances are worth their time; more stand in a grid, nearest to INITIAL
 first."""
 NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
-"""No two nodes are nearer than this in both directions (a full node is 108 by 54)."""
+"""The least distance of two nodes in both directions (a full node is 108 by 54)."""
 _WIDE = 1.6
 """How much wider than high a grid is."""
 TRIED = 200_000

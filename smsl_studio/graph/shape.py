@@ -1,4 +1,4 @@
-"""What the shape of a State Branch says: reachability, dead ends, traps, components.
+"""Questions about the graph of a State Branch: reachability, dead ends, traps, components.
 
 All answers are names, in written order where order is seen. Operations to unknown targets count
 for nothing here; rule R02 reports them.
@@ -77,7 +77,7 @@ def connected(branch: StateBranch, states: Iterable[str]) -> tuple[tuple[str, ..
 
 
 def flood(near: list[list[int]], starts: Iterable[int]) -> set[int]:
-    """Everything that ``near`` leads to from ``starts``, by number."""
+    """The numbers of all states that ``near`` leads to from ``starts``."""
     seen = set(starts)
     queue = list(seen)
     while queue:

@@ -1,4 +1,4 @@
-"""What a child may have and say at most, so that library code cannot drown the machine."""
+"""The limits of a child process, so that library code cannot exhaust the machine."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _PIECE = 2**16
 
 
 class Outlet:
-    """What a child prints, on its way to standard error: so much, and then once that there is more.
+    """What a child prints, on its way to standard error: up to a limit, then a note of more.
 
     Control characters are shown as escapes, so that no terminal obeys them. The pipe does not
     block.
@@ -66,7 +66,7 @@ def _print(text: str) -> None:
 
 
 def settle_in() -> None:
-    """Ctrl-C is the parent's to answer; all that is printed goes one way."""
+    """Leave Ctrl-C to the parent, and send all that is printed to one place."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.stdout = sys.stderr
 

@@ -1,4 +1,4 @@
-"""Words and figures from library code, made fit to be told: short, valid, never raising.
+"""Texts and numbers from library code, made short and valid without ever raising an error.
 
 What library code returns or raises may be of any size and kind, and its own ``__str__`` may raise.
 """
@@ -22,7 +22,7 @@ LONGEST = 64
 
 
 def brief(text: str, most: int = WORDS) -> str:
-    """The text, cut where it is too long, and with nothing in it that no file can hold."""
+    """The text, cut where it is too long, without characters that no file can hold."""
     cut = text if len(text) <= most else f"{text[:most]} ... ({len(text)} characters)"
     return cut.encode("utf-8", "replace").decode("utf-8")
 

@@ -38,7 +38,7 @@ class Call:
         return Outcome.RUNNING, ""
 
     def drop(self) -> None:
-        """End the function where it stands; what it raises on the way out changes nothing."""
+        """End the function where it stands; errors that it raises on the way out are ignored."""
         if self._generator is not None:
             try:
                 self._generator.close()

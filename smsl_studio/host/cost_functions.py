@@ -1,4 +1,4 @@
-"""Cost functions of plugins: asked what edges cost now, believed only where that is a cost."""
+"""Cost functions of plugins: they are asked what edges cost now; only valid costs count."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from smsl_studio.host.protocol import Happened, Priced
 from smsl_studio.library.bound import BoundCost
 
 MOST = 1e12
-"""No edge may cost more, so that the cost of any route is a number too."""
+"""No edge may cost more, so that the cost of every route is finite."""
 
 
 class CostFunctions:

@@ -1,4 +1,4 @@
-"""What a plugin offers, as the process that loaded it tells it: words, and no code.
+"""What a plugin offers, as the process that loaded it describes it: texts without code.
 
 Patterns are told as they were written, and read anew where they arrive.
 """

@@ -284,7 +284,7 @@ class LocalHost:
                 raise RunRefused(error.sentence, error.place, error.advice) from None
 
     def _mending(self, what: str, passes: type[BaseException] = KeyboardInterrupt) -> _Mending:
-        """Whatever library code raises is told as a HostError, but for what ``passes``."""
+        """Turn every error of library code into a HostError, except those in ``passes``."""
         return _Mending(f"the world {self._name!r} {what}", self._location, passes)
 
 
@@ -310,7 +310,7 @@ class _Mending:
 
 
 class _prints_aside:  # noqa: N801 -- used as contextlib's own are
-    """What is printed goes to standard error; entered at every tick."""
+    """Send what is printed to standard error; entered at every tick."""
 
     __slots__ = ("_kept",)
 

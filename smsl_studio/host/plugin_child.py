@@ -37,7 +37,8 @@ TURN = 1.0
 
 
 def main(pipe: int, beat: int) -> None:
-    """The child's whole life: have the plugins loaded, and pass on what is told."""
+    """Load the plugins in their processes, and pass on what they tell, until the child is to
+    end."""
     settle_in()
     os.close(beat)
     wire = ChildWire(socket.socket(fileno=pipe))
@@ -136,7 +137,7 @@ class _Loads:
 
 
 def _tell_of(found: FoundPlugin, wire: ChildWire, pipe: int, above: tuple[int, int]) -> NoReturn:
-    """The life of one plugin's process: load it, tell of it, end.
+    """Load one plugin, send its description, and end the process.
 
     ``above`` are the processes that started it: this child, and the program.
     """

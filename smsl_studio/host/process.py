@@ -33,14 +33,14 @@ from smsl_studio.monitor.sample import Sample
 from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heed, starving
 
 LOOK = 0.05
-"""How often (s) a waiting parent looks at the child's pulse, and whether it shall stop."""
+"""How often (s) a waiting parent checks the heartbeat of the child, and whether to stop."""
 
 LAST_LOOK = 0.025
 """How long (s) a child has to finish its answer after a stop; with what went before it is less than
 the grace of a signal (see ``stop``)."""
 
 _QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
-"""What a world answers at once: where somebody stops the run meanwhile, it may finish that."""
+"""The verbs that are answered at once: a run that is stopped meanwhile may wait for them."""
 
 
 class ProcessHost:
@@ -92,7 +92,8 @@ class ProcessHost:
 
     @property
     def recipe(self) -> Recipe:
-        """What a spare child is prepared with, to be quick for this run or one like it."""
+        """The recipe for which a spare child is prepared, so that this run or one like it starts
+        fast."""
         return self._recipe
 
     def open(self, start: Mapping[str, str]) -> OpenedWorld:
@@ -164,7 +165,7 @@ class ProcessHost:
         return self._status
 
     def check(self) -> None:
-        """Look at the child while nothing is asked of it: HostError where it died or is frozen."""
+        """Check the child while nothing is asked of it: HostError where it died or is frozen."""
         with self._using:
             if self._gone is not None:
                 raise HostError(self._gone.sentence, advice=self._gone.advice)
@@ -287,7 +288,7 @@ class ProcessHost:
         return self._lost(f"the simulation process {how}{self._doing}")
 
     def _lost(self, sentence: str) -> HostError:
-        """The child is given up: what to raise now, and at every later call."""
+        """Give up the child; the error to raise now, and at every later call."""
         self._gone = HostError(sentence, advice="Start a new run.")
         self._end()
         return self._gone

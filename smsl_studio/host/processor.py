@@ -1,4 +1,4 @@
-"""What time of the processors the machine gives to a child process."""
+"""How much processor time the machine gives to a child process."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 
 class ProcessorTime(NamedTuple):
-    """What the main thread of a process was given until the monotonic clock said ``at`` (seconds).
+    """The processor time of the main thread of a process until the monotonic time ``at`` (s).
 
     ``ran`` are the seconds it worked, ``waited`` those in which it could have and all processors
     had other work; a wait is counted when it ends. ``ready`` says whether it would work now if the

@@ -21,7 +21,7 @@ from smsl_studio.world.protocol import Shape
 
 
 class Outcome(Enum):
-    """How the call that was begun stands after a tick; what it returns is no evidence."""
+    """The state of the running call after a tick; a return value alone proves nothing."""
 
     IDLE = "idle"
     RUNNING = "running"
@@ -123,7 +123,7 @@ class Priced:
 
 
 class Tick(NamedTuple):
-    """What one tick brought: the time (simulated s) after it, the running call, the samples."""
+    """The result of one tick: the time after it (simulated s), the running call, the samples."""
 
     time: float
     outcome: Outcome

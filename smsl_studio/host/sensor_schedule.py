@@ -128,5 +128,5 @@ class SensorSchedule:
 
 
 def _ticks(period: float, tick: float) -> int:
-    """The period in whole ticks, rounded up, at least one; a hair's breadth is forgiven."""
+    """The period in whole ticks, rounded up, at least one; a rounding error is ignored."""
     return max(1, math.ceil(period / tick - 1e-6))

@@ -74,7 +74,7 @@ class Child:
                     self.wire.flush()
 
     def told(self) -> None:
-        """From now on ``heard`` sends what is left of a command, and no other thread does."""
+        """Leave what is left of a command to ``heard``; no other thread sends it from now on."""
         self._told.set()
         if self._telling is not None:
             self._telling.join()
@@ -108,7 +108,7 @@ class Child:
         self._outlet.pass_on()
 
     def beats(self) -> bool:
-        """Whether it has shown a pulse since this was asked last."""
+        """Whether there was a heartbeat since this was asked last."""
         try:
             return bool(os.read(self._beats, 2**16))
         except OSError:

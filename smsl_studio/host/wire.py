@@ -1,4 +1,4 @@
-"""The two ends of a child's pipe. The parent trusts nothing that comes; nothing here blocks it.
+"""The two ends of a child's pipe. The parent trusts no message and never waits for one here.
 
 A command is a length (uint32) and a pickled ``(number, verb, arguments)``: the child trusts its
 parent. A frame of the child is a length, the number of the command it belongs to (uint32 each), its
@@ -109,7 +109,7 @@ class Wire:
         return WireFrame(KINDS[kind], body)
 
     def hang_up(self) -> None:
-        """Say and hear nothing more: the child sees that."""
+        """Close both directions of the pipe, which the child notices."""
         with contextlib.suppress(OSError):
             self._end.shutdown(socket.SHUT_RDWR)
 

@@ -1,1 +1,1 @@
-"""Inspection: what can be said about a blueprint before anything moves."""
+"""Inspection: the findings about a blueprint before anything moves."""

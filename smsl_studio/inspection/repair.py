@@ -11,14 +11,14 @@ from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding, Severity
 
 CERTAIN = ("R03", "R15")
-"""The rules whose errors have fixes that are certain."""
+"""The rules with errors whose fix is certain."""
 
 MOST = 50
 """So many fixes are made at once; after each one the rules are looked at anew."""
 
 
 class Repair(NamedTuple):
-    """What several fixes come to: their findings, in order, and the blueprint after the last."""
+    """The result of several fixes: their findings, in order, and the blueprint after the last."""
 
     mended: tuple[Finding, ...]
     blueprint: Blueprint

@@ -74,7 +74,7 @@ class DigestedFinder(MetaPathFinder):
 
 
 class _DigestedLoader(SourceFileLoader):
-    """Compiles the bytes it was given; what lies compiled beside the file is not believed."""
+    """Compiles the bytes that it was given; a compiled copy beside the file is not used."""
 
     def __init__(self, fullname: str, file: str, raw: bytes) -> None:
         super().__init__(fullname, file)

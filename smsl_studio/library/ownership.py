@@ -1,4 +1,4 @@
-"""Who else could change a file or a folder, as its owner and its permissions tell.
+"""Who else could change a file or folder, by its owner and its permissions.
 
 Code and decisions are believed only where nobody but the user and root can change them. On a
 system without such permissions nothing is checked.

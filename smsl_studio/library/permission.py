@@ -9,7 +9,7 @@ from smsl_studio.library.survey import USER, FoundPlugin, PluginState
 
 
 def allow(found: FoundPlugin) -> FoundPlugin:
-    """Let a plugin be loaded from now on; one in the user's folder, as long as it is as found.
+    """Allow a plugin to be loaded; one in the user's folder only as long as its files stay so.
 
     It is what was found that is allowed: files that have changed since are not. PluginError for
     one that cannot be loaded at all; SaveError where the decision cannot be written.

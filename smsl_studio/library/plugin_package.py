@@ -1,4 +1,4 @@
-"""Importing a plugin folder as a package of its own, and naming the line a mistake stands on."""
+"""Importing a plugin folder as a package, and finding the line of a mistake in it."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ ASKED, PATH, USER, INSTALLED, SHIPPED = (
 
 
 class PluginState(enum.Enum):
-    """What is known of a plugin before any code of it runs; only one that is allowed is loaded."""
+    """The state of a plugin before any of its code runs; only an allowed one is loaded."""
 
     ALLOWED = "allowed"
     NEW = "new"

@@ -29,7 +29,7 @@ TIMEOUT = 20.0
 def set_facts(
     world: TableWorld, blueprint: Blueprint, edge: Address
 ) -> Generator[None, None, bool | None]:
-    """Write down what the edge brings about, within the first tick, unless a fault befalls it."""
+    """Set the facts that the edge changes, within the first tick, unless a fault is set."""
     how, other = world.befalling()
     if how:
         return (yield from befallen(world, how, other))

@@ -1,4 +1,4 @@
-"""The fact bus: samples on their way from whoever senses to whoever believes, in this process.
+"""The fact bus: it carries samples from sensors to monitors in this process.
 
 It needs no broker. It is bounded: of each speaker of a source only the newest sample waits, so that
 one which floods costs its own older samples and nothing else; what was left out is counted. Any
@@ -61,7 +61,7 @@ class Mailbox:
         return tuple([sample for samples in waiting.values() for sample in samples])
 
     def close(self) -> None:
-        """Hear nothing more; twice is harmless."""
+        """End the subscription; calling it twice is harmless."""
         self._bus.forget(self)
         self._waiting = {}
 
@@ -142,7 +142,7 @@ class FactBus:
 
 
 def _beside(waiting: list[Sample], sample: Sample) -> bool:
-    """Let one more sample of a source wait; whether one was left out for it, or it was itself.
+    """Let one more sample of a source wait; whether that one, or one before it, was left out.
 
     Samples of one speaker grow in sequence and clock together. Any other two wait side by side, so
     that whoever fetches them sees that two speak.

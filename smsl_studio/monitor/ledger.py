@@ -1,4 +1,4 @@
-"""The ledger of one source: who speaks for it, the newest sample, and what did not count.
+"""The ledger of one source: its speakers, its newest sample, and the samples that did not count.
 
 A fact ages on the receiver's clock, from the moment a sample was taken in. Repeated, retained and
 overtaken samples do not have a growing (boot, sequence) and refresh nothing. Neither does a late
@@ -50,8 +50,8 @@ class Ledger:
             self._weigh(sample, now)
 
     def speaker(self, now: float, live: float = 0.0) -> Speaker | None:
-        """Whose word is the newest at ``now``, or ``live`` on the monotonic clock; None: nobody
-        spoke yet."""
+        """The speaker of the newest sample at ``now`` (``live`` on the monotonic clock); None:
+        nobody yet."""
         if self._only is not None:
             return self._only
         heard = self._heard(now, live) or self._speakers
@@ -93,12 +93,12 @@ class Ledger:
         return any(one.live for one in self._speakers)
 
     def _heard(self, now: float, live: float) -> list[Speaker]:
-        """Who was heard within the age of the fact, in the order in which they first spoke."""
+        """The speakers heard within the age of the fact, in the order in which they first spoke."""
         most = self.max_age + HAIR
         return [one for one in self._speakers if one.age(now, live) <= most]
 
     def _weigh(self, sample: Sample, now: float) -> None:
-        """A sample that is not simply the next word of the only speaker."""
+        """Take a sample that is not simply the next one of the only speaker."""
         same = [one for one in self._speakers if one.called(sample)]
         fits = [one.fit(sample, now, self.max_age) for one in same]
         by_fit = {fit: [one for one, is_ in zip(same, fits, strict=True) if is_ is fit]

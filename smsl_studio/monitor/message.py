@@ -1,4 +1,4 @@
-"""What stands in a message of a node: JSON with a version, read as if an enemy had written it.
+"""The messages of a node: JSON with a version, read as if an attacker had written it.
 
 A fact::
 
@@ -27,7 +27,7 @@ ALIVE, GONE = "alive", "gone"
 
 
 class UnreadableError(Exception):
-    """A message that says nothing we may believe; its text is the reason, for people."""
+    """A message that cannot be used; its text is the reason, for people."""
 
 
 @dataclass(frozen=True, slots=True)

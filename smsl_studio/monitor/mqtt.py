@@ -26,13 +26,14 @@ PORT = 1883
 KEEPALIVE = 2
 """Seconds of silence after which both sides ask whether the other is there."""
 ANSWER = 3.0
-"""Seconds a broker may take to say hello."""
+"""Seconds that a broker may take to answer the connection."""
 WAITS = 1, 4
 """The shortest and longest wait (s) before it is connected again."""
 LARGEST_PACKET = 65536
 """Bytes: a broker keeps larger ones for itself."""
 IN_FLIGHT = 20
-"""Messages of a source on their way to us at once; a flood waits at the broker, and drops there."""
+"""Messages of a source under way at once; further ones wait at the broker, and are dropped
+there."""
 BUFFER = 16384
 """Bytes that may wait in this system: a hundred messages."""
 
@@ -110,7 +111,7 @@ class BrokerLink:
         return self._ears[0].connections if self._ears else 0
 
     def close(self) -> None:
-        """Hear nothing more; twice is harmless."""
+        """Close all connections; calling it twice is harmless."""
         self._left = True
         ears, self._ears, self._since = self._ears, [], monotonic()
         nodes, self._nodes = self._nodes, None
@@ -162,12 +163,12 @@ class _Ear:
         return self._refused or "it accepts the connection and says nothing"
 
     def connect_later(self, host: str, port: int) -> None:
-        """Connect as soon as it goes."""
+        """Connect as soon as the broker can be reached."""
         self._client.connect_async(host, port, KEEPALIVE, clean_start=True, properties=_asking())
         self._client.loop_start()
 
     def leave(self) -> None:
-        """Say goodbye; who waits for the broker's hello need not any more."""
+        """Disconnect; a thread that waits for the broker's answer stops waiting."""
         self._client.disconnect()
         with self._changed:
             self._refused = "it was left"

@@ -1,4 +1,4 @@
-"""Nodes: the programs that speak for sensors which are elsewhere, and how each of them is.
+"""Nodes: the programs that send samples of network sensors, and the state of each.
 
 This is for people alone: no fact is fresh because a node says that it lives, and none is stale
 because its will came. A will counts only for the boot that left it.

@@ -1,4 +1,4 @@
-"""The reception: every message that comes over a network, before anybody believes a word of it.
+"""The reception: it checks every network message before the monitor uses it.
 
 It needs no network itself. What is of a declared source and can be read waits as a sample, the
 newest of each source; everything else is counted under a name, with its newest example, and
@@ -140,7 +140,7 @@ class Reception:
             return Received(self._messages, self._samples, replaced, tuple(refusals))
 
     def _floods(self, key: SourceKey) -> bool:
-        """Whether a source says ten times as much as anybody reads."""
+        """Whether a source sends ten times as many samples as can be read."""
         spoken = self._spoken[key]
         left_out = self._bus.replaced(key[:2], key[2])
         return spoken > FEW and left_out > 0.9 * spoken

@@ -11,7 +11,7 @@ GOOD, UNCERTAIN, BAD = "good", "uncertain", "bad"
 
 
 class Sample(NamedTuple):
-    """One reading on its way to the monitor: a light value, because most are made in vain.
+    """One reading on its way to the monitor. It is a light value, because most are never used.
 
     ``value`` None means the source has no valid reading (its ``reason`` says why). ``time`` is the
     source's clock in seconds, which never goes back; ``sequence`` grows with every sample of a

@@ -15,7 +15,7 @@ from math import inf, isfinite, nan
 from smsl_studio.monitor.sample import Sample
 
 HAIR = 1e-9
-"""Ages are sums of ticks: this much (s) beyond the maximum is still not too old."""
+"""Seconds by which an age, a sum of ticks, may exceed the maximum without being too old."""
 
 CREEP = 1e-3
 """A source's clock may be slow by one part in a thousand without its samples seeming late."""

@@ -1,1 +1,1 @@
-"""Pictures of graphs without Qt."""
+"""Pictures of graphs, differences and runs as files, without Qt."""

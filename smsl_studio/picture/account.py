@@ -1,4 +1,4 @@
-"""A plain account of a run in one HTML file: what was believed, sensed, done and decided, by whom.
+"""An account of a run in one HTML file: what was believed, sensed, done and decided, by whom.
 
 It is made of the log alone. Equal logs give equal bytes. The page loads nothing and runs nothing:
 no script, no picture, no font, no link; its policy (CSP) forbids them, whatever a name says.
@@ -23,7 +23,7 @@ Json = Any
 DEEP = 2
 """A value of the header is told with so many maps in each other: it may say anything."""
 MOST = 100_000
-"""So many events are told one by one; a page with more would open nowhere."""
+"""At most so many events are listed one by one: browsers do not open a longer page."""
 
 _OUTCOMES = {
     "goal_reached": "The goal was reached",

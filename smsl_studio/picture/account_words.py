@@ -37,7 +37,7 @@ _KINDS: Mapping[type[Event], str] = MappingProxyType(
         run.GivenBack: BELIEVED,
     }
 )
-"""What is not listed was decided."""
+"""Events that are not listed here are decisions."""
 BY_HAND = "done by "
 """How the end of an operation begins that a person carried out."""
 NOBODY = "nobody has answered yet"

@@ -10,7 +10,7 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.shape import Point
 
 TENTH = 0.1
-"""Pixels: what a layout is written in."""
+"""The precision of a layout, in pixels."""
 
 
 def branch_pairs(difference: Difference) -> Iterator[tuple[str, str]]:

@@ -29,4 +29,4 @@ def _named(colours: str) -> Colours:
 
 
 LIGHT, DARK = _named(_LIGHT), _named(_DARK)
-"""What each is for stands in docs/window.md."""
+"""docs/window.md says what each colour is for."""

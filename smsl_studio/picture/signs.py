@@ -1,4 +1,4 @@
-"""Marks of a difference: a sign, a pattern and a colour each, so that the colour may be missing."""
+"""The marks of a difference: a sign, a pattern and a colour each, so that no colour is needed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What each event changes in how a run stands: one step of the fold that tells a run again."""
+"""What each event changes in the state of a run: one step of the fold."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from smsl_studio.runlog.retold import Entered, Retold, Sensed
 
 
 def take(fold: RunFold, event: Event) -> None:
-    """One more event happens."""
+    """Apply one more event to the state of the run."""
     change = _CHANGES.get(type(event))
     if change is not None:
         change(fold, event)
@@ -23,20 +23,20 @@ def take(fold: RunFold, event: Event) -> None:
 
 
 def after(before: Retold, event: Event) -> Retold:
-    """How the run stands after one more event."""
+    """The state of the run after one more event."""
     fold = RunFold.of(before)
     take(fold, event)
     return fold.retold()
 
 
 def _clear(fold: RunFold) -> None:
-    """Nothing is carried out any more."""
+    """Clear what is being carried out."""
     fold.started, fold.own, fold.stack = {}, {}, []
     fold.running, fold.running_since = "", None
 
 
 def _enter(fold: RunFold, t: float, states: Mapping[str, str], by: Iterable[str]) -> None:
-    """SBs came into states, by these operations."""
+    """Set the new states of SBs, and the operations that led there."""
     how = {Address.split(text)[0]: text for text in by}
     fold.configuration.update(states)
     for branch in states:
@@ -73,7 +73,7 @@ def _state_checked(fold: RunFold, event: run.StateChecked) -> None:
 
 
 def _next(fold: RunFold, t: float) -> None:
-    """A base's function runs when its subs have moved, which no event of its own tells."""
+    """Find the function that runs now: a base's own runs after its subs moved, without an event."""
     while fold.stack and fold.stack[-1] not in fold.own:
         fold.stack.pop()
     fold.running = fold.stack[-1] if fold.stack else ""
@@ -100,7 +100,7 @@ def _relocalised(fold: RunFold, event: run.Relocalised) -> None:
 
 
 def _fail(fold: RunFold) -> None:
-    """Whatever is carried out is over; where one operation was wanted, that was it."""
+    """End what is carried out; a single operation that was asked for is done."""
     fold.once = fold.once and not fold.started
     _clear(fold)
 
@@ -134,7 +134,7 @@ def _restored(fold: RunFold, event: run.OperationRestored) -> None:
 
 
 def _commanded(fold: RunFold, event: run.Commanded) -> None:
-    """What commands do that nothing else tells of."""
+    """Apply the effects of commands that no other event tells."""
     if event.refused:
         return
     match event.command:
@@ -163,7 +163,7 @@ def _resumed(fold: RunFold, event: run.Resumed) -> None:
 
 
 def _latch(fold: RunFold) -> None:
-    """Nothing that was going on or wanted goes on by itself."""
+    """Clear what was going on and what was asked for, because neither goes on by itself."""
     _clear(fold)
     fold.held, fold.paused, fold.frozen, fold.once = None, False, False, False
     fold.tasks = {}

@@ -1,4 +1,4 @@
-"""What whoever reads the record of a run knows of its commands; ``dispatch`` has their table."""
+"""What a reader of a log must know of the commands; ``dispatch`` has the table of them."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Protocol
 
 
 class CommandWord(Protocol):
-    """A command as it stands in a record."""
+    """A command as it stands in a log."""
 
     @property
     def word(self) -> str:
-        """What it is called."""
+        """The word of the command."""
 
     @property
     def refused(self) -> Mapping[str, str]:
@@ -36,7 +36,7 @@ class CommandWord(Protocol):
 
     @property
     def has_value(self) -> bool:
-        """Whether it says something besides."""
+        """Whether it has a value."""
 
     def told(self, address: str, value: str) -> str:
         """What an account says of it; empty where it has no words for such a value."""

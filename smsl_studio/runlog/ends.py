@@ -1,4 +1,4 @@
-"""The sentences with which a run ends that was stopped from outside its own events."""
+"""The sentences for the end of a run that was stopped from outside."""
 
 from __future__ import annotations
 

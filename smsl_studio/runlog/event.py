@@ -1,4 +1,4 @@
-"""What every run event is: a frozen value with a word, a simulated time and one line of JSON."""
+"""The base of all run events: a frozen value with a word, a simulated time and a line of JSON."""
 
 from __future__ import annotations
 

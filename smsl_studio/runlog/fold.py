@@ -1,4 +1,4 @@
-"""The fold of a run: how it stands after each of its events, changed in place.
+"""The fold of a run: its state after each event, changed in place.
 
 An event costs the same however long the run is, and however many facts it has. ``changes`` has
 what each event changes; ``retold`` is the frozen value that is shown.
@@ -69,7 +69,7 @@ class RunFold(Phased):
         )
 
     def retold(self) -> Retold:
-        """How it stands, as a value that stays as it is."""
+        """The state of the run now, as a frozen value."""
         values: dict[str, Any] = {name: getattr(self, name) for name in _ALIKE}
         copies: dict[str, Any] = {name: dict(getattr(self, name)) for name in _MAPS}
         return Retold(

@@ -15,7 +15,7 @@ Json = Any
 MOST = 1000
 """So many names of each kind stand in a header: it is one line of a log, which people open."""
 LONGEST = 200
-"""So many characters of a name are kept."""
+"""At most so many characters of a name are kept."""
 KINDS = ("facts", "states", "operations", "values")
 _ADDRESSES = ("address", "goal", "target", "operations", "route", "goals")
 _CONFIGURATIONS = ("configuration", "start")

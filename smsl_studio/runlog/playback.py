@@ -1,4 +1,4 @@
-"""Telling a run again: how it stood after any number of its events, from the events alone.
+"""Replaying a run: its state after any number of its events, from the events alone.
 
 ``changes.take`` is one step of the fold, ``Playback`` the whole run, with snapshots in between so
 that any moment of a long one is near. No world, no blueprint and no dispatcher is asked.

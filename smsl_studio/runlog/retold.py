@@ -1,4 +1,4 @@
-"""How a recorded run stood at one moment, as far as its events tell."""
+"""The state of a recorded run at one moment, as far as its events tell it."""
 
 from __future__ import annotations
 

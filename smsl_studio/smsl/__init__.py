@@ -1,1 +1,1 @@
-"""The librarian's room: text to Document and back, spelling only, lossless."""
+"""Text to Document and back: spelling only, without any loss."""

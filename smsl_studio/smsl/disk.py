@@ -1,4 +1,4 @@
-"""What a save asks of the disk: new files that are whole, names that stay, folders held alone."""
+"""What a save needs of the disk: new files written whole, lasting names, locked folders."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def settle(folders: Iterable[Path]) -> None:
 
 @contextmanager
 def held(folders: Iterable[Path], patience: float = 0.0) -> Iterator[bool]:
-    """Hold folders for one save; False where another process holds one of them.
+    """Lock folders for one save; False where another process has locked one of them.
 
     ``patience`` is how long (wall seconds) to wait for it. The hold ends with the process, however
     it ends, and leaves nothing behind.

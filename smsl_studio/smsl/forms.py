@@ -24,7 +24,7 @@ HOLD_COMMENTS = ("smsl", "yaml")
 
 
 class Form(Protocol):
-    """What every form can do."""
+    """The functions that every form has."""
 
     def parse(self, text: str, file: str) -> Document:
         """Read a text; ReadError (with all its faults) where it is not in this form."""
@@ -61,7 +61,7 @@ def form_of(file: str, text: str) -> str:
 
 
 def form_named(name: str) -> Form:
-    """The doors of a form; KeyError for a name that no form has."""
+    """The functions of a form; KeyError for a name that no form has."""
     if name == "json":
         from smsl_studio.smsl import json_form
 

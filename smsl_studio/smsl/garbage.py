@@ -41,7 +41,7 @@ _COLLECTOR = _Collector()
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Nothing is collected within; may be used by several threads, and one within the other.
+    """Switch collection off for a block; threads may use it at once, and blocks may be nested.
 
     Where the collector was switched off before, it stays so.
     """

@@ -1,4 +1,4 @@
-"""Writing files: what may be replaced, and that it is still what the writer has seen.
+"""Writing files: which may be replaced, and only where they did not change meanwhile.
 
 An output is an ordinary file. It is none of the files that it was made of, under whatever name,
 and where it is a link the file behind it is of the same kind.

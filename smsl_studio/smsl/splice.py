@@ -1,4 +1,4 @@
-"""The one text edit: make a document read to other values, in whichever form it is written."""
+"""Editing a document in any form: it gets other values, and only what differs is changed."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ FRESH = ".fresh"
 _OF_ONE = re.compile(r"\..+\.(?:json|smsl|ya?ml)\.[0-9a-f]{12}\.part", re.DOTALL | re.IGNORECASE)
 _RECORD = re.compile(rf"[0-9a-f]{{12}}\{FRESH}")
 _LONG_AGO = 3600.0
-"""Seconds."""
+"""Seconds without a change after which a left file is taken away."""
 
 
 def interrupted_saves(files: Iterable[str | os.PathLike[str]]) -> tuple[PendingSave, ...]:

@@ -27,7 +27,7 @@ def touching(extents: Mapping[str, Extent], one: Extent) -> set[str]:
 
 
 def restless(world: str, speeds: Mapping[str, float], limit: float) -> WorldError:
-    """What to raise of a world that is not at rest after ``limit`` seconds; speeds in m/s."""
+    """The error of a world that is not at rest after ``limit`` seconds; speeds in m/s."""
     # A speed that is no number is none at rest either.
     moving = [f"{name} at {speed:.3g} m/s" for name, speed in speeds.items() if not speed < CALM]
     words = ", ".join(moving[:TOLD]) or "until just now something moved"

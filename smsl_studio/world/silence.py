@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 
 @contextmanager
 def silence() -> Iterator[None]:
-    """Bullet chats from C, past Python: meanwhile standard output and error lead nowhere."""
+    """Send standard output and error to nowhere meanwhile, because Bullet prints from C."""
     _flush()
     nowhere = os.open(os.devnull, os.O_WRONLY)
     kept: list[tuple[int, int]] = []

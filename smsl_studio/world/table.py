@@ -34,19 +34,19 @@ class TableWorld:
         return self._ticks * self.tick
 
     def set_facts(self, facts: Mapping[FactKey, str]) -> None:
-        """Write facts down; those not named stay as they are."""
+        """Set some facts; the others stay as they are."""
         self._facts.update(facts)
 
     def fact(self, branch: str, digit: int) -> str | None:
-        """What stands on the table for a fact, None where nothing does."""
+        """The value of a fact, None where the table has none."""
         return self._facts.get((branch, digit))
 
     def spoil(self, how: str, facts: Mapping[FactKey, str] = NOTHING) -> None:
-        """Let this befall the next operation, and nothing else any more; ``""``: nothing."""
+        """Set the fault of the next operation, in the place of an earlier one; ``""``: none."""
         self._befalls = (how, dict(facts))
 
     def befalling(self) -> tuple[str, Mapping[FactKey, str]]:
-        """What befalls the operation that begins now, and the facts that belong to it; once."""
+        """The fault of the operation that begins now, with its facts; it is given only once."""
         found, self._befalls = self._befalls, ("", {})
         return found
 
@@ -58,15 +58,15 @@ class TableWorld:
         """Nothing moves, so nothing has to be held."""
 
     def shapes(self) -> tuple[Shape, ...]:
-        """Nothing: facts have no form."""
+        """Empty: facts have no shape."""
         return ()
 
     def poses(self) -> tuple[float, ...]:
-        """Nothing: facts have no place."""
+        """Empty: facts have no pose."""
         return ()
 
     def status(self) -> Mapping[str, str]:
-        """Nothing: the facts table of the run says it all."""
+        """Empty: the facts of the run say everything."""
         return {}
 
     def snapshot(self) -> bytes:
@@ -86,7 +86,7 @@ class TableWorld:
         return copy
 
     def close(self) -> None:
-        """Nothing is held."""
+        """Nothing has to be freed."""
 
 
 def _rows(facts: Mapping[FactKey, str]) -> list[list[str | int]]:

@@ -1,4 +1,4 @@
-"""``compare``: two blueprints, element by element, in the order of the files."""
+"""``compare``: compares two blueprints element by element, in the order of the files."""
 
 from __future__ import annotations
 

@@ -167,7 +167,7 @@ def _compare_levels(sides: Sides) -> None:
 
 
 def _level_key(sides: Sides, key: str) -> str:
-    """A key of the earlier side as the later one calls its SB."""
+    """A key of the earlier side with the name that its SB has on the later one."""
     name, slash, rest = key.partition("/")
     branch = Address.split(name)[0]
     return f"{Address(sides.branch(branch))}/{rest}" if slash else key
@@ -188,7 +188,7 @@ def _first_places(listed: Json) -> dict[str, int]:
 
 
 def _named_alike(sides: Sides, one: Json, other: Json) -> Json:
-    """The imports of the earlier side, each as the later one calls the same file."""
+    """The imports of the earlier side, each under the name that the later side has for the file."""
     if not isinstance(one, list) or not isinstance(other, list):
         return one
     ours, kept = set(map(_import, one)), set(map(_import, other))

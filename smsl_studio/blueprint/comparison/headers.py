@@ -1,4 +1,4 @@
-"""Headers by their effect: a default that is written out is no change, one that shifts is."""
+"""Headers compared by their effect: writing out a default is no change, moving one is."""
 
 from __future__ import annotations
 

@@ -104,7 +104,7 @@ def _entry(
 
 
 def _goes_with_it(pair: BranchSides, table: str, keys: tuple[str, str], here: bool) -> bool:
-    """Whether an entry came or went with its element, whose own change says enough."""
+    """Whether an entry was added or removed with its element, whose own change is enough."""
     old, new = (
         None if table == "_facts" else _stands(side, _address(side.name, table, key))
         for side, key in zip((pair.before, pair.after), keys, strict=True)
@@ -123,7 +123,7 @@ def _stands(branch: StateBranch, address: Address) -> bool | None:
 
 
 def _element(branch: StateBranch, table: str, key: str) -> Address:
-    """What an entry speaks of, where that is one element that is there; else its SB."""
+    """The element that an entry is about, where it is one that exists; else its SB."""
     address = _address(branch.name, table, key)
     return address if _stands(branch, address) else branch.address
 
@@ -149,7 +149,7 @@ def _subject(pair: BranchSides, table: str, key: str) -> str:
 def _new_keys(
     pair: BranchSides, table: str, one: Mapping[str, Json], other: Mapping[str, Json]
 ) -> dict[str, str]:
-    """How the later side calls the elements that the entries of the earlier one speak of."""
+    """The later names of the elements that the entries of the earlier side are about."""
     if table == "_facts":
         return {key: key for key in one}
     if table == "_states":
@@ -167,7 +167,7 @@ def _edge_key(pair: BranchSides, key: str) -> str:
 
 
 def _renamed_everywhere(pair: BranchSides, other: Mapping[str, Json]) -> dict[str, str]:
-    """Names of operations that are called by one other name at every state."""
+    """The operation names that were renamed in the same way at every state."""
     found: dict[str, str] = {}
     for (_, old), new in pair.operations.items():
         found[old] = "" if found.get(old, new) != new else new

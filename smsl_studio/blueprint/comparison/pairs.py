@@ -1,4 +1,4 @@
-"""Which state of one SB is which of another, where names changed.
+"""Finding which state of one SB is which state of another one where names changed.
 
 A name that stands on both sides is the same state. Of the others, pairs are proposed where they
 stand at the same place in the file, have the same facts, are the start or the goal, or are reached
@@ -33,7 +33,7 @@ def renamed_states(before: StateBranch, after: StateBranch) -> dict[str, str]:
 
 
 class _PairSearch:
-    """The search for pairs; ``gone`` and ``come`` are the names that only one side has."""
+    """The search for pairs; ``gone`` and ``come`` are the names that only one of the sides has."""
 
     def __init__(
         self, before: StateBranch, after: StateBranch, gone: list[str], come: list[str]
@@ -88,7 +88,7 @@ class _PairSearch:
         return [end for end in into.get(name, ()) if end[0] in wanted]
 
     def _accept(self, proposals: Iterable[Pair]) -> list[Pair]:
-        """Those of the proposals that hold, the best first; each state is paired once."""
+        """The proposed pairs that are accepted, the best first; each state is paired once."""
         scored = []
         for pair in dict.fromkeys(proposals):
             if self._is_open(pair) and self.looks[pair] < _LOOKS:
@@ -174,7 +174,7 @@ def _same_place(before: Table, after: Table) -> Iterator[Pair]:
 
 
 def _runs(table: Table, kept: Table) -> dict[str, list[str]]:
-    """What stands behind each name that was kept, and what stands in front of all of them."""
+    """The names that follow each kept name, and those that come before the first one."""
     found: dict[str, list[str]] = {}
     anchor = ""
     for name in table:

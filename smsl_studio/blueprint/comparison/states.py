@@ -90,7 +90,7 @@ def _compare_operations(pair: BranchSides, old: str, new: str) -> None:
 
 
 def _renamed_operations(one: Mapping[str, str], other: Mapping[str, str]) -> dict[str, str]:
-    """Operations that lead where one of another name led; of several, in the order written."""
+    """Pairs of operations of different names with the same target; of several, in written order."""
     come: dict[str, deque[str]] = {}
     for name, target in other.items():
         if name not in one:

@@ -29,14 +29,15 @@ class Draft:
         self._own: set[tuple[str, ...]] = set()
 
     def file(self, document: Document | None = None) -> dict[str, Json]:
-        """All that stands in one of the documents (else its own), free to be changed."""
+        """The values of one of the documents (by default its own), which may be changed."""
         chosen = document or self.before.document
         if chosen not in self._values:
             self._values[chosen] = dict(chosen.values)
         return self._values[chosen]
 
     def at(self, branch: str, *below: str) -> dict[str, Json]:
-        """The object of an SB, or one below it, free to be changed; KeyError where none stands."""
+        """The object of an SB, or one below it, which may be changed; KeyError where there is
+        none."""
         node = self.file(self.before.home(branch))
         path = (branch, *below)
         for depth, key in enumerate(path, start=1):
@@ -76,7 +77,7 @@ class Draft:
         return self.at(branch, key)
 
     def tables(self, branch: str, *keys: str) -> list[dict[str, Json]]:
-        """Those of the tables that are there and are maps."""
+        """The tables of these names that exist and are maps."""
         present = self.before.home(branch).values.get(branch, {})
         return [self.at(branch, key) for key in keys if isinstance(present.get(key), dict)]
 

@@ -1,4 +1,4 @@
-"""Where pasted states come to lie."""
+"""The places of pasted states."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ STEP = (160.0, 96.0)
 """How far apart (pixels at 100 %) states are put that have no places of their own."""
 
 ASIDE = (32.0, 32.0)
-"""So far aside goes what would lie on something else."""
+"""How far aside (pixels at 100 %) a state moves that would cover another one."""
 
 
 @dataclass(frozen=True)

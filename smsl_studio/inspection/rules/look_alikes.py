@@ -138,5 +138,5 @@ _LOOK = {ord(char): same[0] for same in _SAME for char in same}
 
 
 def _look(name: str) -> str:
-    """What a hurried reader sees of a name: one form of every look-alike character."""
+    """The name with one character in the place of all those that look like it."""
     return unicodedata.normalize("NFKC", name).translate(_LOOK)

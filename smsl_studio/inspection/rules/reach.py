@@ -1,4 +1,4 @@
-"""Rules about what leads where: unreachable states, traps, dead ends.
+"""Rules about reachability: unreachable states, traps, dead ends.
 
 Where one operation is missing, many states may be cut off: those that hang together are one
 finding.

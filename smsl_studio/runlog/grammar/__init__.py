@@ -1,1 +1,1 @@
-"""Which stories a log can tell: an automaton of the run's events, beside the chain of its bytes."""
+"""Which sequences of events a log can have: an automaton that checks them one by one."""

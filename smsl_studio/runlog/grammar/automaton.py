@@ -71,7 +71,7 @@ TABLE: Mapping[type[Event], EventRow] = MappingProxyType(
         run.RunFinished: EventRow(bounds.run_finished),
     }
 )
-"""Every event of a run. What is not here (the events of a sweep) is none."""
+"""The rule of every event of a run; events of a sweep have none."""
 
 
 class Grammar:
@@ -103,7 +103,7 @@ class Grammar:
         return ""
 
     def end(self) -> str:
-        """Why the story cannot end here; empty where it can."""
+        """Why the log cannot end here; empty where it can."""
         return "" if self._over or self._said.fold.finished is not None else NO_END
 
 
@@ -117,7 +117,7 @@ def _wrong(said: Memory, event: Event) -> Iterator[str]:
 
 
 def _always(said: Memory, event: Event, row: EventRow) -> Iterator[str]:
-    """What holds for every event."""
+    """The reasons why an event of any kind cannot stand here."""
     fold, last, word = said.fold, said.last, event.event.replace("_", " ")
     if last is None:
         yield from misshapen(said.header)
@@ -165,14 +165,14 @@ def _at_once(said: Memory) -> bool:
 
 
 def _arrives(event: Event) -> bool:
-    """Whether a run that nobody attends any more looks at its goals, and ends there."""
+    """Whether an event says that a run reaches a goal, or ends at its goals."""
     return isinstance(event, run.GoalReached | run.RunFinished) and (
         not isinstance(event, run.RunFinished) or event.reason == "goal_reached"
     )
 
 
 def _overdue(said: Memory, event: Event) -> bool:
-    """Whether what a command owes can come no more."""
+    """Whether the event that a command must cause can no longer come."""
     assert said.cause is not None
     if event.t > said.cause.t or isinstance(event, run.RunFinished):
         return True

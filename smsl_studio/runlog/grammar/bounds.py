@@ -1,4 +1,4 @@
-"""How a story begins and how it ends."""
+"""The rules for the beginning and the end of a log."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.runlog.grammar.memory import Memory, parts, texts
 Json = Any
 REASONS = ("goal_reached", "no_route", "held", "refused", "stopped", "failed")
 _CUT = (LET_GO, BROKEN_OFF, UNBEGUN)
-"""Ends that the run does not tell by itself, whatever is open."""
+"""The sentences of ends that come from outside the run, whatever is open."""
 
 
 def run_started(said: Memory, event: run.RunStarted) -> Iterator[str]:

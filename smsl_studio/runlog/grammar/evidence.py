@@ -1,4 +1,4 @@
-"""What the facts that were told say of the states: which check can be true, and which cannot.
+"""What the logged facts say of the states: which state check can be true, and which cannot.
 
 The header of a log says what each state wants of its facts, and which facts are sensed. Of an SB
 that it leaves out, a state wants what it had when its check was true for the first time.
@@ -62,7 +62,7 @@ class Evidence:
                 self._sensed.setdefault(fact[0], set()).add(fact[1])
 
     def tell(self, branch: str, digit: int, value: str | None) -> None:
-        """A fact was told."""
+        """Note the value of a fact."""
         if digit < MOST:
             self._told.setdefault(branch, {})[digit] = value
             if value is not None:
@@ -86,7 +86,7 @@ class Evidence:
         return digit < len(facts) and (value is None or facts[digit] is not None)
 
     def learn(self, branch: str, state: str) -> None:
-        """The check of a state was true."""
+        """Note that the check of a state was true."""
         if branch not in self._drawn and (branch, state) not in self._wanted:
             told = self._told.get(branch, {}).items()
             self._wanted[branch, state] = {n: value for n, value in told if value is not None}

@@ -1,4 +1,4 @@
-"""What the automaton remembers of a story: how the run stands, and what is owed or going on."""
+"""What the automaton remembers of a log: the state of the run, and what must still follow."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ class Memory:
         return self.committed == self.now and self.fold.phase in ("ready", "paused")
 
     def end_step(self) -> None:
-        """Nothing is carried out any more."""
+        """Forget what was being carried out."""
         self.begun, self.newest, self.pending = {}, {}, {}
         self.acting = self.failing = self.stepped = self.blames = self.rests = False
         self.committed = None

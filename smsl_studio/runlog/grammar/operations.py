@@ -10,11 +10,11 @@ from smsl_studio.runlog.grammar.memory import Begun, Memory, parts
 
 OUTCOMES = ("returned", "failed", "raised", "timed_out", "cancelled", "lost")
 AT_WORK = ("returned", "failed", "raised", "timed_out")
-"""The ends of a function that has worked for a tick at least."""
+"""The outcomes of a function that ran for one tick at least."""
 WITHOUT_FAILURE = "a state without failure"
 """What a route leads to that leads out of a failure state."""
 MOST = 1e12
-"""The dearest that an operation may be, as ``docs/running.md`` has it."""
+"""The highest cost of an operation, as ``docs/running.md`` has it."""
 
 
 def route_planned(said: Memory, event: run.RoutePlanned) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""What is told of a text that asks for more than there is for one file (see ``limits``)."""
+"""The fault of a text that exceeds the limits of a file (see ``limits``)."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import isfinite
 
 LARGEST_FILE = 1 << 25
-"""So many bytes of a file are read at most: three times the largest that anybody has drawn."""
+"""At most so many bytes of a file are read: three times the largest file that was drawn."""
 
 MAX_CHARACTERS = LARGEST_FILE
 MAX_VALUES = 500_000
@@ -33,7 +33,7 @@ MAX_NAME = 10_000
 MAX_DEPTH = 64
 MAX_DIGITS = 4000
 MAX_FAULTS = 100
-"""So many faults of one text are told; nobody repairs more in one go."""
+"""At most so many faults of one text are reported; nobody repairs more at once."""
 
 TOO_DEEP = (
     f"nested deeper than {MAX_DEPTH} levels",

@@ -12,7 +12,7 @@ Json = Any
 
 
 class Commas(Brackets):
-    """One reading of one text that knows what a comma tells where one is missing or too much."""
+    """A reading of a text that finds missing and extra commas."""
 
     def _is_glued(self, token: JsonToken) -> bool:
         """Whether a bare word touches a text behind it: a stray character, no name."""

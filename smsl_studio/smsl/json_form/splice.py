@@ -1,4 +1,4 @@
-"""The one text edit: make a text read to other values by changing only what differs.
+"""Editing a JSON text: it gets other values, and only what differs is changed.
 
 Object by object: ``_`` keys and a branch's HEADER keep their slot, other keys follow the order of
 the new values (but for those in a HEADER, whose order means nothing). A key that goes and one that

@@ -1,4 +1,4 @@
-"""What can be said of a broken JSON text in long strides, without looking at every token."""
+"""Questions about a broken JSON text that need no look at every token."""
 
 from __future__ import annotations
 

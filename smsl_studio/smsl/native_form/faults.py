@@ -9,7 +9,7 @@ from smsl_studio.smsl.document.limits import MAX_FAULTS
 
 
 class NativeFaultLimit(Exception):  # noqa: N818
-    """There are so many faults that the rest of the text says nothing more."""
+    """Too many faults: what follows in the text is not worth reporting."""
 
 
 class Faults:
