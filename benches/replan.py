@@ -22,7 +22,7 @@ from scipy.sparse.csgraph import dijkstra
 from benches.row import Row, median_ms
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.goal_tree import GoalTree

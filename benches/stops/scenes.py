@@ -54,13 +54,13 @@ SCENES = {
     "planning": Scene(
         ("run", "{}/cube.json", "--world", "table", *LOG),
         RUN,
-        "smsl_studio.dispatch.planner:Planner.legs",
+        "smsl_studio.dispatch.route.planner:Planner.legs",
         2.0,
     ),
     "planning a route": Scene(
         ("route", "{}/cube.json", "--sb", "BASE", "--from", "State_000000", "--to", "State_111111"),
         "smsl_studio.cli.route:plan_route",
-        "smsl_studio.dispatch.planner:Planner.legs",
+        "smsl_studio.dispatch.route.planner:Planner.legs",
         2.0,
     ),
     "operation": Scene(_STALL, RUN, stall="operation"),
@@ -74,12 +74,12 @@ SCENES = {
     "waiting for people": Scene(
         ("run", "{}/human.json", "--world", "table", *SLOWLY, "{}/answer.jsonl", *LOG),
         RUN,
-        "smsl_studio.dispatch.people.desk:Desk.ask",
+        "smsl_studio.dispatch.execution.desk:Desk.ask",
     ),
     "relocating": Scene(
         ("run", "{}/wide.json", "--world", "table", "--script", "{}/lost.jsonl", *LOG),
         RUN,
-        "smsl_studio.dispatch.recovery:_agreeing",
+        "smsl_studio.dispatch.execution.recovery:_agreeing",
         0.002,
     ),
     "replay": Scene(

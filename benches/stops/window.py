@@ -53,14 +53,14 @@ SCENES = {
     "window, describing": Scene("walk.json", stall="describing"),
     "window, spare child that builds": Scene("walk.json", stall="building"),
     "window, planning": Scene(
-        "cube.json", "table", reached="smsl_studio.dispatch.planner:Planner.legs", span=2.0
+        "cube.json", "table", reached="smsl_studio.dispatch.route.planner:Planner.legs", span=2.0
     ),
     "window, operation": Scene("walk.json", stall="operation"),
     "window, operation that hangs": Scene("walk.json", stall="hanging"),
     "window, operation that does not brake": Scene("walk.json", stall="braking"),
     "window, sensing": Scene("walk.json", stall="sensing"),
     "window, waiting for people": Scene(
-        "human.json", "table", reached="smsl_studio.dispatch.people.desk:Desk.ask"
+        "human.json", "table", reached="smsl_studio.dispatch.execution.desk:Desk.ask"
     ),
 }
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from smsl_studio.dispatch.supervisor import ALLOW, ASK, VETO, Proposal, Verdict
+from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, VETO, Proposal, Verdict
 from smsl_studio.errors import UsageError, did_you_mean
 
 RISKS = ("low", "medium", "high")

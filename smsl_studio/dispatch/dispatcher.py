@@ -15,20 +15,20 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.start import begin_run
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.drive.driver import Driver
+from smsl_studio.dispatch.drive.loop_guard import VISITS, LoopGuard
+from smsl_studio.dispatch.drive.review import Reviewer
+from smsl_studio.dispatch.drive.run_state import RunState
+from smsl_studio.dispatch.drive.start import begin_run
+from smsl_studio.dispatch.drive.supervisor import Supervisor
+from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.dispatch.execution.trouble import Trouble
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, phase_at_end, stand
 from smsl_studio.dispatch.supervision.departure import leave
-from smsl_studio.dispatch.supervision.loop_guard import VISITS, LoopGuard
 from smsl_studio.dispatch.supervision.obedience import obey, refuse
-from smsl_studio.dispatch.supervision.review import Reviewer
 from smsl_studio.dispatch.supervision.row import Command, in_order
-from smsl_studio.dispatch.supervision.run_state import RunState
 from smsl_studio.dispatch.supervision.table import Commands
-from smsl_studio.dispatch.supervisor import Supervisor
-from smsl_studio.dispatch.trouble import Trouble
 from smsl_studio.errors import HostError, RunRefused
 from smsl_studio.host.protocol import Host, OpenedWorld
 from smsl_studio.runlog.ends import BROKEN_OFF, UNBEGUN

@@ -8,9 +8,9 @@ from typing import NamedTuple, TypeVar
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
-from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.planner import holds
-from smsl_studio.dispatch.status import DispatchStatus, Possible
+from smsl_studio.dispatch.drive.driver import Driver
+from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
+from smsl_studio.dispatch.route.planner import holds
 from smsl_studio.dispatch.supervision.offers import offers
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import PlanningError

@@ -10,7 +10,7 @@ from typing import Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.supervisor import Supervisor
+from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.errors import UsageError
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.script import Script

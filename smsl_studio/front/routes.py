@@ -44,8 +44,8 @@ def _joint_route(
 ) -> Route | None:
     from smsl_studio.blueprint.configuration import Hierarchy
     from smsl_studio.blueprint.stepper import Terms
-    from smsl_studio.dispatch.effort import refuse_too_large
-    from smsl_studio.dispatch.planner import Planner
+    from smsl_studio.dispatch.route.effort import refuse_too_large
+    from smsl_studio.dispatch.route.planner import Planner
     from smsl_studio.front.starts import starts_for
 
     hierarchy = Hierarchy(blueprint)

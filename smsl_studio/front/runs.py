@@ -11,8 +11,8 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.effort import refuse_too_large
-from smsl_studio.dispatch.supervisor import Supervisor
+from smsl_studio.dispatch.drive.supervisor import Supervisor
+from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.errors import RunRefused, SaveError, WorldError
 from smsl_studio.front.acceptance import to_accept
 from smsl_studio.front.elsewhere import with_remote

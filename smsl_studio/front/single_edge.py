@@ -9,8 +9,8 @@ from smsl_studio.blueprint.check import Scene, state_check
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.effort import refuse_too_large
-from smsl_studio.dispatch.words import truth_word
+from smsl_studio.dispatch.execution.words import truth_word
+from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.front.hosts import make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.starts import start_for_edge

@@ -5,7 +5,7 @@ from __future__ import annotations
 from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.dispatch.agents import RiskLimit
-from smsl_studio.dispatch.supervisor import Supervisor
+from smsl_studio.dispatch.drive.supervisor import Supervisor
 
 
 def supervisor_of(levels: Levels, named: Supervisor | None = None) -> Supervisor | None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.effort import refuse_too_large, refuse_too_many_edges
+from smsl_studio.dispatch.route.effort import refuse_too_large, refuse_too_many_edges
 from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import edge_alone
@@ -34,9 +34,9 @@ def sweep(
     Each edge starts in its source state (its subs as clause 3 says, its bases where they agree) and
     is asked by hand. It passes when it is committed. Findings refuse nothing here: a sweep is how
     one looks at them. ``branches`` are those to be swept (all where none is named), ``most`` is how
-    many edges one waits for (see ``dispatch.effort``). RunRefused where there are more, or the
-    SUB_SBS go round in a circle; WorldError for a world that does not exist or does not suit the
-    blueprint.
+    many edges one waits for (see ``dispatch.route.effort``). RunRefused where there are more, or
+    the SUB_SBS go round in a circle; WorldError for a world that does not exist or does not suit
+    the blueprint.
     """
     chosen = [blueprint[name] for name in dict.fromkeys(branches)] or list(blueprint)
     hierarchy = Hierarchy(blueprint)

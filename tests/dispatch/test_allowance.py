@@ -14,7 +14,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.search import PlanSearch
 from smsl_studio.blueprint.stepper import Stepper
-from smsl_studio.dispatch.planner import Planner
+from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import PlanningError
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.runlog.events import EdgeSwept

@@ -14,8 +14,8 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.search import nothing
 from smsl_studio.blueprint.stepper import Terms
-from smsl_studio.dispatch import planner
-from smsl_studio.dispatch.planner import Leg, Planner
+from smsl_studio.dispatch.route import planner
+from smsl_studio.dispatch.route.planner import Leg, Planner
 from smsl_studio.errors import RunRefused
 from tests.dispatch.generated import blueprint_values
 from tests.dispatch.runs import blueprint, branch
@@ -71,7 +71,7 @@ def test_with_bounds_the_search_finds_the_same_legs(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with_bounds = [plan(*case) for case in cases(seed)]
-    monkeypatch.setattr(planner, "Bounds", lambda *_: nothing)
+    monkeypatch.setattr(planner, "CostBounds", lambda *_: nothing)
     assert with_bounds == [plan(*case) for case in cases(seed)]
 
 

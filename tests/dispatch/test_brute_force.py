@@ -9,7 +9,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
-from smsl_studio.dispatch.planner import Planner
+from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.local import LocalHost
 from tests.dispatch.generated import blueprint_values

@@ -8,7 +8,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.search import Move, PlanSearch
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.planner import Planner
+from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.host.protocol import Tick
 from smsl_studio.runlog.events import Event
 from smsl_studio.stop import StopListener, Stopped, heed, heeding, starving

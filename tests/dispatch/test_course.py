@@ -9,7 +9,7 @@ import pytest
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.errors import UsageError
 from smsl_studio.host.local import LocalHost
 from tests.dispatch.runs import blueprint, branch, goals

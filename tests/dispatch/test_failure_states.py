@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from smsl_studio.blueprint.configuration import Hierarchy
-from smsl_studio.dispatch.planner import WITHOUT_FAILURE, Planner
+from smsl_studio.dispatch.route.planner import WITHOUT_FAILURE, Planner
 from tests.dispatch.runs import Story, blueprint, branch, goals, short
 
 GRIP: dict[str, Any] = {"facts": {"0": {"name": "Grip", "failure": ["x"]}}}

@@ -9,7 +9,7 @@ import pytest
 
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
-from smsl_studio.dispatch.planner import Planner
+from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.host.local import LocalHost
 from tests.dispatch.runs import Story, blueprint, branch, goals, sample, short
 

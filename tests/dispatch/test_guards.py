@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.supervisor import Proposal, Verdict
+from smsl_studio.dispatch.drive.supervisor import Proposal, Verdict
 from smsl_studio.host.protocol import Outcome
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.runs import Story, blueprint, branch, sample

@@ -28,7 +28,7 @@ def test_a_search_is_given_up_after_as_many_configurations_as_it_may_look_at() -
 
 
 def test_a_run_without_a_plan_holds_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("smsl_studio.dispatch.planner.patience", lambda states: 2)
+    monkeypatch.setattr("smsl_studio.dispatch.route.planner.patience", lambda states: 2)
 
     run = front.run(read_blueprint(parse_json(CHAIN, "chain.json")), "table")
 

@@ -12,8 +12,8 @@ import pytest
 from smsl_studio.blueprint.check import state_check
 from smsl_studio.blueprint.configuration import Hierarchy, disagreements, start_configuration
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.recovery import MOST, candidates, located, stands
-from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.execution.recovery import MOST, candidates, located, stands
+from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.errors import RunRefused
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.generated import blueprint_values

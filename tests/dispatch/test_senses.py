@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from smsl_studio.dispatch.senses import Senses
+from smsl_studio.dispatch.execution.senses import Senses
 from smsl_studio.host.local import LocalHost
 from smsl_studio.monitor.sample import Sample
 from tests.dispatch.runs import sample

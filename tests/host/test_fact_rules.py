@@ -11,8 +11,8 @@ import pytest
 import smsl_studio as smsl
 from smsl_studio import front
 from smsl_studio.blueprint.levels import Levels
+from smsl_studio.dispatch.execution.senses import Senses
 from smsl_studio.dispatch.people.rules import leveled_rules
-from smsl_studio.dispatch.senses import Senses
 from smsl_studio.errors import UsageError
 from smsl_studio.host.local import LocalHost
 from smsl_studio.monitor.aggregate import NOBODY, FactRule

@@ -19,17 +19,19 @@ from smsl_studio.blueprint.configuration import start_configuration
 from smsl_studio.blueprint.edges import Edges
 from smsl_studio.blueprint.joint import StepDraft
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.dispatch import arrival, carrier, goals, guards, safeguards, start, trouble
-from smsl_studio.dispatch.carrier import Carrier
-from smsl_studio.dispatch.driver import Driver
-from smsl_studio.dispatch.people import admission as admitting
-from smsl_studio.dispatch.planner import Planner
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.safeguards import Safeguards
-from smsl_studio.dispatch.senses import Senses
-from smsl_studio.dispatch.supervision.review import ALLOWED, Reviewer
-from smsl_studio.dispatch.supervisor import Verdict
-from smsl_studio.dispatch.trouble import Trouble
+from smsl_studio.dispatch.drive import admission as admitting
+from smsl_studio.dispatch.drive import arrival, start
+from smsl_studio.dispatch.drive.driver import Driver
+from smsl_studio.dispatch.drive.review import ALLOWED, Reviewer
+from smsl_studio.dispatch.drive.supervisor import Verdict
+from smsl_studio.dispatch.execution import carrier, guards, safeguards, trouble
+from smsl_studio.dispatch.execution.carrier import Carrier
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.safeguards import Safeguards
+from smsl_studio.dispatch.execution.senses import Senses
+from smsl_studio.dispatch.execution.trouble import Trouble
+from smsl_studio.dispatch.route import goals
+from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.library import table
 from smsl_studio.monitor import facts as monitor_facts
 from smsl_studio.monitor.aggregate import Aggregate
@@ -86,7 +88,7 @@ def _start_is_not_checked(patch: Patch) -> None:
             inner.setattr(run, "checks", lambda configuration: ())
             return whole(run, *rest)
 
-    patch.setattr("smsl_studio.dispatch.people.start.start_events", unchecked)
+    patch.setattr("smsl_studio.dispatch.drive.start_tasks.start_events", unchecked)
 
 
 # 4, 5, 6: guards, carrying out, commits ---------------------------------------------------------
@@ -259,7 +261,7 @@ def _critical_is_not_asked_before(patch: Patch) -> None:
 
 
 def _people_are_asked_first(patch: Patch) -> None:
-    patch.setattr("smsl_studio.dispatch.supervision.integrity.all_theirs", lambda *_: True)
+    patch.setattr("smsl_studio.dispatch.drive.integrity.all_theirs", lambda *_: True)
 
 
 def _goals_are_believed(patch: Patch) -> None:

@@ -16,7 +16,7 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.supervisor import Proposal, Verdict
+from smsl_studio.dispatch.drive.supervisor import Proposal, Verdict
 from smsl_studio.smsl.json_form import parse_json
 from tests.oracle.recorded_host import RecordedHost
 

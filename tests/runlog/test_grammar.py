@@ -13,7 +13,7 @@ from typing import NoReturn
 import pytest
 
 import smsl_studio as smsl
-from smsl_studio.dispatch import planner
+from smsl_studio.dispatch.route import planner
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError
 from smsl_studio.front.script.lines import script_of

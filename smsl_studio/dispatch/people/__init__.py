@@ -1,1 +1,1 @@
-"""People in the loop: what they are asked, who may answer, and what their answer does."""
+"""People in the loop: the tasks they are given, who may answer, and what became of them."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from smsl_studio.dispatch.planner import holds
+from smsl_studio.dispatch.route.planner import holds
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def leave(driver: Driver) -> None:

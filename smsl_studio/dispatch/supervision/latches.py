@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.levels import sensed_facts
-from smsl_studio.dispatch.people.needed import everywhere
-from smsl_studio.dispatch.recovery import located, stands
-from smsl_studio.dispatch.stage import ActionStage
+from smsl_studio.dispatch.execution.needed import everywhere
+from smsl_studio.dispatch.execution.recovery import located, stands
+from smsl_studio.dispatch.execution.stage import ActionStage
+from smsl_studio.dispatch.execution.words import all_words
 from smsl_studio.dispatch.supervision.row import PERSON
-from smsl_studio.dispatch.words import all_words
 from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
 from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heeding
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 PATIENCE = 2
 """How often a stop looks whether the world has braked, before it is ended instead."""

@@ -15,7 +15,7 @@ from smsl_studio.errors import HostError
 from smsl_studio.runlog.events import Commanded
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def obey(driver: Driver, commands: list[Command]) -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from smsl_studio.dispatch.status import Offer
+from smsl_studio.dispatch.execution.status import Offer
+from smsl_studio.dispatch.execution.trouble import NO_ROUTE
 from smsl_studio.dispatch.supervision.table import COMMANDS
-from smsl_studio.dispatch.trouble import NO_ROUTE
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def offers(driver: Driver) -> tuple[Offer, ...]:

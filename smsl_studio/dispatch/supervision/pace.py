@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.guards import asked
+from smsl_studio.dispatch.execution.guards import asked
 from smsl_studio.dispatch.supervision.recheck import recheck
 from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.runlog.events import OperationRefused, Resumed
 from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool = False) -> str:

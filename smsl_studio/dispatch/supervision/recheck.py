@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from smsl_studio.dispatch.carrier import Carrier
-from smsl_studio.dispatch.effects import moved_by
-from smsl_studio.dispatch.recovery import stands
-from smsl_studio.dispatch.words import all_words
+from smsl_studio.dispatch.execution.carrier import Carrier
+from smsl_studio.dispatch.execution.effects import moved_by
+from smsl_studio.dispatch.execution.recovery import stands
+from smsl_studio.dispatch.execution.words import all_words
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def recheck(driver: Driver) -> None:

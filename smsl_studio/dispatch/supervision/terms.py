@@ -11,7 +11,7 @@ from smsl_studio.runlog.events import CostsChanged, OperationPruned, OperationRe
 from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def veto(

@@ -9,7 +9,7 @@ from smsl_studio.errors import HostError, StudioError
 from smsl_studio.runlog.events import Disturbed, FaultInjected
 
 if TYPE_CHECKING:
-    from smsl_studio.dispatch.driver import Driver
+    from smsl_studio.dispatch.drive.driver import Driver
 
 
 def disturb(

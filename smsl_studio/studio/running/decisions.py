@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus, Offer, Possible
+from smsl_studio.dispatch.execution.status import DispatchStatus, Offer, Possible
 from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.studio.base.words import capital, counted

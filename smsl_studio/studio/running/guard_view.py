@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, state_check
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.picture.guards import Guard, guarded_edges, guards_of
 
 HOLDS, MISSES, UNKNOWN = "true", "false", "unknown"

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
-from smsl_studio.dispatch.status import DispatchStatus, Offer
+from smsl_studio.dispatch.execution.status import DispatchStatus, Offer
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label, row
 from smsl_studio.studio.base.room import Room

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.running.story import Span, Story
 from smsl_studio.studio.running.view import expected_duration, short_name

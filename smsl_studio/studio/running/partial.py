@@ -12,7 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Term
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.dispatch.status import DispatchStatus, Possible
+from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
 from smsl_studio.picture.sub_marks import sub_mark
 
 RUNNING, PAUSED, WAITS, UNKNOWN, PRUNED, RISKY, VETOED, REFUSED, NEXT, POSSIBLE = (

@@ -16,7 +16,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.row import PERSON, Command
 from smsl_studio.dispatch.supervision.table import COMMANDS, Commands
 from smsl_studio.errors import StudioError

@@ -15,7 +15,7 @@ from time import monotonic
 from PySide6.QtCore import QObject, QThread, Signal
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.status_now import look_at_nothing
 from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.errors import SaveError, StudioError

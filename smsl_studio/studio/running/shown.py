@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.studio.document.places import Places
 from smsl_studio.studio.running.story import Story
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, Reading, state_check
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.dispatch.status import DispatchStatus, Possible
+from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.running.facts_table import FactRow

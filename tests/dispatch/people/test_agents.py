@@ -7,7 +7,7 @@ import pytest
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.dispatch.agents import RiskLimit
-from smsl_studio.dispatch.supervisor import Proposal
+from smsl_studio.dispatch.drive.supervisor import Proposal
 from smsl_studio.errors import UsageError
 
 EDGE = Address("A", "State_0", "go")

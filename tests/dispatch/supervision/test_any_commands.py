@@ -13,8 +13,8 @@ import pytest
 from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.goals import goals_of
-from smsl_studio.dispatch.planner import Planner
+from smsl_studio.dispatch.route.goals import goals_of
+from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.supervisor import ALLOW, ASK, PAUSE, Proposal, Verdict
+from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, PAUSE, Proposal, Verdict
 from tests.dispatch.fake_host import FakeHost, Fault
 from tests.dispatch.people.tasks import Attended
 from tests.dispatch.runs import Story, blueprint, branch, sample

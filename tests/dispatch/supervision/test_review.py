@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from smsl_studio.dispatch.supervisor import Proposal, Verdict
+from smsl_studio.dispatch.drive.supervisor import Proposal, Verdict
 from tests.dispatch.fake_host import FakeHost
 from tests.dispatch.runs import Story, blueprint, branch, sample
 from tests.dispatch.supervision.runs import FIRST, OTHER, calls, hanoi, said

@@ -8,7 +8,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Reading, Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
-from smsl_studio.dispatch.status import DispatchStatus, Possible
+from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
 from smsl_studio.shipped import samples_dir
 from smsl_studio.smsl.files import parse_text, read_document
 

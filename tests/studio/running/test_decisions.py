@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from smsl_studio.dispatch.status import Offer
+from smsl_studio.dispatch.execution.status import Offer
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.partial import OperationCard, partial_view
 from tests.studio.running.statuses import at, possible, sample, status

@@ -11,7 +11,7 @@ from smsl_studio.blueprint.check import CheckResult, state_check
 from smsl_studio.blueprint.estimate import Estimate
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.written_check import WrittenCheck, written_check
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.legible import markup, plain_text
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.theme import Tokens

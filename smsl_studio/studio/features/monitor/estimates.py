@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from smsl_studio.blueprint.estimate import Estimate, estimate
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 
 
 class Estimates:

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
 from smsl_studio.blueprint.estimate import Estimate
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.running.freshness import age_words
 

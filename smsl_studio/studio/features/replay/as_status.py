@@ -5,7 +5,7 @@ from __future__ import annotations
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import CheckResult, Reading, Scene, state_check
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.runlog.retold import Retold
 
 

@@ -8,7 +8,7 @@ from time import monotonic
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.runlog.retold import Retold
 from smsl_studio.studio.features.replay.as_status import as_status
 from smsl_studio.studio.features.replay.recorded_run import Recording

@@ -7,7 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Elided, Label, label
 from smsl_studio.studio.base.paint.ink import Ink, Type, draw_unknown

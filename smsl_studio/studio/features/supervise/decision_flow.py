@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.runlog.events import Commanded, Event, OperationRefused
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.supervise.step_in import StepIn

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.check import CheckResult, Term, state_check, sub_below
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.written_check import written_check
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.base.chips import kind_of
 from smsl_studio.studio.running.facts_table import FactRow

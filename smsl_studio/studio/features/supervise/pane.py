@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.studio.base.controls import rule
 from smsl_studio.studio.base.room import Room

@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.dispatch.status import DispatchStatus
+from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.host.local import LocalHost
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.facts import FactMonitor

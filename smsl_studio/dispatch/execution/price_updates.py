@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from smsl_studio.blueprint.address import fact_text
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.runlog.events import CostsChanged
 
 

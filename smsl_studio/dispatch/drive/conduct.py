@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.trouble import Hold
+from smsl_studio.dispatch.execution.trouble import Hold
 
 
 class Conduct(Protocol):

@@ -20,9 +20,9 @@ from smsl_studio.blueprint.continuum import HUMAN
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.dispatch.execution.senses import Senses
 from smsl_studio.dispatch.people.bound import with_people
 from smsl_studio.dispatch.people.rules import leveled_rules
-from smsl_studio.dispatch.senses import Senses
 from smsl_studio.host.protocol import Happened, Host, OpenedWorld
 from smsl_studio.runlog.events import Event
 

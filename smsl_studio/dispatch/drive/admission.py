@@ -10,18 +10,18 @@ from __future__ import annotations
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.continuum import HUMAN, SHARED
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.guards import refusals
+from smsl_studio.dispatch.drive.conduct import Conduct
+from smsl_studio.dispatch.drive.loop_guard import LoopGuard
+from smsl_studio.dispatch.drive.review import Reviewer
+from smsl_studio.dispatch.drive.supervisor import ALLOW, ASK, PAUSE, PRUNE, Verdict
+from smsl_studio.dispatch.execution.desk import Desk, no_words, who_words
+from smsl_studio.dispatch.execution.guards import refusals
+from smsl_studio.dispatch.execution.needed import of_step
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.trouble import Hold
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
-from smsl_studio.dispatch.people.desk import Desk, no_words, who_words
-from smsl_studio.dispatch.people.needed import of_step
 from smsl_studio.dispatch.people.questions import GO_ON, confirm_task, supervise_task
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.supervision.conduct import Conduct
-from smsl_studio.dispatch.supervision.loop_guard import LoopGuard
-from smsl_studio.dispatch.supervision.review import Reviewer
-from smsl_studio.dispatch.supervisor import ALLOW, ASK, PAUSE, PRUNE, Verdict
-from smsl_studio.dispatch.trouble import Hold
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.runlog.events import Commanded, OperationPruned, OperationRefused
 
 

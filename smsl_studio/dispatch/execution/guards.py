@@ -13,11 +13,11 @@ from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import Term
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.effects import moved_by
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.safeguards import lost_critical
-from smsl_studio.dispatch.words import check_words, required_words
+from smsl_studio.dispatch.execution.effects import moved_by
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.safeguards import lost_critical
+from smsl_studio.dispatch.execution.words import check_words, required_words
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.errors import AddressError
 
 

@@ -11,9 +11,9 @@ from collections.abc import Collection, Iterator
 from smsl_studio.blueprint.check import IN_TRANSIT, FactKey, Term, state_check
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointAction, JointStep
-from smsl_studio.dispatch.effects import changed_by
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.words import critical_words, required_words
+from smsl_studio.dispatch.execution.effects import changed_by
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.words import critical_words, required_words
 
 NOTHING: frozenset[FactKey] = frozenset()
 

@@ -11,11 +11,11 @@ from collections.abc import Sequence
 
 from smsl_studio.blueprint.address import Address, fact_text
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.senses import Moment
-from smsl_studio.dispatch.supervision.conduct import Conduct
-from smsl_studio.dispatch.supervision.integrity import Integrity
-from smsl_studio.dispatch.trouble import Trouble
+from smsl_studio.dispatch.drive.conduct import Conduct
+from smsl_studio.dispatch.drive.integrity import Integrity
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.senses import Moment
+from smsl_studio.dispatch.execution.trouble import Trouble
 from smsl_studio.runlog.events import GoalReached
 
 HAIR = 1e-9

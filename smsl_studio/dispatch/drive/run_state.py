@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.dispatch.trouble import NO_ROUTE, Hold
+from smsl_studio.dispatch.execution.trouble import NO_ROUTE, Hold
 
 RUN_STATES = (
     "idle",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from smsl_studio.blueprint.address import split_fact
+from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.people.board import (
     ANSWERED,
     DISAGREED,
@@ -14,7 +15,6 @@ from smsl_studio.dispatch.people.board import (
     TaskBoard,
 )
 from smsl_studio.dispatch.people.task import Task
-from smsl_studio.dispatch.run import LiveRun
 from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed
 
 NOBODY = "nobody is there to answer"

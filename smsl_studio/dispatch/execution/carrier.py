@@ -8,16 +8,16 @@ from smsl_studio.blueprint.address import Address, split_fact
 from smsl_studio.blueprint.check import CheckResult, FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.effects import changed_by, touched
-from smsl_studio.dispatch.guards import doubt
+from smsl_studio.dispatch.execution.desk import no_words, who_words
+from smsl_studio.dispatch.execution.effects import changed_by, touched
+from smsl_studio.dispatch.execution.guards import doubt
+from smsl_studio.dispatch.execution.needed import in_checks
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.safeguards import Safeguards
+from smsl_studio.dispatch.execution.stage import ENDED, ActionStage, StepFailure, fault_words
+from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
-from smsl_studio.dispatch.people.desk import no_words, who_words
-from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.questions import operation_task
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.safeguards import Safeguards
-from smsl_studio.dispatch.stage import ENDED, ActionStage, StepFailure, fault_words
-from smsl_studio.dispatch.words import all_words, check_words, truth_word
 from smsl_studio.host.protocol import Bound, Outcome, Tick
 from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked

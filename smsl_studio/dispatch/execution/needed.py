@@ -8,10 +8,10 @@ from smsl_studio.blueprint.check import IN_TRANSIT, CheckResult, FactKey, Term, 
 from smsl_studio.blueprint.continuum import AUTOMATIC
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.levels import sensed_facts
-from smsl_studio.dispatch.guards import needs
+from smsl_studio.dispatch.execution.guards import needs
+from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.people.board import Question
 from smsl_studio.dispatch.people.questions import fact_task
-from smsl_studio.dispatch.run import LiveRun
 
 
 def in_checks(run: LiveRun, checks: Iterable[CheckResult]) -> tuple[Question, ...]:

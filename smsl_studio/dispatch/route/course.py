@@ -10,10 +10,10 @@ from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
 from smsl_studio.blueprint.stepper import Terms
-from smsl_studio.dispatch.blocks import Blocks
-from smsl_studio.dispatch.planner import Leg, Planner
-from smsl_studio.dispatch.prices import Prices
-from smsl_studio.dispatch.ways import Ways
+from smsl_studio.dispatch.route.blocks import Blocks
+from smsl_studio.dispatch.route.planner import Leg, Planner
+from smsl_studio.dispatch.route.prices import Prices
+from smsl_studio.dispatch.route.ways import Ways
 from smsl_studio.errors import PlanningError
 from smsl_studio.host.protocol import Bound
 

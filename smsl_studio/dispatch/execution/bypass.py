@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.edges import Edge
-from smsl_studio.dispatch.course import Course
+from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.dispatch.people.questions import title_of
-from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.runlog.events import SubsBypassed
 
 

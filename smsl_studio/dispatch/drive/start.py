@@ -9,9 +9,9 @@ from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.dispatch.goals import goals_of
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.words import all_words, check_words, truth_word
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.words import all_words, check_words, truth_word
+from smsl_studio.dispatch.route.goals import goals_of
 from smsl_studio.errors import RunRefused
 from smsl_studio.host.protocol import Host
 from smsl_studio.runlog.events import Event, FactChanged, RunStarted, StateChecked

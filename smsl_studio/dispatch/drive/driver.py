@@ -11,24 +11,24 @@ from functools import partial
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.arrival import Arrival
-from smsl_studio.dispatch.bypass import Bypasses
-from smsl_studio.dispatch.carrier import Carrier
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.outlook import Outlook
-from smsl_studio.dispatch.people.admission import Admission
+from smsl_studio.dispatch.drive.admission import Admission
+from smsl_studio.dispatch.drive.arrival import Arrival
+from smsl_studio.dispatch.drive.integrity import Integrity
+from smsl_studio.dispatch.drive.loop_guard import REPEATS, LoopGuard
+from smsl_studio.dispatch.drive.review import Reviewer
+from smsl_studio.dispatch.drive.run_state import RunState
+from smsl_studio.dispatch.drive.start_tasks import StartTasks
+from smsl_studio.dispatch.execution.bypass import Bypasses
+from smsl_studio.dispatch.execution.carrier import Carrier
+from smsl_studio.dispatch.execution.desk import Desk
+from smsl_studio.dispatch.execution.outlook import Outlook
+from smsl_studio.dispatch.execution.price_updates import PriceUpdates
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.stage import ActionStage, StepFailure
+from smsl_studio.dispatch.execution.trouble import Hold, Trouble
 from smsl_studio.dispatch.people.board import Closed
-from smsl_studio.dispatch.people.desk import Desk
-from smsl_studio.dispatch.people.start import StartTasks
-from smsl_studio.dispatch.planner import holds
-from smsl_studio.dispatch.price_updates import PriceUpdates
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.stage import ActionStage, StepFailure
-from smsl_studio.dispatch.supervision.integrity import Integrity
-from smsl_studio.dispatch.supervision.loop_guard import REPEATS, LoopGuard
-from smsl_studio.dispatch.supervision.review import Reviewer
-from smsl_studio.dispatch.supervision.run_state import RunState
-from smsl_studio.dispatch.trouble import Hold, Trouble
+from smsl_studio.dispatch.route.course import Course
+from smsl_studio.dispatch.route.planner import holds
 from smsl_studio.errors import PlanningError, RunRefused
 from smsl_studio.runlog.events import (
     Held,

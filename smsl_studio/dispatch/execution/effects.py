@@ -9,7 +9,7 @@ from smsl_studio.blueprint.check import FactKey
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointAction
 from smsl_studio.blueprint.model import StateBranch
-from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.execution.run import LiveRun
 
 
 def touched(

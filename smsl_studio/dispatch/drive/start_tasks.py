@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.dispatch.drive.conduct import Conduct
+from smsl_studio.dispatch.drive.start import start_events
+from smsl_studio.dispatch.execution.desk import Desk, no_words
+from smsl_studio.dispatch.execution.needed import in_checks
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.trouble import Hold
 from smsl_studio.dispatch.people.board import ANSWERED, Closed
-from smsl_studio.dispatch.people.desk import Desk, no_words
-from smsl_studio.dispatch.people.needed import in_checks
 from smsl_studio.dispatch.people.questions import start_task
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.start import start_events
-from smsl_studio.dispatch.supervision.conduct import Conduct
-from smsl_studio.dispatch.trouble import Hold
 from smsl_studio.errors import RunRefused
 from smsl_studio.runlog.events import FactChanged
 

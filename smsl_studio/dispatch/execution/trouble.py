@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.planner import holds
-from smsl_studio.dispatch.recovery import candidates, stands, sub_relocalised
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.stage import StepFailure
-from smsl_studio.dispatch.words import all_words, check_words
+from smsl_studio.dispatch.execution.recovery import candidates, stands, sub_relocalised
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.stage import StepFailure
+from smsl_studio.dispatch.execution.words import all_words, check_words
+from smsl_studio.dispatch.route.course import Course
+from smsl_studio.dispatch.route.planner import holds
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
 

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.supervisor import (
+from smsl_studio.dispatch.drive.supervisor import (
     ALLOW,
     ASK,
     PAUSE,
@@ -15,6 +14,7 @@ from smsl_studio.dispatch.supervisor import (
     Supervisor,
     Verdict,
 )
+from smsl_studio.dispatch.execution.run import LiveRun
 
 RISKS = ("", "low", "medium", "high")
 DECISIONS = (ALLOW, VETO, PRUNE, PAUSE, ASK)

@@ -8,7 +8,7 @@ from itertools import islice, product
 from smsl_studio.blueprint.check import state_check
 from smsl_studio.blueprint.configuration import disagreements
 from smsl_studio.blueprint.estimate import fitting
-from smsl_studio.dispatch.run import LiveRun
+from smsl_studio.dispatch.execution.run import LiveRun
 from smsl_studio.stop import heed
 
 MOST = 8

@@ -9,12 +9,12 @@ from smsl_studio.blueprint.along import Unavailable
 from smsl_studio.blueprint.check import CheckResult
 from smsl_studio.blueprint.edges import Edge
 from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.carrier import Carrier
-from smsl_studio.dispatch.course import Course
-from smsl_studio.dispatch.guards import needs, refusals
-from smsl_studio.dispatch.people.needed import of_step
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.status import Possible
+from smsl_studio.dispatch.execution.carrier import Carrier
+from smsl_studio.dispatch.execution.guards import needs, refusals
+from smsl_studio.dispatch.execution.needed import of_step
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.status import Possible
+from smsl_studio.dispatch.route.course import Course
 from smsl_studio.stop import BrokenOff, Stopped
 
 MOST_TOLD = 200

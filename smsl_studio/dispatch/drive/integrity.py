@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from smsl_studio.dispatch.people.desk import Desk
-from smsl_studio.dispatch.people.needed import all_theirs, in_checks
-from smsl_studio.dispatch.run import LiveRun
-from smsl_studio.dispatch.safeguards import lost_critical, lost_terms
-from smsl_studio.dispatch.supervision.conduct import Conduct
-from smsl_studio.dispatch.trouble import Trouble
+from smsl_studio.dispatch.drive.conduct import Conduct
+from smsl_studio.dispatch.execution.desk import Desk
+from smsl_studio.dispatch.execution.needed import all_theirs, in_checks
+from smsl_studio.dispatch.execution.run import LiveRun
+from smsl_studio.dispatch.execution.safeguards import lost_critical, lost_terms
+from smsl_studio.dispatch.execution.trouble import Trouble
 
 
 class Integrity:

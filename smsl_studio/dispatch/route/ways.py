@@ -15,7 +15,7 @@ from smsl_studio.blueprint.failure_states import failing_states
 from smsl_studio.blueprint.joint import JointAction, JointStep
 from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.blueprint.stepper import Stepper
-from smsl_studio.dispatch.effort import fact_count, refuse_too_long
+from smsl_studio.dispatch.route.effort import fact_count, refuse_too_long
 from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.goal_tree import GoalTree
 from smsl_studio.stop import heed
