@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.guards import needs_words
+from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.paint.guard_sign import WORDS
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 FINDING = {"E": "error", "W": "warning", "I": "note"}
 
 
-def edge_tip(canvas: Canvas, edge: int) -> str:
+def edge_tip(canvas: Stage, edge: int) -> str:
     """An operation for the pointer: its name, where it leads, what it needs and how that stands."""
     sheet = canvas.sheet
     assert sheet is not None
@@ -26,7 +22,7 @@ def edge_tip(canvas: Canvas, edge: int) -> str:
     return "\n".join(line for line in lines if line)
 
 
-def words_for(canvas: Canvas, address: Address) -> str:
+def words_for(canvas: Stage, address: Address) -> str:
     """A state or operation in words: "State_1100, active, 7 operations out"."""
     sheet = canvas.sheet
     if sheet is None:
@@ -55,7 +51,7 @@ def words_for(canvas: Canvas, address: Address) -> str:
     return state_words(canvas, state)
 
 
-def state_words(canvas: Canvas, state: int) -> str:
+def state_words(canvas: Stage, state: int) -> str:
     """A state in words."""
     sheet = canvas.sheet
     assert sheet is not None

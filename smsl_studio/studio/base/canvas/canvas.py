@@ -6,9 +6,9 @@ is shown is set by ``show_branch`` and ``set_marks``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -28,69 +28,25 @@ from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.accessible import words_for
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
-from smsl_studio.studio.base.canvas.frames import frame_of, opening_of
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
 from smsl_studio.studio.base.canvas.handles import pending_ends
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
-from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.canvas.tools import Hand
 from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens
 
 
-class Canvas(Stage):
-    """The picture of one SB, with zoom, pan, selection and the gestures that edit.
-
-    ``editing`` is False in Run mode: nothing moves, and a click on an operation asks for it
-    (``edge_clicked``). Positions in signals are scene points.
-    """
-
-    selection_wanted = Signal(object)
-    """tuple[Address]: what shall be selected."""
-    add_state_wanted = Signal(QPointF)
-    """A state is wanted at this point (double click on empty canvas)."""
-    connect_wanted = Signal(object, object, QPointF)
-    """(source, target or None, point): an operation is wanted; without target, a state too."""
-    retarget_wanted = Signal(object, object)
-    """(operation, new target state): the arrowhead was dragged there."""
-    rename_wanted = Signal(object)
-    """Address whose name shall be edited in place."""
-    moved = Signal(object)
-    """dict[str, (x, y)]: states that were dragged and let go."""
-    enter_wanted = Signal(str)
-    """A sub-SB shall be shown."""
-    leave_wanted = Signal()
-    """The base SB shall be shown."""
-    edge_clicked = Signal(object)
-    """Address of an operation that was clicked while not editing."""
-    node_clicked = Signal(object)
-    """Address of a state that was clicked while not editing."""
-    context_wanted = Signal(object, object)
-    """(Address or None, global point): a context menu is wanted."""
-    quick_add_wanted = Signal()
-    """Tab or /: an operation shall be added from the selected state."""
-    pressed = Signal()
-    """A mouse button went down on the canvas."""
-    delete_wanted = Signal()
-    """Del: the selection shall go."""
-    fact_wanted = Signal(int)
-    """A fact of a selected state was clicked: its digit."""
-    verb_wanted = Signal(str)
-    """A key asks for an action of the window by its id: copy, cut, paste, duplicate, find."""
-    hover_changed = Signal(object)
-    """Address under the pointer, or None."""
+class Canvas(BranchView):
+    """The picture of one SB, with zoom, pan, selection and the gestures that edit."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
         super().__init__(tokens, parent)
-        self.editing = True
-        self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
-        """Why an operation from a state to another is impossible; the empty text if it is not."""
-        self.extended: Callable[[], tuple[Address, ...]] = lambda: self.marks.selection
-        """What a click with Shift or Ctrl adds to."""
-        self.overlays = Overlays(self, tokens)
-        self.hand = Hand(self)
+        self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
+        self.hand = Hand(self, self.overlays)
+        self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.viewport().setMouseTracking(True)
@@ -186,79 +142,9 @@ class Canvas(Stage):
         """Say a short sentence at the pointer, or at a scene point."""
         self.overlays.say(text, self.mapFromScene(at) if at is not None else None)
 
-    # Where it looks
-
-    def zoom_to(self, zoom: float) -> None:
-        """Zoom about the middle: 1.0 is 100 %."""
-        self.camera.keep("")
-        self.camera.go(self.camera.centre, zoom)
-
-    def zoom_in(self) -> None:
-        self.zoom_to(self.zoom * STEP)
-
-    def zoom_out(self) -> None:
-        self.zoom_to(self.zoom / STEP)
-
-    def fit(self, smooth: bool = True) -> None:
-        """Show everything, at 100 % at most."""
-        sheet = self.sheet
-        self.camera.keep("fit", fitted=True)
-        if sheet is None or not len(sheet.at):
-            self.camera.go(QPointF(0.0, 0.0), 1.0, smooth)
-            return
-        self._look_below_top(*frame_of(sheet, self._room), smooth)
-
-    def look_at_opening(self) -> None:
-        """Show everything; where states could not be told apart then, what is about the initial.
-
-        While nobody draws everything is shown all the same: what runs is lit and named.
-        """
-        sheet = self.sheet
-        if sheet is None or not len(sheet.at):
-            self.fit(smooth=False)
-            self.camera.keep("opening", fitted=True)
-            return
-        whole = frame_of(sheet, self._room)
-        first = opening_of(sheet, self._room, whole[1]) if self.editing else None
-        self.camera.keep("opening", fitted=first is None)
-        self._look_below_top(*(first or whole), smooth=False)
-
-    def look_again(self) -> None:
-        """There is more room or less: look at what was looked at, if nobody zoomed or panned."""
-        if self.camera.keeps == "fit":
-            self.fit(smooth=False)
-        elif self.camera.keeps == "opening":
-            self.look_at_opening()
-
-    @property
-    def _room(self) -> tuple[float, float]:
-        """The pixels a picture may fill: all but the top, which belongs to the breadcrumb."""
-        view = self.viewport()
-        return float(view.width()), float(view.height() - self.overlays.top_room())
-
-    def _look_below_top(self, middle: QPointF, zoom: float, smooth: bool) -> None:
-        top = self.overlays.top_room()
-        self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
-
-    def reveal(self, address: Address, smooth: bool = True) -> None:
-        """Bring a state or operation into view, without zooming, where it is not in view yet."""
-        rect = self.rect_of(address)
-        if rect is not None:
-            self.reveal_point(rect.center(), smooth)
-
-    def reveal_point(self, at: QPointF, smooth: bool = True) -> None:
-        """Scroll until a scene point is in view, where it is not; it is in the middle then."""
-        self.camera.finish()
-        if not self.clear_view.contains(at):
-            self.camera.keep("")
-            self.camera.go(at, self.zoom, smooth)
-
-    @property
-    def clear_view(self) -> QRectF:
-        """The part of the scene in view in which a node is whole, and below the breadcrumb."""
-        view = self.viewport().rect()
-        across, down = min(70, view.width() // 3), min(64, view.height() // 3)
-        return self.mapToScene(view.adjusted(across, down, -across, -down)).boundingRect()
+    def top_room(self) -> int:
+        """The height at the top that belongs to the breadcrumb, or to the head of a run."""
+        return self.overlays.top_room()
 
     def _describe(self) -> None:
         """Tell assistive tools what is shown and what is selected."""

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import DrawnOperation
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 GRID = 8.0
 Modifier = Qt.KeyboardModifier
@@ -26,6 +24,14 @@ class Gesture(Protocol):
     def cancel(self) -> None: ...
 
 
+class GestureOwner(Protocol):
+    """What a gesture asks of the hand that makes it."""
+
+    def fact_at(self, state: int, at: QPointF) -> int: ...
+    def hover_target(self, address: Address | None) -> None: ...
+    def hush(self) -> None: ...
+
+
 def _is_far(a: QPoint, b: QPoint) -> bool:
     return (a - b).manhattanLength() >= QApplication.startDragDistance() // 2 + 1
 
@@ -33,7 +39,7 @@ def _is_far(a: QPoint, b: QPoint) -> bool:
 class Pan:
     """Moves the picture with the pointer."""
 
-    def __init__(self, canvas: Canvas, event: QMouseEvent) -> None:
+    def __init__(self, canvas: BranchView, event: QMouseEvent) -> None:
         self._canvas, self._last = canvas, event.position()
         canvas.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
 
@@ -52,7 +58,7 @@ class Pan:
 class Band:
     """Selects the states (and the operations between them) in a rectangle."""
 
-    def __init__(self, canvas: Canvas, event: QMouseEvent) -> None:
+    def __init__(self, canvas: BranchView, event: QMouseEvent) -> None:
         self._canvas = canvas
         self._start = event.position().toPoint()
         self._before = canvas.marks.selection
@@ -102,10 +108,12 @@ class Band:
 class DragStates:
     """A press on a state: a click selects it, a drag moves it with all that are selected."""
 
-    def __init__(self, canvas: Canvas, event: QMouseEvent, state: int) -> None:
+    def __init__(
+        self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, state: int
+    ) -> None:
         sheet = canvas.sheet
         assert sheet is not None
-        self._canvas, self._state = canvas, state
+        self._canvas, self._hand, self._state = canvas, hand, state
         self._start = event.position().toPoint()
         self._begun = False
         address = sheet.address_of_state(state)
@@ -152,7 +160,7 @@ class DragStates:
     def _want_fact(self) -> None:
         """A click on a fact of the one state that was selected before asks for the fact."""
         canvas = self._canvas
-        digit = canvas.hand.fact_at(self._state, canvas.mapToScene(self._start))
+        digit = self._hand.fact_at(self._state, canvas.mapToScene(self._start))
         if digit >= 0:
             canvas.fact_wanted.emit(digit)
 
@@ -166,12 +174,18 @@ class Connect:
     """Draws an operation from a state's handle; lets go over a state or over empty canvas."""
 
     def __init__(
-        self, canvas: Canvas, event: QMouseEvent | None, state: int, start: QPointF
+        self,
+        canvas: BranchView,
+        hand: GestureOwner,
+        event: QMouseEvent | None,
+        state: int,
+        start: QPointF,
     ) -> None:
         """``event`` is the press it begins with; None where it follows the pointer unpressed."""
         sheet = canvas.sheet
         assert sheet is not None
-        self._canvas, self._state, self._start = canvas, state, start
+        self._canvas, self._hand = canvas, hand
+        self._state, self._start = state, start
         self._source = sheet.address_of_state(state)
         self._pressed = event.position().toPoint() if event is not None else QPoint()
         self._begun = event is None
@@ -188,11 +202,11 @@ class Connect:
         self._canvas.gestures.put(
             "drawn", DrawnOperation(self._start, at, refused=bool(reason), ghost=ghost)
         )
-        self._canvas.hand.hover_target(target)
+        self._hand.hover_target(target)
         if reason:
             self._canvas.say(reason)
         else:
-            self._canvas.overlays.hush()
+            self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
         at = self._canvas.mapToScene(event.position().toPoint())
@@ -208,8 +222,8 @@ class Connect:
 
     def cancel(self) -> None:
         self._canvas.gestures.put("drawn", None)
-        self._canvas.hand.hover_target(None)
-        self._canvas.overlays.hush()
+        self._hand.hover_target(None)
+        self._hand.hush()
 
     def _over_source(self, at: QPointF) -> bool:
         rect = self._canvas.rect_of(self._source)
@@ -219,10 +233,12 @@ class Connect:
 class Retarget:
     """Drags the arrowhead of a selected operation to another state."""
 
-    def __init__(self, canvas: Canvas, event: QMouseEvent, edge: int) -> None:
+    def __init__(
+        self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, edge: int
+    ) -> None:
         sheet = canvas.sheet
         assert sheet is not None
-        self._canvas = canvas
+        self._canvas, self._hand = canvas, hand
         self._address = sheet.picture.address(edge)
         self._pressed = event.position().toPoint()
         self._start = QPointF(*sheet.geometry.shape(edge).at(0.0))
@@ -237,11 +253,11 @@ class Retarget:
         target = _state_at(self._canvas, at)
         self._canvas.gestures.put("grip", None)
         self._canvas.gestures.put("drawn", DrawnOperation(self._start, at, refused=target is None))
-        self._canvas.hand.hover_target(target)
+        self._hand.hover_target(target)
         if target is None:
             self._canvas.say("An operation needs a target. Let go over a state.")
         else:
-            self._canvas.overlays.hush()
+            self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
         target = _state_at(self._canvas, self._canvas.mapToScene(event.position().toPoint()))
@@ -251,8 +267,8 @@ class Retarget:
 
     def cancel(self) -> None:
         self._canvas.gestures.put("drawn", None)
-        self._canvas.hand.hover_target(None)
-        self._canvas.overlays.hush()
+        self._hand.hover_target(None)
+        self._hand.hush()
 
 
 def selection_after(
@@ -268,7 +284,7 @@ def selection_after(
     return (address,)
 
 
-def _state_at(canvas: Canvas, at: QPointF) -> Address | None:
+def _state_at(canvas: BranchView, at: QPointF) -> Address | None:
     sheet = canvas.sheet
     if sheet is None:
         return None

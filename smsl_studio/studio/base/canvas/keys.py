@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.camera import STEP
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 Key, Modifier = Qt.Key, Qt.KeyboardModifier
 ARROWS = {
@@ -31,7 +27,7 @@ VERBS = {
 PAN_STEP = 64.0
 
 
-def press(canvas: Canvas, event: QKeyEvent) -> bool:
+def press(canvas: BranchView, event: QKeyEvent) -> bool:
     """Act on a key; False where it means nothing here."""
     key = Key(event.key())
     modifiers = event.modifiers() & ~Modifier.KeypadModifier
@@ -51,7 +47,9 @@ def press(canvas: Canvas, event: QKeyEvent) -> bool:
     return _edit_key(canvas, key, event.text())
 
 
-def _is_view_key(canvas: Canvas, key: Qt.Key, text: str, modifiers: Qt.KeyboardModifier) -> bool:
+def _is_view_key(
+    canvas: BranchView, key: Qt.Key, text: str, modifiers: Qt.KeyboardModifier
+) -> bool:
     shift = modifiers == Modifier.ShiftModifier
     if (not modifiers and key == Key.Key_F) or (shift and key in (Key.Key_1, Key.Key_Exclam)):
         canvas.fit()
@@ -66,7 +64,7 @@ def _is_view_key(canvas: Canvas, key: Qt.Key, text: str, modifiers: Qt.KeyboardM
     return True
 
 
-def _edit_key(canvas: Canvas, key: Qt.Key, text: str) -> bool:
+def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
     selection = canvas.marks.selection
     if key == Key.Key_Escape:
         canvas.selection_wanted.emit(())
@@ -87,7 +85,7 @@ def _edit_key(canvas: Canvas, key: Qt.Key, text: str) -> bool:
     return True
 
 
-def enter_sub(canvas: Canvas) -> bool:
+def enter_sub(canvas: BranchView) -> bool:
     """Enter the one sub-SB of this SB; where there are several, a chip must be chosen."""
     sheet = canvas.sheet
     if sheet is None:
@@ -100,7 +98,7 @@ def enter_sub(canvas: Canvas) -> bool:
     return bool(subs)
 
 
-def select_all(canvas: Canvas) -> None:
+def select_all(canvas: BranchView) -> None:
     """Select every state that is shown."""
     sheet = canvas.sheet
     if sheet is not None:
@@ -108,7 +106,7 @@ def select_all(canvas: Canvas) -> None:
         canvas.selection_wanted.emit(tuple(sheet.address_of_state(i) for i in range(count)))
 
 
-def _arrow(canvas: Canvas, dx: float, dy: float, extend: bool) -> None:
+def _arrow(canvas: BranchView, dx: float, dy: float, extend: bool) -> None:
     """Go to the next state in a direction, or pan where none is selected."""
     sheet = canvas.sheet
     selection = canvas.marks.selection

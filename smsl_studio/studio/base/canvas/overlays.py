@@ -5,7 +5,7 @@ These widgets are children of the view, not of its viewport: a viewport scrolls 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from PySide6.QtCore import QPoint, QRect, QSize, QTimer
 from PySide6.QtGui import QCursor
@@ -13,19 +13,17 @@ from PySide6.QtGui import QCursor
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.canvas.branch_view import TOP, BranchView
+from smsl_studio.studio.base.canvas.hover_pad import HoverPad
+from smsl_studio.studio.base.canvas.mini_map import MiniMap
+from smsl_studio.studio.base.canvas.zoom_control import ZoomControl
 from smsl_studio.studio.base.overlays.breadcrumb import Breadcrumb
 from smsl_studio.studio.base.overlays.focus_outline import FocusRing
-from smsl_studio.studio.base.overlays.hover_pad import HoverPad
 from smsl_studio.studio.base.overlays.key import Key
 from smsl_studio.studio.base.overlays.legend import Legend, RunLegend
-from smsl_studio.studio.base.overlays.mini_map import MiniMap
 from smsl_studio.studio.base.overlays.notice import Banner, EmptyHint, PointerNote
-from smsl_studio.studio.base.overlays.zoom_control import ZoomControl
 from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 EDGE = 14
 WIDE, TALL = 720, 420
@@ -37,7 +35,8 @@ SPOKEN = 6000
 class Overlays:
     """Owns and places the floating widgets of one canvas."""
 
-    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+    def __init__(self, canvas: BranchView, tokens: Tokens, busy: Callable[[], bool]) -> None:
+        """``busy`` says whether a gesture is under way."""
         self._canvas = canvas
         self._dimmed = False
         self.breadcrumb = Breadcrumb(canvas, tokens)
@@ -47,7 +46,7 @@ class Overlays:
         self.run_legend.hide()
         self.map = MiniMap(canvas, tokens)
         self.key = Key(canvas, tokens)
-        self.pad = HoverPad(canvas, tokens)
+        self.pad = HoverPad(canvas, tokens, busy)
         self.banner = Banner(canvas, tokens)
         self.word = PointerNote(canvas, tokens)
         self.empty = EmptyHint(canvas, tokens)
@@ -153,7 +152,7 @@ class Overlays:
 
     def top_room(self) -> int:
         """The height at the top that belongs to the breadcrumb, or to the head of a run."""
-        return 40 + (self.banner.height() + 8 if self.banner.text else 0)
+        return TOP + (self.banner.height() + 8 if self.banner.text else 0)
 
     def say(self, text: str, at: QPoint | None = None) -> None:
         """Say something beside the pointer, or beside a point of the viewport."""

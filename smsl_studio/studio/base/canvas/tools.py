@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QCursor, QKeyEvent, QMouseEvent
 
@@ -11,6 +9,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.studio.base.canvas import keys
 from smsl_studio.studio.base.canvas.accessible import edge_tip
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.canvas.gesture_layer import HANDLE_RADIUS
 from smsl_studio.studio.base.canvas.gestures import (
     Band,
@@ -22,11 +21,9 @@ from smsl_studio.studio.base.canvas.gestures import (
     selection_after,
 )
 from smsl_studio.studio.base.canvas.handles import handles, nearest
+from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.paint.node_paint import chip_places
 from smsl_studio.studio.base.tips import tip_text
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 REACH = 15.0
 """How far around a node the pointer still counts as being at it, so that its handle is reached."""
@@ -39,8 +36,8 @@ CLEAR = 32.0
 class Hand:
     """The gesture under way, the hovered state or edge, and the Space key."""
 
-    def __init__(self, canvas: Canvas) -> None:
-        self._canvas = canvas
+    def __init__(self, canvas: BranchView, overlays: Overlays) -> None:
+        self._canvas, self._overlays = canvas, overlays
         self._gesture: Gesture | None = None
         self._space = self._sticky = False
 
@@ -52,15 +49,15 @@ class Hand:
         """Forget what is under way, and what floats beside it: another picture is shown."""
         self._gesture, self._sticky = None, False
         self._canvas.gestures.clear()
-        self._canvas.overlays.forget()
+        self._overlays.forget()
 
     # Mouse
 
     def press(self, event: QMouseEvent) -> None:
         canvas = self._canvas
         canvas.setFocus(Qt.FocusReason.MouseFocusReason)
-        canvas.overlays.hush()
-        canvas.overlays.pad.go()
+        self._overlays.hush()
+        self._overlays.pad.go()
         canvas.pressed.emit()
         if self._gesture is not None:
             if self._sticky:
@@ -82,15 +79,15 @@ class Hand:
         if canvas.editing:
             edge = self._grip_edge()
             if edge >= 0 and self._near(at, canvas.gestures.grip, GRIP):
-                return Retarget(canvas, event, edge)
+                return Retarget(canvas, self, event, edge)
             handle = canvas.gestures.handle
             if handle is not None and self._near(at, handle, HANDLE_RADIUS + 1.0):
-                return Connect(canvas, event, sheet.looks.hovered_state, handle)
+                return Connect(canvas, self, event, sheet.looks.hovered_state, handle)
         state = sheet.state_at(at.x(), at.y())
         if state >= 0:
             if not canvas.editing:
                 canvas.node_clicked.emit(sheet.address_of_state(state))
-            return DragStates(canvas, event, state)
+            return DragStates(canvas, self, event, state)
         edge = sheet.edge_at(at.x(), at.y())
         if edge >= 0:
             address = sheet.picture.address(edge)
@@ -107,7 +104,7 @@ class Hand:
         sheet = self._canvas.sheet
         state = sheet.picture.node(address) if sheet is not None else -1
         if state >= 0:
-            self._gesture = Connect(self._canvas, None, state, self.handles(state)["right"])
+            self._gesture = Connect(self._canvas, self, None, state, self.handles(state)["right"])
             self._sticky = True
             self._canvas.setFocus()
             self._canvas.say("Click the target state, or empty canvas for a new one.")
@@ -246,7 +243,7 @@ class Hand:
             address = sheet.address_of_state(state)
         elif edge >= 0:
             address = sheet.picture.address(edge)
-        canvas.overlays.hover(address)
+        self._overlays.hover(address)
         canvas.hover_changed.emit(address)
 
     def hover_target(self, address: Address | None) -> None:
@@ -254,6 +251,10 @@ class Hand:
         sheet = self._canvas.sheet
         if sheet is not None:
             self._set_hover(sheet.picture.node(address) if address is not None else -1, -1)
+
+    def hush(self) -> None:
+        """Take away what was said at the pointer."""
+        self._overlays.hush()
 
     def _tip(self, state: int, edge: int) -> None:
         """A name that is cut, or a label that hides, is told in a tooltip."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent
@@ -12,9 +11,7 @@ from PySide6.QtWidgets import QToolTip, QWidget
 from smsl_studio.studio.base.icons import SEVERITY_ICON, draw, severity_colour
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.draw.source import regions
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.source.surface import TextSurface
+from smsl_studio.studio.features.draw.source.text_rows import TextRows
 
 LEFT, MARKS = 8, 22
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -34,7 +31,7 @@ class Gutter(QWidget):
     fixes_wanted = Signal(int)
     fold_wanted = Signal(int)
 
-    def __init__(self, editor: TextSurface) -> None:
+    def __init__(self, editor: TextRows) -> None:
         super().__init__(editor)
         self._editor = editor
         self._under = -1

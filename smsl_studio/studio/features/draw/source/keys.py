@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 
 from smsl_studio.studio.features.draw.source.manners import Manners
+from smsl_studio.studio.features.draw.source.pointer import TextPointer
 from smsl_studio.studio.features.draw.source.popup import Popup
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.features.draw.source.quick_fixes import QuickFixes
+from smsl_studio.studio.features.draw.source.source_text import SourceText
 
 _NONE, _CTRL = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ControlModifier
 _SHIFT, _ALT = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.AltModifier
@@ -39,25 +38,27 @@ SOURCE_KEYS = (
 class PaneKeys:
     """Asks the list of names first, then the pane's own keys, then the manners of the text."""
 
-    def __init__(self, pane: SourcePane, popup: Popup) -> None:
-        self._popup, self._manners = popup, Manners(pane.editor)
-        self._pane, self._leaving = pane, False
-        key, bar = Qt.Key, pane.find_bar
+    def __init__(
+        self, text: SourceText, popup: Popup, pointing: TextPointer, repairing: QuickFixes
+    ) -> None:
+        self._popup, self._manners = popup, Manners(text.editor)
+        self._text, self._leaving = text, False
+        key, bar = Qt.Key, text.find_bar
         self._keys: dict[Combination, Callable[[], object]] = {
-            (key.Key_Z, _CTRL): pane.undo,
-            (key.Key_Z, _CTRL | _SHIFT): pane.redo,
-            (key.Key_Y, _CTRL): pane.redo,
+            (key.Key_Z, _CTRL): text.undo,
+            (key.Key_Z, _CTRL | _SHIFT): text.redo,
+            (key.Key_Y, _CTRL): text.redo,
             (key.Key_Space, _CTRL): popup.ask,
             (key.Key_F, _CTRL): lambda: bar.open_bar(False),
             (key.Key_H, _CTRL): lambda: bar.open_bar(True),
             (key.Key_F3, _NONE): lambda: bar.step(1),
             (key.Key_F3, _SHIFT): lambda: bar.step(-1),
-            (key.Key_F12, _NONE): pane.pointing.jump,
-            (key.Key_Period, _CTRL): pane.repairing.offer,
+            (key.Key_F12, _NONE): pointing.jump,
+            (key.Key_Period, _CTRL): repairing.offer,
         }
         for here, everywhere, keys in (
-            (pane.folding.fold, pane.folding.fold_all, _OPEN),
-            (pane.folding.unfold, pane.folding.unfold_all, _SHUT),
+            (text.folding.fold, text.folding.fold_all, _OPEN),
+            (text.folding.unfold, text.folding.unfold_all, _SHUT),
         ):
             for one in keys:
                 self._keys[one, _CTRL | _SHIFT] = here
@@ -67,7 +68,7 @@ class PaneKeys:
         """See ``key_owner.Keys``."""
         held = event.modifiers()
         popup = not self._popup.isHidden() and event.key() == Qt.Key.Key_Escape
-        bar = not self._pane.find_bar.isHidden() and event.key() == Qt.Key.Key_Escape
+        bar = not self._text.find_bar.isHidden() and event.key() == Qt.Key.Key_Escape
         known = (event.key(), held) in self._keys or self._manners.takes(event)
         return popup or bar or known
 
@@ -80,14 +81,14 @@ class PaneKeys:
             call()
             return True
         if event.key() == Qt.Key.Key_Escape:
-            self._leaving = self._pane.find_bar.isHidden()
+            self._leaving = self._text.find_bar.isHidden()
             if not self._leaving:
-                self._pane.find_bar.close_bar()
+                self._text.find_bar.close_bar()
             return True
         tab = event.key() in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
-        if tab and (self._leaving or self._pane.editor.isReadOnly()):
+        if tab and (self._leaving or self._text.editor.isReadOnly()):
             self._leaving = False
-            self._pane.leave(event.key() == Qt.Key.Key_Tab)
+            self._text.leave(event.key() == Qt.Key.Key_Tab)
             return True
         self._leaving = False
         answered = self._manners.answer(event)

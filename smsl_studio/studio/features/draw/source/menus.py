@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QPainter, QPaintEvent
@@ -15,9 +14,7 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.features.draw.source.editor import Editor
 from smsl_studio.studio.features.draw.source.repairs import TextRepair
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.features.draw.source.source_text import SourceText
 
 SIDE = 18
 
@@ -67,23 +64,28 @@ class Bulb(QToolButton):
         self.move(left, top)
 
 
-def repair_menu(pane: SourcePane, repairs: Sequence[TextRepair]) -> QMenu:
+def repair_menu(text: SourceText, repairs: Sequence[TextRepair]) -> QMenu:
     """A menu of fixes."""
-    menu = _passing(pane)
+    menu = _passing(text)
     _add_repairs(menu, repairs)
     return menu
 
 
-def text_menu(pane: SourcePane, repairs: Sequence[TextRepair], at: QPoint) -> QMenu:
-    """The menu at the pointer."""
-    editor, menu = pane.editor, _passing(pane)
+def text_menu(
+    text: SourceText,
+    repairs: Sequence[TextRepair],
+    at: QPoint,
+    jump: Callable[[int, int], object],
+) -> QMenu:
+    """The menu at the pointer; ``jump`` leads from a place to what stands for it."""
+    editor, menu = text.editor, _passing(text)
     _add_repairs(menu, repairs)
     if repairs:
         menu.addSeparator()
     marked, free = editor.textCursor().hasSelection(), not editor.isReadOnly()
     pasted = QApplication.clipboard().mimeData()
     place = editor.place_of(editor.cursorForPosition(at))
-    leads = pane.elements.definition(*place) is not None
+    leads = text.elements.definition(*place) is not None
     for words, call, enabled in (
         ("Cut", editor.cut, marked and free),
         ("Copy", editor.copy, marked),
@@ -92,15 +94,15 @@ def text_menu(pane: SourcePane, repairs: Sequence[TextRepair], at: QPoint) -> QM
         ("", None, False),
         (
             "Go to what this stands for",
-            lambda: pane.pointing.jump_from(*place),
+            lambda: jump(*place),
             leads,
         ),
-        ("Fold", lambda: pane.folding.fold_line(place[0]), pane.folding.can_fold(place[0])),
-        ("Fold every State Branch", pane.folding.fold_all, True),
-        ("Unfold everything", pane.folding.unfold_all, bool(editor.folds.all)),
+        ("Fold", lambda: text.folding.fold_line(place[0]), text.folding.can_fold(place[0])),
+        ("Fold every State Branch", text.folding.fold_all, True),
+        ("Unfold everything", text.folding.unfold_all, bool(editor.folds.all)),
         ("", None, False),
-        ("Find…", lambda: pane.find_bar.open_bar(False), True),
-        ("Replace…", lambda: pane.find_bar.open_bar(True), free),
+        ("Find…", lambda: text.find_bar.open_bar(False), True),
+        ("Replace…", lambda: text.find_bar.open_bar(True), free),
     ):
         if call is None:
             menu.addSeparator()
@@ -114,7 +116,7 @@ def _add_repairs(menu: QMenu, repairs: Sequence[TextRepair]) -> None:
         menu.addAction(as_it_is(repair.words), repair.apply)
 
 
-def _passing(pane: SourcePane) -> QMenu:
-    menu = QMenu(pane)
+def _passing(text: SourceText) -> QMenu:
+    menu = QMenu(text.editor.parentWidget())
     menu.aboutToHide.connect(menu.deleteLater)
     return menu

@@ -51,8 +51,10 @@ class SourcePane(QWidget):
         self.files, self.yaml, self.faults = FileRow(), YamlStrip(), FaultStrip()
         self.find_bar = FindBar(self.editor)
         self.popup = Popup(self.editor, lambda: session.blueprint)
-        self.marking, self.pointing = PaneMarks(self, session), TextPointer(self, session)
-        self.folding, self.repairing = FoldVerbs(self.editor), QuickFixes(self, session)
+        self.folding = FoldVerbs(self.editor)
+        self.marking = PaneMarks(self, session, self._marked)
+        self.repairing = QuickFixes(self, session, self.marking, self.faults)
+        self.pointing = TextPointer(self, session, self.marking, self.repairing)
         self.typing = TypedText(session, lambda: self.editor.sheet.text, self)
         self._build()
         self._connect()
@@ -68,7 +70,7 @@ class SourcePane(QWidget):
         column.addWidget(self.editor, 1)
         column.addWidget(self.faults)
         self.setFocusProxy(self.editor)
-        self.editor.keys = PaneKeys(self, self.popup)
+        self.editor.keys = PaneKeys(self, self.popup, self.pointing, self.repairing)
 
     def _connect(self) -> None:
         session, editor = self._session, self.editor
@@ -262,6 +264,9 @@ class SourcePane(QWidget):
         self._chosen = file
         self._refresh()
         self.marking.mark()
+
+    def _marked(self) -> None:
+        self.repairing.show_bulb()
 
     # Typing.
 

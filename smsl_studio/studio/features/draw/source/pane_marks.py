@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterable, Sequence
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import ReadError
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.source import marks
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.features.draw.source.source_text import SourceText
 
 MOST_BANDS = 4000
 
@@ -20,8 +17,9 @@ MOST_BANDS = 4000
 class PaneMarks:
     """Keeps the bands and wavy lines of a pane's text, and the marks of its gutter."""
 
-    def __init__(self, pane: SourcePane, session: Session) -> None:
-        self._pane, self._session = pane, session
+    def __init__(self, text: SourceText, session: Session, then: Callable[[], object]) -> None:
+        """``then`` is called whenever the text was marked anew."""
+        self._text, self._session, self._then = text, session, then
         self._findings: tuple[Finding, ...] = ()
         self.active: tuple[Address, ...] = ()
 
@@ -40,35 +38,35 @@ class PaneMarks:
     def faults_here(self) -> tuple[ReadError, ...]:
         """The faults of the text that is shown, as it is shown."""
         broken = self._session.broken
-        if broken is None or broken.file != self._pane.file:
+        if broken is None or broken.file != self._text.file:
             return ()
-        return broken.error.faults if broken.text == self._pane.editor.sheet.text else ()
+        return broken.error.faults if broken.text == self._text.editor.sheet.text else ()
 
     def findings_here(self) -> tuple[Finding, ...]:
         """The findings of the text that is shown, where it reads and is the one inspected."""
         broken = self._session.broken
-        if (broken is not None and broken.file == self._pane.file) or not self._pane.elements.exact:
+        if (broken is not None and broken.file == self._text.file) or not self._text.elements.exact:
             return ()
-        return tuple(one for one in self._findings if one.places_in(self._pane.file))
+        return tuple(one for one in self._findings if one.places_in(self._text.file))
 
     def mark(self) -> None:
         """Draw bands and wavy lines anew; while one types the old ones move with the text."""
-        pane, editor = self._pane, self._pane.editor
-        if not pane.isVisible() or not pane.current or pane.typing.pending:
+        text, editor = self._text, self._text.editor
+        if not text.isVisible() or not text.current or text.typing.pending:
             return
         findings, faults = self.findings_here(), self.faults_here()
         selected, active = self.lines_of_selection(), self._lines_of(self.active)
-        editor.gutter.marks = marks.by_line(editor.sheet, findings, faults, pane.file)
+        editor.gutter.marks = marks.by_line(editor.sheet, findings, faults, text.file)
         editor.gutter.banded, editor.gutter.active = frozenset(selected), frozenset(active)
         colour = editor.tokens.accs
         editor.setExtraSelections([
             *(marks.band(editor, line, colour) for line in sorted({*selected, *active})),
-            *marks.of_findings(editor, findings, pane.file),
+            *marks.of_findings(editor, findings, text.file),
             *marks.of_faults(editor, faults),
-            *marks.of_matches(editor, pane.find_bar.found.matches),
+            *marks.of_matches(editor, text.find_bar.found.matches),
         ])  # fmt: skip
         editor.gutter.update()
-        pane.repairing.show_bulb()
+        self._then()
 
     def lines_of_selection(self) -> set[int]:
         """The lines in which the selected elements are written."""
@@ -76,9 +74,9 @@ class PaneMarks:
 
     def _lines_of(self, addresses: Sequence[Address]) -> set[int]:
         found: set[int] = set()
-        home, file = self._session.blueprint.home, self._pane.file
+        home, file = self._session.blueprint.home, self._text.file
         here = [one for one in addresses[:50] if home(one.branch).file == file]
-        elements = self._pane.elements
+        elements = self._text.elements
         for address in here:
             lines = elements.lines_of(address)
             if lines is not None:

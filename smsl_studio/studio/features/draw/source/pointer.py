@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QPoint
 
+from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.source import hover
 from smsl_studio.studio.features.draw.source.menus import text_menu
-
-if TYPE_CHECKING:
-    from smsl_studio.blueprint.address import Address
-    from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.features.draw.source.pane_marks import PaneMarks
+from smsl_studio.studio.features.draw.source.quick_fixes import QuickFixes
+from smsl_studio.studio.features.draw.source.source_text import SourceText
 
 
 class TextPointer:
     """Leads from places in one pane's text to elements, and back."""
 
-    def __init__(self, pane: SourcePane, session: Session) -> None:
-        self._pane, self._session = pane, session
+    def __init__(
+        self, text: SourceText, session: Session, marking: PaneMarks, repairing: QuickFixes
+    ) -> None:
+        self._text, self._session = text, session
+        self._marking, self._repairing = marking, repairing
         self.selecting = False
         """Whether it is a click in the text that selects just now."""
-        editor = pane.editor
+        editor = text.editor
         editor.clicked.connect(self.select_at)
         editor.called.connect(lambda at: self.jump_from(*self._place(at)))
         editor.menu_wanted.connect(self._open_menu)
@@ -30,8 +31,8 @@ class TextPointer:
 
     def select_at(self, at: QPoint) -> None:
         """Select the element that is written at a point."""
-        self._pane.settle()
-        address = self._pane.elements.address_at(*self._place(at))
+        self._text.settle()
+        address = self._text.elements.address_at(*self._place(at))
         if address is None or address.branch not in self._session.blueprint.branches:
             return
         self.selecting = True
@@ -40,38 +41,38 @@ class TextPointer:
             self._session.select((address,) if address.state else ())
         finally:
             self.selecting = False
-        self._pane.marking.mark()
+        self._marking.mark()
 
     def jump(self) -> None:
         """Go to what the name at the caret stands for."""
-        self.jump_from(*self._pane.editor.caret)
+        self.jump_from(*self._text.editor.caret)
 
     def jump_from(self, line: int, column: int) -> None:
         """Go to what the name at a place stands for: a state, or a sub-SB."""
-        self._pane.settle()
-        address = self._pane.elements.definition(line, column)
+        self._text.settle()
+        address = self._text.elements.definition(line, column)
         if address is not None and address.branch in self._session.blueprint.branches:
             self._session.jump(address)
             self.show_lines_of(address)
 
     def show_lines_of(self, address: Address) -> None:
         """Put the caret where an element is written."""
-        lines = self._pane.elements.lines_of(address)
+        lines = self._text.elements.lines_of(address)
         if lines is not None:
-            self._pane.editor.reveal(lines.first)
+            self._text.editor.reveal(lines.first)
 
     def words_at(self, line: int, column: int) -> str:
         """What hovering says: the marks of the line, then what stands there."""
-        mark = self._pane.editor.gutter.marks.get(line)
-        elements = self._pane.elements
+        mark = self._text.editor.gutter.marks.get(line)
+        elements = self._text.elements
         address = elements.definition(line, column) or elements.address_at(line, column)
         said = hover.words(self._session.blueprint, address) if address else ""
         return "\n\n".join(part for part in (mark.words if mark else "", said) if part)
 
     def _place(self, at: QPoint) -> tuple[int, int]:
-        editor = self._pane.editor
+        editor = self._text.editor
         return editor.place_of(editor.cursorForPosition(at))
 
     def _open_menu(self, at: QPoint, on_screen: QPoint) -> None:
-        repairs = self._pane.repairing.at(self._place(at)[0])
-        text_menu(self._pane, repairs, at).popup(on_screen)
+        repairs = self._repairing.at(self._place(at)[0])
+        text_menu(self._text, repairs, at, self.jump_from).popup(on_screen)

@@ -5,8 +5,6 @@ What the text is, and what changes it, is the editor's.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from PySide6.QtCore import QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent, QTextCursor, QWheelEvent
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
@@ -14,23 +12,20 @@ from PySide6.QtWidgets import QPlainTextEdit, QWidget
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.features.draw.source.colours import Colours
-from smsl_studio.studio.features.draw.source.folds import Folds
 from smsl_studio.studio.features.draw.source.gutter import Gutter
-from smsl_studio.studio.features.draw.source.sheet import TextSheet
+from smsl_studio.studio.features.draw.source.text_rows import TextRows
 
 SIZE, SMALLEST, LARGEST = 12, 8, 32
 
 
-class TextSurface(QPlainTextEdit):
-    """A text widget without lines that wrap. Lines are those shown, counted from 0."""
+class TextSurface(TextRows):
+    """A text with its gutter, its colours and its folds."""
 
     reshaped = Signal()
     """Lines stand elsewhere, or have other room."""
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.tokens = tokens
-        self.sheet = TextSheet()
+        super().__init__(tokens, parent)
         self.form = "json"
         self._caret_line, self._size = 0, SIZE
         self.setUndoRedoEnabled(False)
@@ -41,7 +36,6 @@ class TextSurface(QPlainTextEdit):
         option = self.document().defaultTextOption()
         option.setTextDirection(Qt.LayoutDirection.LeftToRight)
         self.document().setDefaultTextOption(option)
-        self.folds = Folds(self)
         self.colours = Colours(self, tokens)
         self.gutter = Gutter(self)
         self.blockCountChanged.connect(self._place_gutter)
@@ -69,21 +63,6 @@ class TextSurface(QPlainTextEdit):
             cursor.setPosition(block.position() + block.length() - 1)
             self.setTextCursor(cursor)
         self.folds.fold(first, last)
-
-    def rows(self) -> Iterator[tuple[int, float, float]]:
-        """The lines in view: number, top and height in pixels."""
-        block = self.firstVisibleBlock()
-        top = self.blockBoundingGeometry(block).translated(self.contentOffset()).top()
-        while block.isValid() and top <= self.viewport().height():
-            height = self.blockBoundingRect(block).height()
-            if block.isVisible():
-                yield block.blockNumber(), top, height
-                top += height
-            block = block.next()
-
-    def row_at(self, y: float) -> int | None:
-        """The line at a height in pixels."""
-        return next((line for line, top, high in self.rows() if top <= y < top + high), None)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         high = max(1, int(self.fontMetrics().height()))

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen
 
+from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.overlays.card import Card
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.ink import NO_BRUSH, NO_PEN
 from smsl_studio.studio.base.theme import Tokens
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 MARGIN = 8.0
 MANY, MANY_LINES = 400, 2000
@@ -23,7 +19,7 @@ MANY, MANY_LINES = 400, 2000
 class MiniMap(Card):
     """Stands at the bottom right; states are painted in one batch."""
 
-    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+    def __init__(self, canvas: Stage, tokens: Tokens) -> None:
         super().__init__(canvas, tokens)
         self._canvas = canvas
         self.setAccessibleName("Map of the State Branch")

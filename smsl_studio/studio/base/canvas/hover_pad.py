@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, QTimer
+from PySide6.QtCore import QEvent, QPoint, QRectF, QSize, QTimer, Signal
 from PySide6.QtGui import QEnterEvent
 from PySide6.QtWidgets import QVBoxLayout
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.overlays.card import Card, IconButton
 from smsl_studio.studio.base.theme import Tokens
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 DELAY, LINGER = 500, 450
 AWAY = 20
@@ -23,9 +21,12 @@ AWAY = 20
 class HoverPad(Card):
     """Adds an operation, connects, makes a self loop, renames; stands where it covers no node."""
 
-    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+    operation_wanted = Signal(object)
+    """Address of a state from which an operation shall be drawn."""
+
+    def __init__(self, canvas: BranchView, tokens: Tokens, busy: Callable[[], bool]) -> None:
         super().__init__(canvas, tokens, 8.0)
-        self._canvas = canvas
+        self._canvas, self._busy = canvas, busy
         self.float_up()
         self._address: Address | None = None
         self._next: Address | None = None
@@ -74,7 +75,7 @@ class HoverPad(Card):
             address is not None
             and not address.operation
             and canvas.editing
-            and not canvas.hand.busy
+            and not self._busy()
             and sheet is not None
             and sheet.level is Level.FULL
         )
@@ -103,7 +104,7 @@ class HoverPad(Card):
         self._hide.start()
 
     def _appear(self) -> None:
-        if self._next is None or self._canvas.hand.busy:
+        if self._next is None or self._busy():
             return
         rect = self._canvas.rect_of(self._next)
         if rect is None:
@@ -152,7 +153,7 @@ class HoverPad(Card):
         if self._address is not None:
             address = self._address
             self.go()
-            self._canvas.hand.begin_connect(address)
+            self.operation_wanted.emit(address)
 
     def _loop(self) -> None:
         address = self._address

@@ -5,19 +5,15 @@ Where states are outside the view it says how many, and a click brings them all 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QSize
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout
 
+from smsl_studio.studio.base.canvas.branch_view import BranchView
 from smsl_studio.studio.base.overlays.card import Card, IconButton
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
-
-if TYPE_CHECKING:
-    from smsl_studio.studio.base.canvas.canvas import Canvas
 
 OUTSIDE = 92
 
@@ -25,7 +21,7 @@ OUTSIDE = 92
 class ZoomControl(Card):
     """Stands at the bottom right of the canvas."""
 
-    def __init__(self, canvas: Canvas, tokens: Tokens) -> None:
+    def __init__(self, canvas: BranchView, tokens: Tokens) -> None:
         super().__init__(canvas, tokens)
         self.less = IconButton(self, tokens, "minus", "Zoom out")
         self.value = IconButton(self, tokens, "", "Zoom to 100 % (Shift+0)")

@@ -1,0 +1,61 @@
+"""Nothing in the window imports what imports it in turn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.house.knots import folders_of, knot, modules_below
+
+ROOT = Path(__file__).parents[2]
+WINDOW = "smsl_studio/studio"
+
+
+def test_no_modules_of_the_window_are_tied() -> None:
+    modules = modules_below(ROOT, WINDOW)
+    assert len(modules) > 200
+    assert knot(modules) == []
+
+
+def test_no_folders_of_the_window_are_tied() -> None:
+    folders = folders_of(modules_below(ROOT, WINDOW))
+    assert len(folders) > 20
+    assert knot(folders) == []
+
+
+def plant(root: Path, **files: str) -> None:
+    for name, source in files.items():
+        path = root / "top" / f"{name.replace('__', '/')}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(source, "utf-8")
+
+
+@pytest.mark.parametrize(
+    "back",
+    [
+        "from top.a import x",
+        "from top import a",
+        "import top.a",
+        "def f():\n    from top.a import x",
+        "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    from top.a import X",
+    ],
+)
+def test_a_planted_knot_of_modules_is_seen(tmp_path: Path, back: str) -> None:
+    plant(tmp_path, a="from top.b import y", b="from top.c import z", c=back)
+    assert set(knot(modules_below(tmp_path, "top"))) == {"top.a", "top.b", "top.c"}
+
+
+def test_a_folder_and_one_inside_it_are_two(tmp_path: Path) -> None:
+    plant(tmp_path, a="from top.inner.b import y", c="", inner__b="from top.c import z")
+    modules = modules_below(tmp_path, "top")
+    assert knot(modules) == []
+    assert set(knot(folders_of(modules))) == {"top", "top.inner"}
+
+
+def test_what_looks_one_way_is_no_knot(tmp_path: Path) -> None:
+    plant(
+        tmp_path, a="from top.inner.b import y", inner__b="from top.other.c import z", other__c=""
+    )
+    modules = modules_below(tmp_path, "top")
+    assert (knot(modules), knot(folders_of(modules))) == ([], [])
