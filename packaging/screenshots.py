@@ -275,7 +275,7 @@ class Studio:
         pane.play()
         self._until(lambda: pane.run.phase == "ready")
         pane.show_monitor()
-        page = window.runs.monitoring.page
+        page = window.features.monitor.opener.page
         assert page is not None
         pane.run.disturb("table_REGISTRATION_2", "noise", rate=0.2)
         pointers.say("pointer_right 1")

@@ -40,6 +40,9 @@ FLOORS: dict[str, float] = {
 WHOLE = (PACKAGE, f"{PACKAGE}.studio", f"{PACKAGE}.studio.features")
 """The packages of which the next name says which room, floor or feature is asked for."""
 
+FEATURE_TABLE = "shell/features.py"
+"""The one file of the shell that knows features by their names."""
+
 STUDIO_FLOORS: dict[str, int] = {"base": 1, "document": 2, "running": 3, "features": 4, "shell": 5}
 """The floors inside the window, which are folders of ``studio/``."""
 
@@ -141,6 +144,8 @@ def _inside_the_studio(item: Import, rest: str) -> str:
     here, there = file.removesuffix(".py").split("/"), asked.split(".")
     if here[0] not in STUDIO_FLOORS:
         return f"{here[0]} is no floor of the window"
+    if here[0] == "shell" and there[0] == "features" and file != FEATURE_TABLE:
+        return f"{file} names a feature, {FEATURE_TABLE} alone does"
     above = STUDIO_FLOORS.get(there[0], 0) - STUDIO_FLOORS[here[0]]
     if above > 0:
         return f"{here[0]} looks upstairs to {asked}"

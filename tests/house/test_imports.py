@@ -57,6 +57,7 @@ def test_plugins_know_neither_the_engine_nor_the_window() -> None:
         ("studio/features/run/a.py", "from smsl_studio.studio.shell.window import W", "upstairs"),
         ("studio/features/run/a.py", "from smsl_studio.studio.features.draw import x", "neighbour"),
         ("studio/features/run/a.py", "from smsl_studio.studio.features import draw", "neighbour"),
+        ("studio/shell/a.py", "from smsl_studio.studio.features.run.pane import R", "names a"),
     ],
 )
 def test_a_planted_violation_is_seen(tmp_path: Path, file: str, source: str, words: str) -> None:
@@ -77,7 +78,8 @@ def test_a_planted_violation_is_seen(tmp_path: Path, file: str, source: str, wor
         ("cli/a.py", "import smsl_studio as smsl\nfrom smsl_studio.front import read"),
         ("world/bullet.py", "import pybullet, pybullet_data"),
         ("studio/a.py", "from PySide6.QtCore import Qt"),
-        ("studio/shell/a.py", "from smsl_studio.studio.features.run.pane import RunPane"),
+        ("studio/shell/features.py", "from smsl_studio.studio.features.run.pane import RunPane"),
+        ("studio/shell/a.py", "from smsl_studio.studio.shell.features import Features"),
         ("studio/features/run/a.py", "from smsl_studio.studio.features.run.pane import RunPane"),
         ("studio/features/run/a.py", "from smsl_studio.studio.running.story import Story"),
         ("studio/document/a.py", "from smsl_studio.studio.base import words"),

@@ -53,7 +53,7 @@ def test_every_tool_tip_is_a_constant_or_comes_from_tip_text() -> None:
 def test_labels_message_boxes_and_markup_stand_in_one_place_each() -> None:
     homes = {
         "QLabel": {"base/controls.py"},
-        "QMessageBox": {"features/draw/files/dialogs.py"},
+        "QMessageBox": {"document/files/dialogs.py"},
         "RichText": {"base/controls.py"},
         "setHtml": set(),
         "insertHtml": set(),

@@ -21,9 +21,9 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from smsl_studio import front
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
 from smsl_studio.studio.running.runner import FASTEST
 from smsl_studio.studio.shell.plugins import Plugins
 from smsl_studio.studio.shell.window import Window

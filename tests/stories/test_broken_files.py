@@ -9,7 +9,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QMessageBox
 
 from smsl_studio.blueprint import editing
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from tests.stories.conftest import Sit
 from tests.stories.person import Person
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from tests.stories.conftest import Sit
 from tests.stories.person import Person, sample
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMenu, QMess
 
 from smsl_studio.blueprint import editing
 from smsl_studio.smsl.files import read_document
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.shell.window import Window
 from tests.stories.at_outline import texts
 from tests.stories.conftest import Sit

@@ -28,7 +28,7 @@ class AtMonitor:
 
     @property
     def page(self) -> MonitorPage:
-        page = self.person.window.runs.monitoring.page
+        page = self.person.window.features.monitor.opener.page
         assert page is not None
         return page
 

@@ -9,9 +9,9 @@ from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from smsl_studio.blueprint import editing
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.journal.leftovers import left_behind
 from smsl_studio.studio.document.journal.place import JournalFile
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
 from smsl_studio.studio.shell.application import offer_recovery
 from tests.stories.conftest import Sit
 from tests.stories.person import Person

@@ -16,7 +16,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.repair import Repair
 from smsl_studio.stop import Stopped, heed
 from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
-from smsl_studio.studio.features.draw.canvas.popups import fill_sub_sbs
+from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.panels.finding_rows import FindingsView
 from smsl_studio.studio.features.draw.panels.fix_list import FixList
 from tests.stories.at_outline import click_line, texts

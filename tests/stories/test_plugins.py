@@ -132,7 +132,7 @@ def test_trying_an_operation_can_be_cancelled(sit: Sit) -> None:
 def test_a_world_in_waiting_is_what_the_next_run_begins_in(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi-2.json")
     spare = Spare()
-    person.window.runs.keep_warm(spare)
+    person.window.features.run.keep_warm(spare)
     try:
         run = AtRun(person)
         person.until(lambda: spare.pid is not None)
@@ -149,10 +149,10 @@ def test_a_world_in_waiting_is_what_the_next_run_begins_in(sit: Sit) -> None:
 def test_while_one_draws_no_world_is_kept_ready(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi-2.json")
     spare = Spare()
-    person.window.runs.keep_warm(spare)
+    person.window.features.run.keep_warm(spare)
     AtRun(person)
     person.ctrl(Key.Key_1)
-    person.window.runs.warming._warm()
+    person.window.features.run.warming._warm()
     assert spare.pid is None
 
 

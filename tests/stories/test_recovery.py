@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QLabel
 from smsl_studio.blueprint import editing
 from smsl_studio.studio.document.journal.entry import JournalEntry, KeptText, encode
 from smsl_studio.studio.document.journal.leftovers import left_behind
+from smsl_studio.studio.document.journal.offer import RecoveryOffer
 from smsl_studio.studio.document.journal.place import JournalFile, folder_of
-from smsl_studio.studio.features.draw.safety.offer import RecoveryOffer
 from smsl_studio.studio.shell.application import offer_recovery
 from tests.stories.conftest import Sit
 from tests.stories.person import SAMPLES, Person

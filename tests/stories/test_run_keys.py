@@ -103,7 +103,7 @@ def test_in_the_windows_beside_it(sit: Sit, asked: list[str], tmp_path: Path) ->
     path.write_bytes((SAMPLES / "hanoi.json").read_bytes())
     person = sit(path)
     person.ctrl(Key.Key_M)
-    page = person.window.runs.monitoring.page
+    page = person.window.features.monitor.opener.page
     assert page is not None
     person.until(page.isVisible)
     assert deaf(person, page, asked) == set()

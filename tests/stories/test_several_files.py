@@ -18,7 +18,7 @@ from smsl_studio.smsl.files import read_document
 from smsl_studio.studio.base import rows
 from smsl_studio.studio.base.rows import TextInk
 from smsl_studio.studio.base.theme import text_font
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.panels import outline_tree
 from tests.stories.at_outline import lines
 from tests.stories.conftest import Sit

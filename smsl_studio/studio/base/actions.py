@@ -1,7 +1,7 @@
 """Actions: one table of everything the window can be asked to do.
 
 Menus, mode bar, command palette, the list of shortcuts and the tests read it. A new action is one
-row in one of the files of ``commands/``.
+row in the table of its feature.
 """
 
 from __future__ import annotations

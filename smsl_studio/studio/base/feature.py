@@ -1,23 +1,87 @@
-"""What the features ask of the shell, and their actions of a run."""
+"""Feature: what a part of the window hands to its shell, and what it may ask of the shell."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
 from typing import Protocol
 
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QMenu, QWidget
+
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.theme import Tokens
+
+KeyList = tuple[str, tuple[tuple[str, str], ...]]
+"""A title, and below it words and key of each."""
 
 
-class Shell(Protocol):
-    """What actions ask of the window itself."""
+@dataclass(frozen=True)
+class Page:
+    """The body of a mode, what takes the keys in it, and its row of the mode bar (None: tools)."""
 
-    @property
-    def mode(self) -> str: ...
-    def new_window(self) -> None: ...
-    def set_mode(self, mode: str) -> None: ...
-    def open_palette(self) -> None: ...
-    def choose_sub_sb(self) -> None: ...
-    def show_shortcuts(self) -> None: ...
-    def show_about(self) -> None: ...
+    body: QWidget
+    focus: QWidget
+    row: QWidget | None = None
+
+
+@dataclass(frozen=True)
+class DockPanel:
+    """A panel beside the drawing: ``left``, ``right`` or ``bottom``, with a name on its tab.
+
+    ``tools`` stand at the end of its tabs, and ``focus`` takes the keys where it is not the panel.
+    """
+
+    name: str
+    side: str
+    widget: QWidget
+    tools: QWidget | None = None
+    focus: QWidget | None = None
+
+
+class Feature:
+    """One thing that a window can do, as its shell knows it; what it does not have stays empty.
+
+    Made once for each window. A feature knows none of its neighbours: what it needs of one is
+    handed to it where the shell lists them all.
+    """
+
+    pages: Mapping[str, Page] = MappingProxyType({})
+    """What it shows, by mode."""
+    panels: tuple[DockPanel, ...] = ()
+    badges: tuple[QWidget, ...] = ()
+    """What it shows at the right of the menus in every mode."""
+    submenus: Mapping[str, tuple[str, Callable[[QMenu], None]]] = MappingProxyType({})
+    """By the action that each stands below: its words, and what fills it when it opens."""
+    keys: tuple[KeyList, ...] = ()
+    """Keys of its own for the list of shortcuts."""
+
+    def actions(self) -> tuple[Action, ...]:
+        """Its rows of the table of actions, in their order."""
+        return ()
+
+    def take_actions(self, actions: Actions) -> None:
+        """The whole table is there, with what every other feature put into it."""
+
+    def set_plugins(self, loaded: Loaded, known: bool) -> None:
+        """What the installed plugins offer; ``known`` says whether they were looked for at all."""
+
+    def open_path(self, path: Path) -> bool:
+        """Show a file that is of its kind; False where it is not."""
+        return False
+
+    def settle(self) -> None:
+        """What is still being typed counts."""
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+
+    def stop(self) -> None:
+        """The window goes away: nothing is worked at any more."""
 
 
 class AllWindows(Protocol):
@@ -33,7 +97,7 @@ class AllWindows(Protocol):
     def quit(self) -> None: ...
 
 
-class Sides(Protocol):
+class DockSides(Protocol):
     """What actions ask of the docks at the sides of the drawing."""
 
     def left_shown(self) -> bool: ...
@@ -45,22 +109,22 @@ class Sides(Protocol):
     def enter_tab(self, name: str) -> bool: ...
 
 
-class Supervising(Protocol):
-    """What actions ask of Supervise mode."""
+class Shell(Protocol):
+    """What a feature asks of the window that it is in."""
 
-    def run_exists(self) -> bool: ...
-    def is_located(self) -> bool: ...
-    def is_stopped(self) -> bool: ...
-    def is_held(self) -> bool: ...
-    def is_mapped(self) -> bool: ...
-    def choose_first(self) -> None: ...
-    def ask_for(self, word: str) -> None: ...
-
-
-class RunActions(Protocol):
-    """What actions ask of the run, in every mode."""
-
-    def play(self) -> None: ...
-    def pause(self) -> None: ...
-    def step(self) -> None: ...
-    def show_monitor(self) -> None: ...
+    @property
+    def mode(self) -> str: ...
+    @property
+    def sides(self) -> DockSides: ...
+    @property
+    def program(self) -> AllWindows: ...
+    def set_mode(self, mode: str) -> None: ...
+    def show_tab(self, name: str) -> None: ...
+    def show_count(self, panel: str, count: int) -> None: ...
+    def show_segment(self, name: str, shown: bool) -> None: ...
+    def say_findings(self, words: str) -> None: ...
+    def corner_below(self, action: str) -> QPoint: ...
+    def new_window(self) -> None: ...
+    def open_palette(self) -> None: ...
+    def show_shortcuts(self) -> None: ...
+    def show_about(self) -> None: ...

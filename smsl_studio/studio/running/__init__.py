@@ -1,1 +1,1 @@
-"""The run that a window shows: the session of it, and the widgets that several features share."""
+"""The run that a window shows, and whatever else several features share."""

@@ -18,9 +18,9 @@ from smsl_studio.shipped import resources_dir
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress, tokens_of
 from smsl_studio.studio.document.journal.leftovers import Left, left_behind
+from smsl_studio.studio.document.journal.offer import RecoveryOffer
 from smsl_studio.studio.document.journal.place import folder_of
 from smsl_studio.studio.document.journal.restoration import is_saved
-from smsl_studio.studio.features.draw.safety.offer import RecoveryOffer, difference_dialog
 from smsl_studio.studio.shell import accessible_factory
 from smsl_studio.studio.shell.crash import crash_hook
 from smsl_studio.studio.shell.window import Window
@@ -94,7 +94,7 @@ def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
         return (window if window.safety.untouched else make_window(windows)).safety.recover(one)
 
     def show_difference(one: Left) -> bool:
-        return difference_dialog(one.entry, window.tokens, offer)
+        return window.features.draw.show_difference(one.entry, window.tokens, offer)
 
     offer = RecoveryOffer(left, recover, show_difference, window)
     offer.open()

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
+from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.document.files.files import Files
-from smsl_studio.studio.features.draw.files.dialogs import Dialogs
-from smsl_studio.studio.shell.runs import Runs
 
 
 class Departure:
-    """The answers of one window. A window that ``agreed`` closes without another question."""
+    """The answers of one window. A window that ``agreed`` closes without another question.
 
-    def __init__(self, runs: Runs, files: Files, dialogs: Dialogs) -> None:
-        self._runs, self._files, self._dialogs = runs, files, dialogs
+    ``may_end`` says whether the run may end; it is given what asks the person.
+    """
+
+    def __init__(
+        self, may_end: Callable[[Callable[[str], bool]], bool], files: Files, dialogs: Dialogs
+    ) -> None:
+        self._may_end, self._files, self._dialogs = may_end, files, dialogs
         self._save = False
         self.agreed = False
 
@@ -22,7 +28,7 @@ class Departure:
         file, so that it is known which one is meant.
         """
         self._save = False
-        if not self._runs.may_leave(self._dialogs.may_end_run):
+        if not self._may_end(self._dialogs.may_end_run):
             return False
         answer = self._files.ask_unsaved(several)
         self._save = answer == "save"

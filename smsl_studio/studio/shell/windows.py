@@ -15,7 +15,6 @@ from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress, tokens_of
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.safety.safety import Safety
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.shell.departure import Departure
 from smsl_studio.studio.shell.plugins import Plugins
@@ -27,13 +26,13 @@ class OpenWindow(Protocol):
     @property
     def session(self) -> Session: ...
     @property
-    def safety(self) -> Safety: ...
-    @property
     def leaving(self) -> Departure: ...
     @property
     def name(self) -> str: ...
     def wear(self, tokens: Tokens) -> None: ...
     def stop_run(self) -> None: ...
+    def keep_unsaved(self) -> bool: ...
+    def leave_behind(self) -> bool: ...
     def settle(self) -> None: ...
     def end_run(self) -> None: ...
     def warn(self, words: str) -> None: ...
@@ -129,7 +128,7 @@ class Windows(QObject):
 
     def keep(self) -> bool:
         """Write the journal of every window now; whether one of them holds unsaved work."""
-        kept = [window.safety.journal.flush() for window in self]
+        kept = [window.keep_unsaved() for window in self]
         return any(kept)
 
     def leave(self) -> None:
@@ -137,7 +136,7 @@ class Windows(QObject):
         for window in self:
             # Closing takes over what is being typed: by then it would be asked about.
             window.settle()
-            if window.safety.journal.leave_behind():
+            if window.leave_behind():
                 said = f"unsaved work in {window.name} is kept, and offered at the next start"
                 print(one_line(f"smsl-studio: {said}"), file=sys.stderr)
             window.session.history.setClean()

@@ -15,10 +15,9 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.inspection.rules.finding import Finding
 from smsl_studio.studio.base.words import tally, worst
 from smsl_studio.studio.document.broken import Broken, faults_of
-from smsl_studio.studio.document.inspector import Inspector
-from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.panels.findings import Findings
+from smsl_studio.studio.running.window_parts import WindowParts
 
 EMPTY = "R03"
 """The rule that finds SBs without states."""
@@ -35,16 +34,15 @@ class Tidings(QObject):
 
     def __init__(
         self,
-        session: Session,
-        inspector: Inspector,
+        parts: WindowParts,
         findings: Findings,
         editor: CanvasEditor,
         marked: Sequence[Marked],
         say: Callable[[str], object],
         then: Callable[[], object],
-        parent: QObject,
     ) -> None:
-        super().__init__(parent)
+        super().__init__(parts.window)
+        session, inspector = parts.session, parts.inspector
         self._session = session
         self._findings, self._editor, self._say = findings, editor, say
         self._marked, self._then = tuple(marked), then

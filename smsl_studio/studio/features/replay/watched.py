@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from smsl_studio.studio.base.feature import RunActions
 from smsl_studio.studio.features.replay.replay import Replay
+from smsl_studio.studio.running.run_actions import RunActions
 
 
 class Watched:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import AllWindows, RunActions, Shell
+from smsl_studio.studio.base.feature import AllWindows, Shell
+from smsl_studio.studio.running.run_actions import RunActions
 
 
 def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:

@@ -5,14 +5,27 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Protocol
 
 from smsl_studio.dispatch.supervision.row import CommandRow
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import Shell, Supervising
+from smsl_studio.studio.base.feature import Shell
 
 NAMES = {"reset": "run_reset", "end": "run_end"}
 """Actions that are not called as their commands are."""
+
+
+class Supervising(Protocol):
+    """What actions ask of Supervise mode."""
+
+    def run_exists(self) -> bool: ...
+    def is_located(self) -> bool: ...
+    def is_stopped(self) -> bool: ...
+    def is_held(self) -> bool: ...
+    def is_mapped(self) -> bool: ...
+    def choose_first(self) -> None: ...
+    def ask_for(self, word: str) -> None: ...
 
 
 def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:

@@ -11,7 +11,6 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.document.files.files import Files, Title
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.source.pane import SourcePane
 from smsl_studio.studio.shell.frame.menu_row import MenuRow
 from smsl_studio.studio.shell.frame.status_line import StatusLine
 
@@ -23,13 +22,13 @@ class Captions(QObject):
         self,
         session: Session,
         files: Files,
-        source: SourcePane,
+        tell_caret: Callable[[], object],
         row: MenuRow,
         line: StatusLine,
         window: QMainWindow,
     ) -> None:
         super().__init__(window)
-        self._session, self._files, self._source = session, files, source
+        self._session, self._files, self._tell_caret = session, files, tell_caret
         self._row, self._line, self._window = row, line, window
         self.other: Callable[[], str] = lambda: ""
         """The file that is shown in place of the drawing; the empty text for none."""
@@ -39,7 +38,6 @@ class Captions(QObject):
         for signal in (session.edited_changed, session.blueprint_changed, session.broken_changed,
                        files.changed):  # fmt: skip
             signal.connect(lambda *_: self.show_title())
-        source.caret_moved.connect(line.show_caret)
         self._show_blueprint()
         self.show_title()
 
@@ -52,7 +50,7 @@ class Captions(QObject):
         chosen = next(iter(session.selection), Address(session.branch))
         self._line.show_place(session.blueprint, chosen)
         # Whoever types wants to know where the caret is, not where the graph follows it.
-        self._source.tell_caret()
+        self._tell_caret()
 
     def show_title(self) -> None:
         """Name what the window shows: the drawing, or the file of a run that is another one."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
@@ -14,9 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.studio.base.feature import DockPanel
 from smsl_studio.studio.base.tabs import Tabs
-from smsl_studio.studio.features.draw.panels.library import Library
-from smsl_studio.studio.features.draw.panels.outline import Outline
 
 LEFT, PROPERTIES, SOURCE, BOTTOM = 232, 304, 364, 196
 NARROW = 1280
@@ -32,16 +33,19 @@ class Docks(QObject):
     changed = Signal()
     """A dock was shown or hidden."""
 
-    def __init__(self, window: QMainWindow, outline: Outline, library: Library) -> None:
+    def __init__(self, window: QMainWindow, panels: Sequence[DockPanel]) -> None:
         super().__init__(window)
         self._window = window
         self._sides = QSplitter(Qt.Orientation.Vertical)
         self._sides.setHandleWidth(1)
         self._sides.setChildrenCollapsible(False)
-        self._sides.addWidget(outline)
-        self._sides.addWidget(library)
+        left = [panel for panel in panels if panel.side == "left"]
+        for panel in left:
+            self._sides.addWidget(panel.widget)
         self._sides.setSizes([394, 402])
-        self._sides.setFocusProxy(outline.tree)
+        for panel in left:
+            if panel.focus is not None:
+                self._sides.setFocusProxy(panel.focus)
         self.right_tabs, self.bottom_tabs = Tabs(), Tabs()
         corner, area = Qt.Corner, Qt.DockWidgetArea
         window.setCorner(corner.BottomLeftCorner, area.LeftDockWidgetArea)
@@ -55,6 +59,11 @@ class Docks(QObject):
         self._widths = {"Properties": PROPERTIES, "Source": SOURCE}
         self._tab = "Properties"
         self.right_tabs.changed.connect(self._resize_right)
+        # Tab goes through the panels in the order in which they come into the window.
+        tabs = {"right": self.right_tabs, "bottom": self.bottom_tabs}
+        for panel in panels:
+            if panel.side in tabs:
+                tabs[panel.side].add(panel.name, panel.widget, panel.tools)
 
     def set_first_sizes(self) -> None:
         """The sizes of the design, where nothing is remembered."""

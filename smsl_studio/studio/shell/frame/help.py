@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib.metadata import PackageNotFoundError, version
 
 from PySide6.QtCore import Qt
@@ -18,22 +19,13 @@ from PySide6.QtWidgets import (
 
 from smsl_studio.studio.base.actions import Action, Actions, key_words
 from smsl_studio.studio.base.controls import label
+from smsl_studio.studio.base.feature import KeyList
 from smsl_studio.studio.base.screens import open_at
-from smsl_studio.studio.features.draw.source.keys import SOURCE_KEYS
 from smsl_studio.studio.shell.frame.menu_row import MENUS
 
-CANVAS_KEYS = (
-    ("Add an operation from the selected state", "Tab or /"),
-    ("Pan", "Space and drag, or the middle button"),
-    ("Zoom", "Mouse wheel"),
-    ("Add a state there", "Double click on empty canvas"),
-    ("Connect", "Drag from a state's handle"),
-    ("Select several", "Drag over empty canvas, Shift and click"),
-)
 
-
-def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
-    """Every key, by menu."""
+def shortcuts_dialog(actions: Actions, own: Iterable[KeyList], parent: QWidget) -> QDialog:
+    """Every key: those of the features, then by menu."""
     dialog = QDialog(parent)
     dialog.setWindowTitle("Keyboard shortcuts")
     open_at(dialog, 560, 620)
@@ -41,10 +33,7 @@ def shortcuts_dialog(actions: Actions, parent: QWidget) -> QDialog:
     grid.setContentsMargins(20, 16, 20, 16)
     grid.setVerticalSpacing(6)
     grid.setColumnStretch(0, 1)
-    rows: list[tuple[str, list[tuple[str, str]]]] = [
-        ("On the canvas", list(CANVAS_KEYS)),
-        ("In the source", list(SOURCE_KEYS)),
-    ]
+    rows: list[tuple[str, list[tuple[str, str]]]] = [(title, list(lines)) for title, lines in own]
     for menu in MENUS:
         keyed = [action for action in actions.in_menu(menu) if action.keys]
         rows.append((menu, [(_words(action), _keys(action)) for action in keyed]))

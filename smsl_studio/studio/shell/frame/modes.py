@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.studio.base.feature import Page
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.shell.frame.body import PageBody
 from smsl_studio.studio.shell.frame.docks import Docks
@@ -14,15 +14,6 @@ from smsl_studio.studio.shell.frame.mode_bar import ModeBar
 from smsl_studio.studio.shell.frame.status_line import StatusLine
 
 DRAW = "draw"
-
-
-@dataclass(frozen=True)
-class Page:
-    """The body of a mode, what takes the keys in it, and its row of the mode bar (None: tools)."""
-
-    body: QWidget
-    focus: QWidget
-    row: QWidget | None = None
 
 
 class Modes:

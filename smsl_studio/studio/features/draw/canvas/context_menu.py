@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QMenu, QWidget
 from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.studio.base.actions import Actions
+from smsl_studio.studio.base.passing_menu import passing_menu
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
 from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
-from smsl_studio.studio.features.draw.canvas.popups import passing_menu
 
 ON_CANVAS = ("add_branch", "tidy", "", "select_all", "fit")
 ON_STATE = ("connect", "rename", "", "cut", "copy", "duplicate", "", "delete")

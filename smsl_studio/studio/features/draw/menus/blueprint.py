@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Shell
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 from smsl_studio.studio.features.draw.panels.findings import Findings
 
 
-def blueprint_actions(drawing: DrawVerbs, findings: Findings, shell: Shell) -> tuple[Action, ...]:
+def blueprint_actions(
+    drawing: DrawVerbs,
+    findings: Findings,
+    choose_sub_sb: Callable[[], object],
+    shell: Shell,
+) -> tuple[Action, ...]:
     def drawn() -> bool:
         return shell.mode == "draw"
 
@@ -21,7 +28,7 @@ def blueprint_actions(drawing: DrawVerbs, findings: Findings, shell: Shell) -> t
                tip="Connect the selected states, or the selected one with another"),
         Action("add_branch", "Add State Branch", drawing.add_branch, "Blueprint", "layers",
                ("Ctrl+Shift+B",), drawn),
-        Action("sub_sb", "Attach a sub-SB…", shell.choose_sub_sb, "Blueprint", "layers", (),
+        Action("sub_sb", "Attach a sub-SB…", choose_sub_sb, "Blueprint", "layers", (),
                lambda: drawn() and drawing.has_states(), short="Sub-SB",
                tip="Let a State Branch expand one of the facts"),
         Action("tidy", "Tidy the drawing", drawing.tidy, "Blueprint", "tidy", ("Ctrl+Shift+T",),

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from smsl_studio.studio.base.actions import Action
-from smsl_studio.studio.base.feature import AllWindows, Shell, Sides
+from smsl_studio.studio.base.feature import AllWindows, DockSides, Shell
 from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 
 
 def view_actions(
-    drawing: DrawVerbs, docks: Sides, windows: AllWindows, shell: Shell
+    drawing: DrawVerbs, docks: DockSides, windows: AllWindows, shell: Shell
 ) -> tuple[Action, ...]:
     canvas = drawing.canvas
 

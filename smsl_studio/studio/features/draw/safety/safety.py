@@ -7,10 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.base.toast import Toast
-from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.fresh import UNTITLED
 from smsl_studio.studio.document.journal.entry import KeptText
 from smsl_studio.studio.document.journal.leftovers import Left
@@ -18,10 +15,10 @@ from smsl_studio.studio.document.journal.place import folder_of
 from smsl_studio.studio.document.journal.restoration import keep_text, on_disk, restore
 from smsl_studio.studio.document.journal.unsaved import Unsaved
 from smsl_studio.studio.document.journal.writer import Journal
-from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.draw.safety.change_bar import ChangeBar
 from smsl_studio.studio.features.draw.safety.outside import Compare, OutsideChanges
 from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.running.window_parts import WindowParts
 
 
 class Safety(QObject):
@@ -29,30 +26,26 @@ class Safety(QObject):
 
     def __init__(
         self,
-        session: Session,
-        files: Files,
+        parts: WindowParts,
         source: SourcePane,
-        toast: Toast,
-        settings: Settings,
         compare: Compare,
-        tokens: Tokens,
-        window: QWidget,
     ) -> None:
-        super().__init__(window)
+        super().__init__(parts.window)
+        session, files, toast = parts.session, parts.files, parts.toast
         self._session, self._files, self._toast = session, files, toast
-        self._home = settings.folder
+        self._home = parts.settings.folder
         unsaved = Unsaved(session, files, lambda: source.pending)
         self.journal = Journal(unsaved, folder_of(self._home), self)
         self.journal.failed.connect(toast.warn)
         for signal in (session.blueprint_changed, session.broken_changed, session.edited_changed,
                        files.changed, source.editor.typed):  # fmt: skip
             signal.connect(lambda *_: self.journal.changed())
-        self.bar = ChangeBar(tokens)
+        self.bar = ChangeBar(parts.tokens)
         self.outside = OutsideChanges(session, files, self.bar, compare, self)
         self.outside.said.connect(toast.say)
         self.outside.warned.connect(toast.warn)
         self.outside.refused.connect(toast.refuse)
-        window.installEventFilter(self)
+        parts.window.installEventFilter(self)
 
     def below(self, top: QWidget) -> QWidget:
         """The top of the window, and below it the bar that asks about a changed file."""

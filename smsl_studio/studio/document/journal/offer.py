@@ -18,17 +18,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from smsl_studio.blueprint.comparison import compare as compared
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.screens import room
-from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import counted
-from smsl_studio.studio.document.journal.entry import JournalEntry
 from smsl_studio.studio.document.journal.leftovers import Left
-from smsl_studio.studio.document.journal.restoration import brings, sides
-from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
+from smsl_studio.studio.document.journal.restoration import brings
 
 WIDTH, TALLEST, NAME = 620, 520, 320
 BESIDES = 130
@@ -116,20 +112,6 @@ class RecoveryOffer(QDialog):
         for left in self._waiting:
             left.keep()
         self._waiting.clear()
-
-
-def difference_dialog(entry: JournalEntry, tokens: Tokens, parent: QWidget) -> bool:
-    """Show what was kept beside what stands on the disk; False where one of them is nothing."""
-    both = sides(entry)
-    if not both.comparable or both.before is None:
-        return False
-    dialog = CompareDialog(tokens, parent)
-    dialog.jump.hide()
-    difference = compared(both.before.blueprint, both.after.blueprint)
-    words = f"{entry.name}, as it is on the disk", f"{entry.name}, as it would be recovered"
-    dialog.show_difference(difference, *words)
-    dialog.open()
-    return True
 
 
 class _Row(QWidget):

@@ -1,4 +1,4 @@
-"""Menus whose entries are only known when they open: recent files, samples, sub-SBs."""
+"""Menus of files, filled when they open: the recent ones, and the samples."""
 
 from __future__ import annotations
 
@@ -6,27 +6,16 @@ from collections import Counter
 from functools import partial
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu
 
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.fresh import samples
-from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 
-MOST = 64
-"""So many facts are offered in a menu."""
 WIDEST = 70
 """Characters of a recent file's name and folder; its tooltip has it all."""
-
-
-def passing_menu(window: QWidget) -> QMenu:
-    """A menu for one time; it goes when it is left."""
-    menu = QMenu(window)
-    menu.aboutToHide.connect(menu.deleteLater)
-    return menu
 
 
 def fill_recent(files: Files, menu: QMenu) -> None:
@@ -49,18 +38,3 @@ def fill_samples(files: Files, menu: QMenu) -> None:
     menu.clear()
     for path in samples():
         menu.addAction(as_it_is(path.name), partial(files.open_copy, path))
-
-
-def fill_sub_sbs(session: Session, drawing: DrawVerbs, menu: QMenu) -> None:
-    """The facts of the SB that is shown, and the SBs that could expand each."""
-    branch = session.blueprint[session.branch]
-    for digit in range(min(branch.num_facts, MOST)):
-        inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))
-        taken = branch.subs.get(digit)
-        if taken is not None:
-            inner.addAction(as_it_is(f"Expanded by {taken}")).setEnabled(False)
-            continue
-        for name in session.blueprint.branches:
-            if name != branch.name and name not in branch.subs.values():
-                inner.addAction(as_it_is(name), partial(drawing.attach, digit, name))
-        inner.addAction("New State Branch", partial(drawing.attach, digit, None))

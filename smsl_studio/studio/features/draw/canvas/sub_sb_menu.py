@@ -1,0 +1,29 @@
+"""The menu of the facts of an SB, and of the SBs that could expand each."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtWidgets import QMenu
+
+from smsl_studio.studio.base.words import as_it_is
+from smsl_studio.studio.document.session import Session
+from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
+
+MOST = 64
+"""So many facts are offered in a menu."""
+
+
+def fill_sub_sbs(session: Session, drawing: DrawVerbs, menu: QMenu) -> None:
+    """The facts of the SB that is shown, and the SBs that could expand each."""
+    branch = session.blueprint[session.branch]
+    for digit in range(min(branch.num_facts, MOST)):
+        inner = menu.addMenu(as_it_is(f"{digit}  {branch.fact_name(digit)}"))
+        taken = branch.subs.get(digit)
+        if taken is not None:
+            inner.addAction(as_it_is(f"Expanded by {taken}")).setEnabled(False)
+            continue
+        for name in session.blueprint.branches:
+            if name != branch.name and name not in branch.subs.values():
+                inner.addAction(as_it_is(name), partial(drawing.attach, digit, name))
+        inner.addAction("New State Branch", partial(drawing.attach, digit, None))

@@ -1,0 +1,228 @@
+"""The drawing as one feature: canvas, panels, source, search, comparison and unsaved work."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QDialog
+
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
+from smsl_studio.library.loading import Loaded
+from smsl_studio.studio.base.actions import Action, Actions
+from smsl_studio.studio.base.canvas.canvas import Canvas
+from smsl_studio.studio.base.feature import DockPanel, Feature, Page, Shell
+from smsl_studio.studio.base.passing_menu import passing_menu
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.words import counted
+from smsl_studio.studio.document.files.dialogs import Dialogs
+from smsl_studio.studio.document.files.menus import fill_recent, fill_samples
+from smsl_studio.studio.document.journal.entry import JournalEntry
+from smsl_studio.studio.document.notices import step_notice
+from smsl_studio.studio.features.draw.canvas.clipboard import ClipboardVerbs
+from smsl_studio.studio.features.draw.canvas.context_menu import context_menu
+from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
+from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
+from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
+from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
+from smsl_studio.studio.features.draw.compare.comparison import Comparison
+from smsl_studio.studio.features.draw.compare.kept_difference import difference_dialog
+from smsl_studio.studio.features.draw.find.destinations import Destinations
+from smsl_studio.studio.features.draw.find.finder import Finder
+from smsl_studio.studio.features.draw.find.palette import Palette
+from smsl_studio.studio.features.draw.menus.blueprint import blueprint_actions
+from smsl_studio.studio.features.draw.menus.compare import compare_actions
+from smsl_studio.studio.features.draw.menus.edit import edit_actions
+from smsl_studio.studio.features.draw.menus.files import file_actions
+from smsl_studio.studio.features.draw.menus.samples import sample_actions
+from smsl_studio.studio.features.draw.menus.view import view_actions
+from smsl_studio.studio.features.draw.panels.findings import Findings
+from smsl_studio.studio.features.draw.panels.history import History
+from smsl_studio.studio.features.draw.panels.library import Library
+from smsl_studio.studio.features.draw.panels.offers import offers, operation_names
+from smsl_studio.studio.features.draw.panels.outline import Outline
+from smsl_studio.studio.features.draw.panels.properties import Properties
+from smsl_studio.studio.features.draw.safety.safety import Safety
+from smsl_studio.studio.features.draw.source.keys import SOURCE_KEYS
+from smsl_studio.studio.features.draw.source.pane import SourcePane
+from smsl_studio.studio.features.draw.tidings import Tidings
+from smsl_studio.studio.running.window_parts import WindowParts
+
+CANVAS_KEYS = (
+    ("Add an operation from the selected state", "Tab or /"),
+    ("Pan", "Space and drag, or the middle button"),
+    ("Zoom", "Mouse wheel"),
+    ("Add a state there", "Double click on empty canvas"),
+    ("Connect", "Drag from a state's handle"),
+    ("Select several", "Drag over empty canvas, Shift and click"),
+)
+
+
+class DrawFeature(Feature):
+    """Draw mode with its panels."""
+
+    keys = (("On the canvas", CANVAS_KEYS), ("In the source", SOURCE_KEYS))
+
+    def __init__(self, parts: WindowParts, shell: Shell) -> None:
+        session, files, tokens, window = parts.session, parts.files, parts.tokens, parts.window
+        self._parts, self._shell, self._loaded = parts, shell, Loaded()
+        self.canvas = Canvas(tokens)
+        self.editor = CanvasEditor(session, self.canvas)
+        self.drawing = DrawVerbs(session, self.editor)
+        self.clipping = ClipboardVerbs(session, self.canvas, parts.toast.say)
+        self.outline, self.library = Outline(session, tokens), Library(session, tokens)
+        self.properties, self.source = Properties(session, tokens), SourcePane(session, tokens)
+        self.findings = Findings(session, tokens, parts.inspector.rules)
+        self.history = History(session, tokens)
+        self.fix_card = FixCard(session, self.canvas, tokens)
+        ask = self.properties.file.ask_file = Dialogs(window).file_to_open
+        self.comparing = Comparison(session, files, ask, tokens, window)
+        self.safety = Safety(parts, self.source, self.comparing.with_version)
+        self.going = Destinations(shell, self.properties, files)
+        self.pages = {"draw": Page(self.canvas, self.canvas)}
+        self.panels = (
+            DockPanel("Outline", "left", self.outline, focus=self.outline.tree),
+            DockPanel("Library", "left", self.library),
+            DockPanel("Properties", "right", self.properties),
+            DockPanel("Source", "right", self.source),
+            DockPanel("Findings", "bottom", self.findings, self.findings.tools),
+            DockPanel("History", "bottom", self.history),
+        )
+        self.submenus = {
+            "open": ("Open recent", lambda menu: fill_recent(files, menu)),
+            "new": ("Open sample", lambda menu: fill_samples(files, menu)),
+        }
+
+    def actions(self) -> tuple[Action, ...]:
+        """The File, Edit, View and Blueprint menus."""
+        session, files, shell = self._parts.session, self._parts.files, self._shell
+        return (
+            *file_actions(files, session, shell.program, shell),
+            *sample_actions(files),
+            *edit_actions(session, self.drawing, self.clipping, shell),
+            *view_actions(self.drawing, shell.sides, shell.program, shell),
+            *blueprint_actions(self.drawing, self.findings, self._choose_sub_sb, shell),
+            *compare_actions(self.comparing),
+        )
+
+    def take_actions(self, actions: Actions) -> None:
+        """Connect everything: every key and menu of the drawing has its action now."""
+        parts, session = self._parts, self._parts.session
+        self._actions = actions
+        finder = Finder(session, actions, self.findings, self.going)
+        self.palette = Palette(finder, parts.tokens, parts.window)
+        marked = (self.outline, self.library, self.source, self.fix_card)
+        say = self._shell.say_findings
+        self.tidings = Tidings(parts, self.findings, self.editor, marked, say, actions.refresh)
+        self._follow_session()
+        self._connect_parts(actions)
+
+    def _follow_session(self) -> None:
+        session = self._parts.session
+        session.blueprint_changed.connect(lambda *_: self._show_offers())
+        session.opened.connect(self.tidings.forget)
+        session.opened.connect(self._parts.toast.hide)
+        session.opened.connect(self.canvas.setFocus)
+        session.jumped.connect(self._jumped)
+        session.history.indexChanged.connect(lambda _: self._parts.toast.edited())
+        session.broken_changed.connect(self._show_broken)
+        session.refused.connect(self._refused)
+        session.blueprint_changed.connect(self._say_of_step)
+
+    def _connect_parts(self, actions: Actions) -> None:
+        shell, toast, comparing = self._shell, self._parts.toast, self.comparing
+        comparing.refused.connect(toast.refuse)
+        comparing.element_shown.connect(lambda _: shell.set_mode("draw"))
+        comparing.element_shown.connect(self._jumped)
+        comparing.said.connect(toast.say)
+        comparing.changed.connect(actions.refresh)
+        self.findings.count_changed.connect(lambda count: shell.show_count("Findings", count))
+        self.fix_card.fix_wanted.connect(self.findings.fix)
+        self.outline.fact_wanted.connect(self.going.show_fact)
+        self.outline.file_wanted.connect(lambda file: self._parts.files.open(Path(file)))
+        self.outline.verb_wanted.connect(self.clipping.on_branch)
+        self.outline.action_wanted.connect(lambda name: actions[name].trigger())
+        self.outline.branch_deleted.connect(self._say_deleted)
+        self.canvas.fact_wanted.connect(
+            lambda digit: self.going.show_fact(self._parts.session.branch, digit)
+        )
+        self.canvas.verb_wanted.connect(lambda name: actions[name].trigger())
+        self.canvas.context_wanted.connect(self._open_context_menu)
+        self.canvas.overlays.empty.sample_wanted.connect(self._offer_samples)
+
+    # What the shell asks of it.
+
+    def set_plugins(self, loaded: Loaded, known: bool) -> None:
+        """Offer their operations in library, source and forms."""
+        self._loaded = loaded
+        self._show_offers()
+        self.source.set_library(operation_names(loaded))
+        self.properties.set_plugins(loaded)
+
+    def settle(self) -> None:
+        """Take over what is typed in the source."""
+        self.source.settle()
+
+    def set_tokens(self, tokens: Tokens) -> None:
+        """Take other colours."""
+        panels = (self.outline, self.library, self.properties, self.source, self.findings)
+        others = (self.palette, self.fix_card, self.comparing, self.safety)
+        for part in (self.canvas, *panels, *others):
+            part.set_tokens(tokens)
+
+    def stop(self) -> None:
+        """Nothing is read, compared or kept any more."""
+        for part in (self.source, self.comparing, self.findings):
+            part.stop()
+        self.safety.close()
+
+    def show_difference(self, entry: JournalEntry, tokens: Tokens, parent: QDialog) -> bool:
+        """Show what was kept beside what stands on the disk; False where one is nothing."""
+        return difference_dialog(entry, tokens, parent)
+
+    # What is shown.
+
+    def _show_offers(self) -> None:
+        self.library.set_offers(offers(self._loaded, self._parts.session.blueprint))
+
+    def _show_broken(self) -> None:
+        """A text that does not read is repaired in the source, where its faults are marked."""
+        if self._parts.session.broken is not None and self._shell.mode == "draw":
+            self._shell.show_tab("Source")
+
+    def _say_of_step(self, before: Blueprint, after: Blueprint) -> None:
+        self._parts.toast.of_step(*step_notice(before, after))
+
+    def _jumped(self, address: Address) -> None:
+        """What was found is in view, and the keys act on it."""
+        self.canvas.reveal(address)
+        if self._shell.mode == "draw":
+            self.canvas.setFocus()
+
+    def _say_deleted(self, name: str, states: int) -> None:
+        """A whole SB has gone by one key: say so, and offer to take it back."""
+        words = f"Deleted State Branch {name} with {counted(states, 'state')}."
+        self._parts.toast.offer(words, "Undo", self._parts.session.history.undo)
+
+    def _refused(self, error: StudioError) -> None:
+        """Say it in a line, unless the field in which it was typed says it."""
+        if self.editor.field is None:
+            self._parts.toast.refuse(error)
+
+    def _open_context_menu(self, address: Address | None, at: QPoint) -> None:
+        session, actions = self._parts.session, self._actions
+        context_menu(session, self.editor, actions, self.clipping, address).popup(at)
+
+    def _choose_sub_sb(self) -> None:
+        """A menu of the facts, and of the SBs that could expand each."""
+        menu = passing_menu(self._parts.window)
+        fill_sub_sbs(self._parts.session, self.drawing, menu)
+        menu.popup(self._shell.corner_below("sub_sb"))
+
+    def _offer_samples(self) -> None:
+        menu = passing_menu(self._parts.window)
+        fill_samples(self._parts.files, menu)
+        button = self.canvas.overlays.empty.sample
+        menu.popup(button.mapToGlobal(QPoint(0, button.height() + 4)))

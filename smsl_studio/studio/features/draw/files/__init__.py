@@ -1,1 +1,0 @@
-"""What is asked about files, and files that are dropped on the window."""

@@ -1,0 +1,27 @@
+"""What the features of one window share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtWidgets import QMainWindow
+
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.base.theme import Tokens
+from smsl_studio.studio.base.toast import Toast
+from smsl_studio.studio.document.files.files import Files
+from smsl_studio.studio.document.inspector import Inspector
+from smsl_studio.studio.document.session import Session
+
+
+@dataclass(frozen=True)
+class WindowParts:
+    """Made by the shell before any feature; ``tokens`` are the colours that it begins in."""
+
+    session: Session
+    files: Files
+    inspector: Inspector
+    settings: Settings
+    toast: Toast
+    tokens: Tokens
+    window: QMainWindow
