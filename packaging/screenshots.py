@@ -1,8 +1,10 @@
-"""Makes the pictures in docs/images: Draw and Run modes, three samples, two themes, three sizes.
+"""Makes pictures of the window: Draw and Run modes, three samples, two themes, three sizes.
 
-    .venv/bin/python packaging/screenshots.py [--out FOLDER] [--sample NAME]
+    ./dev pictures [--out FOLDER] [--sample NAME]
         [--mode draw|run|supervise|safe|people|monitor|replay]
 
+They come into ``build/pictures``. The ten that the documentation shows are kept in docs/images; a
+new one goes there by hand (``--out docs/images`` writes all of them).
 Without a display it draws on Qt's offscreen platform. The run pictures are taken in the middle of a
 real run: ``hanoi`` in its physical world, the others in ``table``. ``safe`` are the pictures of a
 file that does not read, of the offer to recover, and of a file that another program has changed.
@@ -81,7 +83,7 @@ SCENES = (
 def main() -> int:
     """Take the pictures that were asked for."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "images")
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "pictures")
     parser.add_argument("--mode", choices=MODES)
     parser.add_argument("--sample", choices=[scene.sample for scene in SCENES])
     asked = parser.parse_args()

@@ -10,12 +10,16 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from importlib.machinery import ExtensionFileLoader
 from types import FrameType
 
 from smsl_studio.stop import GRACE, BrokenOff, Stopped, heeding, is_graceful, is_whole
 
 AGAIN = 1.0
 """Wall seconds after which a stop that nobody has taken is raised once more."""
+
+SOON = 0.002
+"""Wall seconds after which it is raised again where a library in C was being loaded."""
 
 NUMBERS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
@@ -66,8 +70,26 @@ class Signals:
 
     def insist(self, number: int, frame: FrameType | None) -> None:
         """Break off the work, unless it must be whole; such work checks for a stop at its end."""
-        if self.asked and not self._over and not is_whole():
-            raise BrokenOff
+        if not self.asked or self._over or is_whole():
+            return
+        if _loads_a_library(frame):
+            signal.setitimer(signal.ITIMER_REAL, SOON, AGAIN)
+            return
+        raise BrokenOff
+
+
+def _loads_a_library(frame: FrameType | None) -> bool:
+    """Whether a library in C is being loaded: some of them crash where an exception comes then.
+
+    While one is loaded it may import modules in Python, in which the signal is heard.
+    """
+    while frame is not None:
+        if frame.f_code.co_name in ("exec_module", "create_module") and isinstance(
+            frame.f_locals.get("self"), ExtensionFileLoader
+        ):
+            return True
+        frame = frame.f_back
+    return False
 
 
 @contextmanager
