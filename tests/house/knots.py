@@ -18,7 +18,10 @@ def modules_below(root: Path, top: str) -> dict[str, set[str]]:
 
 
 def folders_of(modules: Mapping[str, set[str]]) -> dict[str, set[str]]:
-    """The same for folders: a folder and one inside it are two, and may not know each other."""
+    """The same for folders: a folder and one inside it are two, and may not know each other.
+
+    A module at the very top counts as a folder of its own: the rooms there stand on many floors.
+    """
     found: dict[str, set[str]] = {}
     packages = {name.rpartition(".")[0] for name in modules}
     for module, asked in modules.items():
@@ -41,7 +44,8 @@ def _name(root: Path, path: Path) -> str:
 
 
 def _folder(module: str, packages: set[str]) -> str:
-    return module if module in packages else module.rpartition(".")[0]
+    at_the_top = module.count(".") == 1
+    return module if module in packages or at_the_top else module.rpartition(".")[0]
 
 
 def _asked(path: Path, module: str, known: set[str]) -> set[str]:
