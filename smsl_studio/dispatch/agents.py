@@ -23,6 +23,7 @@ class RiskLimit:
 
     @property
     def name(self) -> str:
+        """How the record calls this supervisor, with its limit."""
         return f"risk limit {self.limit}"
 
     def review(self, proposal: Proposal) -> Verdict:

@@ -48,6 +48,7 @@ def to_its_end(
     """
 
     def tell(events: tuple[Event, ...]) -> None:
+        """Hand events to the recording, and to whoever acts for people."""
         recording.tell(events)
         if acting is not None:
             acting.hear(events)

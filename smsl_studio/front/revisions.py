@@ -34,6 +34,7 @@ class Revision:
 
     @property
     def short(self) -> str:
+        """The first nine characters of the commit, as git shows it."""
         return self.commit[:9]
 
 

@@ -185,6 +185,7 @@ def run_request(
     events: list[Event] = []
 
     def hear(event: Event) -> None:
+        """Keep an event for the result, and hand it to the caller."""
         events.append(event)
         if on_event is not None:
             on_event(event)

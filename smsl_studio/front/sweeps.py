@@ -46,6 +46,7 @@ def sweep(
     request = RunRequest(blueprint, world, seed=seed, host=host, plugin_paths=tuple(plugin_paths))
 
     def fresh() -> Host:
+        """A new host, so that no edge sees what another edge left behind."""
         return make_host(request, loaded)
 
     place = fresh()

@@ -52,6 +52,7 @@ class Admission:
             return self._guarded(step, chosen)
 
         def said(closed: tuple[Closed, ...]) -> None:
+            """Go on to the guards where no person said no about the facts; else refuse the step."""
             no = no_words(closed)
             self._refuse(step, chosen, (no,)) if no else self._guarded(step, chosen)
 
@@ -62,6 +63,7 @@ class Admission:
         """Ask a person whether a step of the route may begin; why that is no use, if it is none."""
 
         def decided(closed: tuple[Closed, ...]) -> None:
+            """Go on where the person in the supervisor's place said yes; else do what they said."""
             if closed[0].yes:
                 self._confirmed(step, chosen=False)
             else:
@@ -105,6 +107,7 @@ class Admission:
             return self._begin(step, chosen, fresh)
 
         def said(closed: tuple[Closed, ...]) -> None:
+            """Begin the step where everybody consented; else refuse it."""
             no = no_words(closed)
             self._refuse(step, chosen, (no,)) if no else self._begin(step, chosen)
 

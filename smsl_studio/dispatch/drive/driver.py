@@ -77,6 +77,7 @@ class Driver:
 
     @property
     def phase(self) -> str:
+        """What the run does now, in one word, such as "paused"; see ``RunState.phase``."""
         return self.state.phase(self.carrier is not None, asking=self.desk.busy)
 
     # one tick -----------------------------------------------------------------------------------
@@ -248,6 +249,7 @@ class Driver:
         what it rests on the run holds at once, and people are asked when it is to go on."""
 
         def relocalise() -> None:
+            """Find out where the run stands, and hold where the trouble asks for it."""
             hold = self.trouble.after(failure)
             self.hold(hold or (Hold(failure.reason) if failure.unanswered else None))
 

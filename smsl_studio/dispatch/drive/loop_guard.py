@@ -33,6 +33,7 @@ class LoopGuard:
         self._visits[key] = self._visits.get(key, 0) + 1
 
     def forget(self) -> None:
+        """Count from zero again."""
         self._visits.clear()
 
 

@@ -68,6 +68,7 @@ class Reviewer:
         self._trusted = self._doubtful is not None
 
     def forget(self) -> None:
+        """Drop what the supervisor paused for, and what a person let go on."""
         self._doubtful, self._trusted = None, False
 
     def _review(self, supervisor: Supervisor, run: LiveRun, step: JointStep) -> Verdict:

@@ -45,6 +45,8 @@ class Supervisor(Protocol):
     """
 
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """The name that stands in the record of the run."""
 
-    def review(self, proposal: Proposal) -> Verdict: ...
+    def review(self, proposal: Proposal) -> Verdict:
+        """Decide on an operation that is proposed; called once before it begins."""

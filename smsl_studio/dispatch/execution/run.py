@@ -72,6 +72,7 @@ class LiveRun:
 
     @property
     def time(self) -> float:
+        """The time of the run in simulated seconds."""
         return self.senses.time
 
     @property

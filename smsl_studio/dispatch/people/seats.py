@@ -18,6 +18,7 @@ def seated(wanted: Sequence[str], given: Sequence[str], escalation: str = "") ->
     also = same_name(escalation)
 
     def seat(index: int, free: frozenset[int]) -> bool:
+        """Whether the persons from ``index`` on can be seated in the seats that are free."""
         if index == len(persons):
             return True
         role = persons[index]

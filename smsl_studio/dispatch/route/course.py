@@ -142,6 +142,7 @@ class Course:
         return planner.stepper.step(configuration, edge)
 
     def edge(self, address: Address) -> Edge | None:
+        """The edge of an operation; None where there is none."""
         return self.planner.stepper.edges.get(address)
 
     def next_step(self, configuration: Mapping[str, str]) -> tuple[JointStep | None, Leg | None]:
@@ -219,6 +220,7 @@ class Course:
             self._legs, self._at, self._ahead = kept
 
     def drop_plan(self) -> None:
+        """Forget the plan; the next question for a step makes a new one."""
         self._legs, self._at, self._ahead = (), (0, 0), None
 
     # what if ------------------------------------------------------------------------------------

@@ -201,6 +201,7 @@ class Planner:
         shunned = [(self._at[name], self._failing(name)) for name in ill]
 
         def is_goal(node: Key) -> bool:
+            """Whether a configuration has every state of the goal and none that is shunned."""
             return all(node[at] == state for at, state in places) and not any(
                 node[at] in states for at, states in shunned
             )

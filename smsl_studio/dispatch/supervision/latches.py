@@ -86,6 +86,7 @@ def give_back(driver: Driver, *, by: str = PERSON) -> str:
         return _offer(driver)
 
     def said(_: object) -> None:
+        """Offer the person what can be done from here; what the task answers is not read."""
         driver.say(_offer(driver) or driver.sentence)
 
     return driver.desk.ask(facts, said, keep=True)

@@ -117,6 +117,7 @@ class _Line:
         return found.end() + 1 if found else 1
 
     def wrong(self, column: int, sentence: str, advice: str = "") -> ReadError:
+        """An error at a column of this line."""
         return _wrong(self.file, self.number, column, sentence, advice)
 
     def _find(self, key: str) -> re.Match[str] | None:

@@ -76,6 +76,7 @@ def state(blueprint: Blueprint, value: Json) -> str:
 
 
 def text(_: Blueprint, value: Json) -> str:
+    """A text that is not empty and fits one line; raises ``UsageError`` for any other value."""
     if not isinstance(value, str) or not value.strip():
         raise UsageError(f"{_shown(value)} is no text", advice='Write it in quotes: "...".')
     if not value.isprintable() or len(value) > LONGEST:
@@ -93,12 +94,14 @@ def seconds(_: Blueprint, value: Json) -> float:
 
 
 def yes_or_no(_: Blueprint, value: Json) -> bool:
+    """True or false; raises ``UsageError`` for any other value."""
     if not isinstance(value, bool):
         raise UsageError(f"{_shown(value)} is neither yes nor no", advice="Write true or false.")
     return value
 
 
 def scalar(_: Blueprint, value: Json) -> Json:
+    """A text or a number, as facts may have it; raises ``UsageError`` for any other value."""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         raise UsageError(f"{_shown(value)} is neither a text nor a number")
     if isinstance(value, str):
@@ -120,9 +123,11 @@ def sensed(blueprint: Blueprint, value: Json) -> str:
 
 
 def one_of(known: Iterable[str]) -> Check:
+    """A check that lets one of these words pass and raises ``UsageError`` for any other value."""
     words = tuple(known)
 
     def check(_: Blueprint, value: Json) -> str:
+        """The value where it is one of the words; raises ``UsageError`` with the nearest word."""
         if value not in words:
             near = did_you_mean(str(value)[:80], words)
             raise UsageError(

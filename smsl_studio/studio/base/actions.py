@@ -105,6 +105,7 @@ class Actions(QObject):
         return iter(self.table.values())
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Paint the icons of all actions in the colours of another theme."""
         for action in self:
             if action.icon:
                 self._made[action.id].setIcon(icon(action.icon, tokens))
@@ -123,6 +124,7 @@ class Actions(QObject):
 
     def _caller(self, action: Action) -> Callable[[], None]:
         def call() -> None:
+            """Do what the action is for, if it is enabled now, and refresh the table."""
             self._before()
             if action.enabled():
                 action.call()

@@ -79,6 +79,7 @@ class _Wanted:
         self.ends = False
 
     def heed(self) -> None:
+        """Raise ``Stopped`` where the work is wanted no more."""
         if self.ends:
             raise Stopped
 

@@ -63,6 +63,7 @@ class Chips(QWidget):
         self._places: list[QRectF] = []
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Tell the digit of the chip under the pointer."""
         for digit, place in enumerate(self._places):
             if place.contains(event.position()):
                 self.chosen.emit(digit)
@@ -73,6 +74,7 @@ class Chips(QWidget):
         return self._places[digit]
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 
@@ -90,9 +92,11 @@ class Chips(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """Wide enough for all chips at their least width."""
         return QSize(len(self._chips) * (CHIP + GAP), CHIP + 12)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the chips from the left, as many as there is room for."""
         painter = QPainter(self)
         metrics = self.fontMetrics()
         x = 0.0

@@ -75,13 +75,16 @@ class Elided(Label):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
 
     def minimumSizeHint(self) -> QSize:
+        """Any width will do: the text is shortened."""
         return QSize(0, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Offer the whole text as a tip where it no longer fits."""
         super().resizeEvent(event)
         self._tell_whole()
 
     def setText(self, text: str) -> None:
+        """Show another text, with the whole of it as a tip where it does not fit."""
         super().setText(text)
         self._tell_whole()
 
@@ -95,6 +98,7 @@ class Elided(Label):
             self.setToolTip(told)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the text, with its middle left out where it is too long."""
         painter = QPainter(self)
         room = self.contentsRect()
         shown = self.fontMetrics().elidedText(
@@ -189,9 +193,11 @@ class Combo(QComboBox):
         return max(least, min(most, widest + BESIDE_TEXT + 1))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
+        """Leave the wheel to the panel, so that scrolling changes no choice."""
         event.ignore()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the border, the choice and the chevron."""
         palette, focus = self.palette(), self.hasFocus()
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -232,12 +238,15 @@ class Switch(QAbstractButton):
         self.setFixedSize(36, 22)
 
     def sizeHint(self) -> QSize:
+        """The size of the track and the room around it."""
         return QSize(36, 22)
 
     def hitButton(self, pos: QPoint) -> bool:
+        """A click anywhere in the rectangle counts."""
         return self.rect().contains(pos)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the track, the thumb, and a frame while it has the keys."""
         palette = self.palette()
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -291,6 +300,7 @@ class Field(QLineEdit):
             self.style().polish(self)
 
     def set_suffix(self, text: str) -> None:
+        """Show a short text at the right, such as a unit; empty hides it."""
         self._suffix.setText(text)
         self._suffix.setVisible(bool(text))
         self._suffix.adjustSize()
@@ -309,6 +319,7 @@ class Field(QLineEdit):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape puts the old text back; every other key is typed."""
         if event.key() == Qt.Key.Key_Escape and self.changed:
             self.settle(self._settled)
             self.selectAll()
@@ -316,16 +327,19 @@ class Field(QLineEdit):
         super().keyPressEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
+        """Select the whole text where Tab led here."""
         super().focusInEvent(event)
         if event.reason() in {Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason}:
             self.selectAll()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Show the beginning of the text again."""
         super().focusOutEvent(event)
         if event.reason() is not Qt.FocusReason.PopupFocusReason:
             self.setCursorPosition(0)
 
     def resizeEvent(self, event: object) -> None:
+        """Put the suffix at the right again."""
         super().resizeEvent(event)  # type: ignore[arg-type]
         self._place_suffix()
 

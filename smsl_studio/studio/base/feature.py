@@ -90,11 +90,20 @@ class AllWindows(Protocol):
     settings: Settings
 
     @property
-    def theme(self) -> str: ...
-    def set_theme(self, theme: str) -> None: ...
-    def stop_every_run(self) -> None: ...
-    def look_for_plugins(self) -> None: ...
-    def quit(self) -> None: ...
+    def theme(self) -> str:
+        """The name of the chosen theme."""
+
+    def set_theme(self, theme: str) -> None:
+        """Put all windows into another theme."""
+
+    def stop_every_run(self) -> None:
+        """Stop the runs of all windows."""
+
+    def look_for_plugins(self) -> None:
+        """Look at the installed plugins again, for all windows."""
+
+    def quit(self) -> None:
+        """Close all windows and end the program; where one shall stay, all stay."""
 
 
 class DockSides(Protocol):
@@ -113,18 +122,29 @@ class Shell(Protocol):
     """What a feature asks of the window that it is in."""
 
     @property
-    def mode(self) -> str: ...
+    def mode(self) -> str:
+        """The mode that is shown, such as "draw"."""
+
     @property
     def sides(self) -> DockSides: ...
     @property
     def program(self) -> AllWindows: ...
-    def set_mode(self, mode: str) -> None: ...
+    def set_mode(self, mode: str) -> None:
+        """Show another mode."""
+
     def show_tab(self, name: str) -> None: ...
     def show_count(self, panel: str, count: int) -> None: ...
     def show_segment(self, name: str, shown: bool) -> None: ...
     def say_findings(self, words: str) -> None: ...
     def corner_below(self, action: str) -> QPoint: ...
-    def new_window(self) -> None: ...
-    def open_palette(self) -> None: ...
-    def show_shortcuts(self) -> None: ...
-    def show_about(self) -> None: ...
+    def new_window(self) -> None:
+        """Open another window."""
+
+    def open_palette(self) -> None:
+        """Open the box that finds anything."""
+
+    def show_shortcuts(self) -> None:
+        """Show the list of all shortcuts."""
+
+    def show_about(self) -> None:
+        """Show what this program is, and its version."""

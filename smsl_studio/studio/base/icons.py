@@ -87,6 +87,7 @@ def _path(text: str) -> QPainterPath:
     path, parts = QPainterPath(), iter(text.split())
 
     def number() -> float:
+        """The next number of the path."""
         return float(next(parts))
 
     for verb in parts:

@@ -50,16 +50,20 @@ class KeyButton(QPushButton):
             self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def sizeHint(self) -> QSize:
+        """Wide enough for icon, word and key; as high as a control that decides."""
         return QSize(round(self._wide()) + 26, CONTROL_DECISION)
 
     def minimumSizeHint(self) -> QSize:
+        """As large as ``sizeHint``: nothing of it is left out."""
         return self.sizeHint()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint icon, word and key on the button of the style."""
         option = QStyleOptionButton()
         self.initStyleOption(option)
         option.text, option.icon = "", QIcon()

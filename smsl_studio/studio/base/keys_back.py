@@ -30,6 +30,7 @@ class KeysBack(QObject):
             self._before = before
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Give the keys back when the part hides."""
         if watched is self._part and event.type() == QEvent.Type.Hide:
             self._give_back()
         return super().eventFilter(watched, event)

@@ -24,11 +24,13 @@ class Room(QScrollArea):
         inner.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Ask for another size when the part inside has changed its own."""
         if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
             self.updateGeometry()
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the scroll bar only where the part does not fit."""
         # Qt leaves a bar standing that was needed a moment ago.
         bar = Qt.ScrollBarPolicy
         fits = self.sizeHint().height() <= self.height()
@@ -36,6 +38,7 @@ class Room(QScrollArea):
         super().resizeEvent(event)
 
     def sizeHint(self) -> QSize:
+        """As high as the part inside at this width."""
         inner = self.widget()
         if inner is None:
             return super().sizeHint()
@@ -46,4 +49,5 @@ class Room(QScrollArea):
         return QSize(wide, high if high > 0 else inner.sizeHint().height())
 
     def minimumSizeHint(self) -> QSize:
+        """High enough to scroll in."""
         return QSize(0, min(LEAST, self.sizeHint().height()))

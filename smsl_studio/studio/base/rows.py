@@ -65,9 +65,11 @@ class RowsModel(QAbstractListModel):
             self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many rows there are; a row has none below it."""
         return 0 if parent.isValid() else len(self.rows)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """The text, the tip, what is read out, or the ``ListRow`` itself."""
         row = self.rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return row.text
@@ -78,6 +80,7 @@ class RowsModel(QAbstractListModel):
         return row if role == Qt.ItemDataRole.UserRole else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
+        """A line can be chosen, a heading cannot."""
         if self.rows[index.row()].kind != LINE:
             return Qt.ItemFlag.NoItemFlags
         return Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
@@ -91,10 +94,12 @@ class RowsDelegate(QStyledItemDelegate):
         self.tokens, self.margin = tokens, margin
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """The height of a line or of a heading."""
         row = index.data(Qt.ItemDataRole.UserRole)
         return QSize(10, ROW if row.kind == LINE else SECTION)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint one row."""
         row: ListRow = index.data(Qt.ItemDataRole.UserRole)
         tokens, rect = self.tokens, QRectF(option.rect)
         state = option.state
@@ -151,6 +156,7 @@ class RowsView(QListView):
         self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._delegate.tokens = tokens
         self.viewport().update()
 
@@ -167,6 +173,7 @@ class RowsView(QListView):
         self.verticalScrollBar().setValue(place)
 
     def height_of_all(self) -> int:
+        """The height of all rows together, in pixels."""
         return sum(ROW if row.kind == LINE else SECTION for row in self.rows.rows)
 
 

@@ -30,6 +30,7 @@ class Settings:
 
     @theme.setter
     def theme(self, name: str) -> None:
+        """Remember the theme."""
         self._store.setValue("theme", name)
 
     @property
@@ -46,6 +47,7 @@ class Settings:
 
     @record_runs.setter
     def record_runs(self, on: bool) -> None:
+        """Remember whether runs are recorded."""
         self._store.setValue("record_runs", "true" if on else "false")
 
     @property
@@ -73,6 +75,7 @@ class Settings:
         return value if isinstance(value, QByteArray) else QByteArray()
 
     def store(self, key: str, value: QByteArray) -> None:
+        """Remember bytes under a key, such as the places of the panels."""
         self._store.setValue(key, value)
 
     def text_of(self, key: str) -> str:
@@ -80,6 +83,7 @@ class Settings:
         return str(self._store.value(key, "") or "")
 
     def store_text(self, key: str, text: str) -> None:
+        """Remember a text under a key."""
         self._store.setValue(key, text)
 
     def sync(self) -> None:

@@ -58,10 +58,12 @@ class Tabs(QWidget):
 
     @property
     def names(self) -> tuple[str, ...]:
+        """The names of the panels, from the left."""
         return tuple(self._names)
 
     @property
     def current(self) -> str:
+        """The name of the panel that is shown."""
         return self._names[self.bar.currentIndex()]
 
     def page(self, name: str) -> QWidget:
@@ -71,6 +73,7 @@ class Tabs(QWidget):
         return found
 
     def show_page(self, name: str) -> None:
+        """Show the panel of this name; raises ``ValueError`` where there is none."""
         self.bar.setCurrentIndex(self._names.index(name))
 
     def set_count(self, name: str, count: int) -> None:

@@ -55,6 +55,7 @@ class Tokens:
 
     @property
     def dark(self) -> bool:
+        """Whether this is the dark theme."""
         return self.name == "dark"
 
     def css(self) -> dict[str, str]:

@@ -58,6 +58,7 @@ class Toast(QWidget):
         return " ".join(part for part in parts if part) if not self.isHidden() else ""
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 
@@ -101,14 +102,17 @@ class Toast(QWidget):
         self._show(sentence, "", True, REFUSED_MS)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep its place when the part below it changes its size."""
         if watched is self._over and event.type() == QEvent.Type.Resize and not self.isHidden():
             self._place()
         return super().eventFilter(watched, event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Go away."""
         self.hide()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground and the icon, in the colour of errors for a refusal."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(tokens.bad if self._bad else tokens.line2, 1))

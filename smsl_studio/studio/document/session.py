@@ -119,6 +119,7 @@ class Session(QObject):
 
     @property
     def blueprint(self) -> Blueprint:
+        """The blueprint as it is now; while a text does not read, the last one that did."""
         return self._blueprint
 
     @property
@@ -143,6 +144,7 @@ class Session(QObject):
 
     @property
     def selection(self) -> tuple[Address, ...]:
+        """The selected states and operations."""
         return self._selection
 
     @property

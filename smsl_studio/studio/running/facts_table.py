@@ -300,5 +300,6 @@ class FactsTable(QTableView):
         self.horizontalHeader().resizeSection(0, max(WIDTHS[0], min(needed, spare)))
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._cells.tokens = tokens
         self.viewport().update()

@@ -133,6 +133,7 @@ class PossibleList(QScrollArea):
         self.verticalScrollBar().setValue(bar)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self._rebuild()
 

@@ -212,6 +212,7 @@ class RunCanvas(QWidget):
             self.canvas.reveal(address)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.canvas.set_tokens(tokens)
         self._dress_follow()

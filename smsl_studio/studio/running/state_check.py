@@ -42,6 +42,7 @@ class StateCheckView(QWidget):
         self.show_check(None, None, waiting=False)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens, self._shown = tokens, None
 
     def show_check(

@@ -98,6 +98,7 @@ class Timeline(QScrollArea):
         self._box.setXRange(-EARLY * end, end, padding=0)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._plot.setBackground(tokens.surf)
         self._now.setPen(pg.mkPen(tokens.acc, width=2))
         self._axis.setPen(pg.mkPen(tokens.line))

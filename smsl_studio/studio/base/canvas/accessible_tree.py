@@ -43,6 +43,7 @@ class CanvasAccessible(QAccessibleInterface):
         return canvas
 
     def isValid(self) -> bool:
+        """Whether the canvas still exists."""
         canvas = self._held()
         return canvas is not None and isValid(canvas)
 
@@ -52,20 +53,25 @@ class CanvasAccessible(QAccessibleInterface):
         return self.canvas.sheet if self.isValid() else None
 
     def object(self) -> Any:
+        """The canvas; None once it is gone."""
         return self.canvas if self.isValid() else None
 
     def window(self) -> Any:
+        """The window that the canvas lies in."""
         return self.canvas.window().windowHandle()
 
     def parent(self) -> Any:
+        """The interface of the widget that holds the canvas; None without one."""
         parent = self.canvas.parentWidget()
         return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
 
     def childCount(self) -> int:
+        """How many states the SB that is shown has."""
         sheet = self.sheet
         return len(sheet.picture) if sheet is not None else 0
 
     def child(self, index: int) -> Any:
+        """The state with this number; None where there is none."""
         if not 0 <= index < self.childCount():
             return None
         if index not in self._children:
@@ -73,9 +79,11 @@ class CanvasAccessible(QAccessibleInterface):
         return self._children[index]
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
+        """The number of a state; -1 for anything else."""
         return child.index if isinstance(child, StateAccessible) else -1
 
     def childAt(self, x: int, y: int) -> Any:
+        """The state at a point of the screen; None where there is none."""
         sheet = self.sheet
         if sheet is None:
             return None
@@ -93,6 +101,7 @@ class CanvasAccessible(QAccessibleInterface):
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
+        """The name or the description of the canvas; empty for other kinds of text."""
         if kind == QAccessible.Text.Name:
             return self.canvas.accessibleName()
         if kind == QAccessible.Text.Description:
@@ -103,13 +112,16 @@ class CanvasAccessible(QAccessibleInterface):
         """Names follow the blueprint; they are not set from outside."""
 
     def rect(self) -> QRect:
+        """Where the canvas lies on the screen."""
         canvas = self.canvas
         return QRect(canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size())
 
     def role(self) -> QAccessible.Role:
+        """A graphic."""
         return QAccessible.Role.Graphic
 
     def state(self) -> QAccessible.State:
+        """Whether the canvas has the keys and can be seen."""
         found = QAccessible.State()
         found.focusable = True
         found.focused = self.canvas.hasFocus()
@@ -131,15 +143,19 @@ class StateAccessible(QAccessibleInterface):
         return self._parent.canvas
 
     def isValid(self) -> bool:
+        """Whether the canvas still shows a state with this number."""
         return self._parent.isValid() and self.index < self._parent.childCount()
 
     def object(self) -> Any:
+        """None: a state is no Qt object."""
         return None
 
     def window(self) -> Any:
+        """The window that the canvas lies in."""
         return self._parent.window()
 
     def parent(self) -> QAccessibleInterface:
+        """The interface of the canvas."""
         return self._parent
 
     @property
@@ -152,9 +168,11 @@ class StateAccessible(QAccessibleInterface):
         return tuple(Address(branch.name, state, name) for name in branch.table[state])
 
     def childCount(self) -> int:
+        """How many operations leave the state."""
         return len(self.operations)
 
     def child(self, index: int) -> Any:
+        """The operation with this number, in the order of the file; None where there is none."""
         operations = self.operations
         if not 0 <= index < len(operations):
             return None
@@ -164,15 +182,18 @@ class StateAccessible(QAccessibleInterface):
         return self._children[address]
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
+        """The number of an operation that leaves the state; -1 for anything else."""
         operations = self.operations
         if not isinstance(child, OperationAccessible) or child.address not in operations:
             return -1
         return operations.index(child.address)
 
     def childAt(self, x: int, y: int) -> Any:
+        """None: operations are not found by a point."""
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
+        """What is read out as the state's name; empty for other kinds of text."""
         if kind == QAccessible.Text.Name and self.isValid():
             return state_words(self.canvas, self.index)
         return ""
@@ -181,15 +202,18 @@ class StateAccessible(QAccessibleInterface):
         """Names follow the blueprint; they are not set from outside."""
 
     def rect(self) -> QRect:
+        """Where the state lies on the screen; empty where it is gone."""
         sheet = self._parent.sheet
         if sheet is None or not self.isValid():
             return QRect()
         return _on_screen(self.canvas, sheet.address_of_state(self.index))
 
     def role(self) -> QAccessible.Role:
+        """An item of a list."""
         return QAccessible.Role.ListItem
 
     def state(self) -> QAccessible.State:
+        """Whether the state is selected."""
         found = QAccessible.State()
         found.selectable = True
         sheet = self._parent.sheet
@@ -211,30 +235,39 @@ class OperationAccessible(QAccessibleInterface):
         return self._parent.canvas
 
     def isValid(self) -> bool:
+        """Whether the operation still leaves its state."""
         return self._parent.isValid() and self.address in self._parent.operations
 
     def object(self) -> Any:
+        """None: an operation is no Qt object."""
         return None
 
     def window(self) -> Any:
+        """The window that the canvas lies in."""
         return self._parent.window()
 
     def parent(self) -> QAccessibleInterface:
+        """The interface of the state that the operation leaves."""
         return self._parent
 
     def childCount(self) -> int:
+        """0: an operation has no children."""
         return 0
 
     def child(self, index: int) -> Any:
+        """None: an operation has no children."""
         return None
 
     def indexOfChild(self, child: QAccessibleInterface) -> int:
+        """-1: an operation has no children."""
         return -1
 
     def childAt(self, x: int, y: int) -> Any:
+        """None: an operation has no children."""
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
+        """What is read out as the operation's name; empty for other kinds of text."""
         if kind == QAccessible.Text.Name and self.isValid():
             return words_for(self.canvas, self.address)
         return ""
@@ -243,12 +276,15 @@ class OperationAccessible(QAccessibleInterface):
         """Names follow the blueprint; they are not set from outside."""
 
     def rect(self) -> QRect:
+        """Where the operation lies on the screen; empty where it is gone."""
         return _on_screen(self.canvas, self.address) if self.isValid() else QRect()
 
     def role(self) -> QAccessible.Role:
+        """An item of a list."""
         return QAccessible.Role.ListItem
 
     def state(self) -> QAccessible.State:
+        """Whether the operation is selected."""
         found = QAccessible.State()
         found.selectable = True
         sheet = self.canvas.sheet if self.isValid() else None

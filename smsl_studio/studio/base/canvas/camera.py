@@ -47,6 +47,7 @@ class Camera(QObject):
 
     @property
     def zoom(self) -> float:
+        """The zoom now; 1.0 is 100 %."""
         return self._view.transform().m11()
 
     @property

@@ -171,6 +171,7 @@ class Canvas(BranchView):
     # Qt's events
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Place what floats again, and look at what was looked at before."""
         super().resizeEvent(event)
         self.cover()
         self.overlays.place()
@@ -180,6 +181,7 @@ class Canvas(BranchView):
             self.refresh_pool()
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Place what floats and look again, because the size is known only now."""
         super().showEvent(event)
         self.overlays.place()
         self.look_again()
@@ -198,39 +200,49 @@ class Canvas(BranchView):
         event.accept()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Let the hand begin a gesture."""
         self.hand.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Let the hand go on with the gesture, or hover."""
         self.hand.move(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let the hand end the gesture."""
         self.hand.release(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Let the hand answer the double click."""
         self.hand.double_click(event)
 
     def leaveEvent(self, event: object) -> None:
+        """Hover nothing once the pointer is outside."""
         super().leaveEvent(event)  # type: ignore[arg-type]
         self.hand.left()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Ask for the menu of what lies under the pointer."""
         at = self.mapToScene(event.pos())
         self.context_wanted.emit(self.address_at(at), event.globalPos())
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let the hand take the key; one it does not use goes on to the window."""
         if not self.hand.key_press(event):
             event.ignore()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        """Let the hand take the key; one it does not use goes on to the window."""
         if not self.hand.key_release(event):
             event.ignore()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
+        """Show the line around the canvas."""
         super().focusInEvent(event)
         self.overlays.ring.show_focus(True)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Hide the line around the canvas, and let go of Space."""
         super().focusOutEvent(event)
         self.overlays.ring.show_focus(False)
         self.hand.lost_focus()

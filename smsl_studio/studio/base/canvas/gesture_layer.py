@@ -40,6 +40,7 @@ class GestureLayer(QGraphicsItem):
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
     def cover(self, rect: QRectF) -> None:
+        """Reach over this part of the scene."""
         if rect != self._rect:
             self.prepareGeometryChange()
             self._rect = rect
@@ -72,11 +73,13 @@ class GestureLayer(QGraphicsItem):
         return rect.adjusted(-pad, -pad, pad, pad) if not rect.isNull() else rect
 
     def boundingRect(self) -> QRectF:
+        """The part of the scene that ``cover`` set."""
         return self._rect
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
+        """Paint the band, the line that is drawn, the handle and the grip, where they are there."""
         ink = self.ink
         if ink is None:
             return

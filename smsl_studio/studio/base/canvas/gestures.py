@@ -19,9 +19,14 @@ Modifier = Qt.KeyboardModifier
 class Gesture(Protocol):
     """What follows a press of a mouse button."""
 
-    def move(self, event: QMouseEvent) -> None: ...
-    def release(self, event: QMouseEvent) -> None: ...
-    def cancel(self) -> None: ...
+    def move(self, event: QMouseEvent) -> None:
+        """The pointer moved while the button is down."""
+
+    def release(self, event: QMouseEvent) -> None:
+        """The button was let go: do what the gesture stands for."""
+
+    def cancel(self) -> None:
+        """Leave everything as it was before the press."""
 
 
 class GestureOwner(Protocol):
@@ -44,14 +49,17 @@ class Pan:
         canvas.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def move(self, event: QMouseEvent) -> None:
+        """Move the picture as far as the pointer moved."""
         step = event.position() - self._last
         self._last = event.position()
         self._canvas.camera.pan(step.x(), step.y())
 
     def release(self, event: QMouseEvent) -> None:
+        """Give the pointer its usual shape again."""
         self.cancel()
 
     def cancel(self) -> None:
+        """Give the pointer its usual shape again; the picture stays where it is."""
         self._canvas.viewport().unsetCursor()
 
 
@@ -66,6 +74,7 @@ class Band:
         self._begun = False
 
     def move(self, event: QMouseEvent) -> None:
+        """Draw the band and select what lies in it."""
         here = event.position().toPoint()
         if not self._begun and not _is_far(self._start, here):
             return
@@ -75,12 +84,14 @@ class Band:
         self._canvas.selection_wanted.emit(self._selected(rect.normalized()))
 
     def release(self, event: QMouseEvent) -> None:
+        """Take the band away; a click alone selects nothing, unless Shift or Ctrl is held."""
         self._canvas.gestures.put("band", None)
         kept = self._modifiers & (Modifier.ShiftModifier | Modifier.ControlModifier)
         if not self._begun and not kept:
             self._canvas.selection_wanted.emit(())
 
     def cancel(self) -> None:
+        """Take the band away and select again what was selected before."""
         self._canvas.gestures.put("band", None)
         self._canvas.selection_wanted.emit(self._before)
 
@@ -129,6 +140,7 @@ class DragStates:
         self._places = {i: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in states}
 
     def move(self, event: QMouseEvent) -> None:
+        """Move the selected states on the grid; Alt leaves the grid aside."""
         here = event.position().toPoint()
         if not self._canvas.editing or (not self._begun and not _is_far(self._start, here)):
             return
@@ -143,6 +155,7 @@ class DragStates:
         self._canvas.drag_states({i: (px + dx, py + dy) for i, (px, py) in self._places.items()})
 
     def release(self, event: QMouseEvent) -> None:
+        """Tell where the states were dropped; a click without a drag selects."""
         sheet = self._canvas.sheet
         if not self._begun or sheet is None:
             if self._late:
@@ -165,6 +178,7 @@ class DragStates:
             canvas.fact_wanted.emit(digit)
 
     def cancel(self) -> None:
+        """Put the states back to where they were."""
         if self._begun:
             self._canvas.drag_states(self._places)
             self._canvas.settle()
@@ -193,6 +207,7 @@ class Connect:
         canvas.gestures.put("drawn", DrawnOperation(start, start))
 
     def move(self, event: QMouseEvent) -> None:
+        """Draw the line to the pointer, and say why the state below it cannot be the target."""
         here = event.position().toPoint()
         self._begun = self._begun or _is_far(self._pressed, here)
         at = self._canvas.mapToScene(here)
@@ -209,6 +224,7 @@ class Connect:
             self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
+        """Ask for an operation to the state below the pointer, or to a new one on empty canvas."""
         at = self._canvas.mapToScene(event.position().toPoint())
         target = _state_at(self._canvas, at)
         self.cancel()
@@ -221,6 +237,7 @@ class Connect:
             self._canvas.connect_wanted.emit(self._source, target, at)
 
     def cancel(self) -> None:
+        """Take the line and what was said about it away."""
         self._canvas.gestures.put("drawn", None)
         self._hand.hover_target(None)
         self._hand.hush()
@@ -245,6 +262,7 @@ class Retarget:
         self._begun = False
 
     def move(self, event: QMouseEvent) -> None:
+        """Draw the line to the pointer, and say where there is no target."""
         here = event.position().toPoint()
         if not self._begun and not _is_far(self._pressed, here):
             return
@@ -260,12 +278,14 @@ class Retarget:
             self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
+        """Ask for the state below the pointer as the new target."""
         target = _state_at(self._canvas, self._canvas.mapToScene(event.position().toPoint()))
         self.cancel()
         if self._begun and target is not None:
             self._canvas.retarget_wanted.emit(self._address, target)
 
     def cancel(self) -> None:
+        """Take the line and what was said about it away."""
         self._canvas.gestures.put("drawn", None)
         self._hand.hover_target(None)
         self._hand.hush()

@@ -60,6 +60,7 @@ class HoverPad(Card):
         self.rename.clicked.connect(self._rename)
 
     def sizeHint(self) -> QSize:
+        """Room for four buttons in a column."""
         return QSize(30, 118)
 
     @property
@@ -98,9 +99,11 @@ class HoverPad(Card):
         self.hide()
 
     def enterEvent(self, event: QEnterEvent) -> None:
+        """Stay as long as the pointer is on it."""
         self._hide.stop()
 
     def leaveEvent(self, event: QEvent) -> None:
+        """Go soon after the pointer left it."""
         self._hide.start()
 
     def _appear(self) -> None:

@@ -55,16 +55,19 @@ class Layer(QGraphicsItem):
             self._rect = rect
 
     def boundingRect(self) -> QRectF:
+        """The whole sheet, in scene units."""
         return self._rect
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
+        """Paint the part that is exposed, where there is a sheet with states."""
         if self.sheet is not None and len(self.sheet.picture):
             exposed = option.exposedRect
             self.paint_sheet(painter, self.sheet, exposed)
 
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint what this layer shows of the exposed part (scene units); subclasses must."""
         raise NotImplementedError
 
 
@@ -87,6 +90,7 @@ class EdgeLayer(Layer):
         """What is painted above this layer."""
 
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint edges one by one where they are near and few, else in one batch."""
         edges = sheet.edges_in(*_edges(exposed))
         if sheet.level >= Level.COMPACT and len(edges) <= MANY_EDGES:
             self._near(painter, sheet, edges.tolist())
@@ -176,6 +180,7 @@ class FarNodeLayer(Layer):
         """States that are shown by an item of their own."""
 
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint dots or boxes for the states that have no node item."""
         states = sheet.states_in(*_edges(exposed))
         if sheet.level is Level.FULL or (sheet.level is Level.COMPACT and self.near >= set(states)):
             return
@@ -230,6 +235,7 @@ class LitLayer(Layer):
         return {label.edge: label for label in self.labels.of(self.sheet, self.view)}
 
     def paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint the lit edges and then their labels, the most important one last."""
         geometry, looks, unit = sheet.geometry, sheet.looks, sheet.unit
         order = by_weight(sheet)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

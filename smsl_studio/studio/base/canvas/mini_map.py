@@ -25,6 +25,7 @@ class MiniMap(Card):
         self.setAccessibleName("Map of the State Branch")
 
     def sizeHint(self) -> QSize:
+        """148 by 92 pixels."""
         return QSize(148, 92)
 
     def _frame(self) -> tuple[float, QPointF] | None:
@@ -46,6 +47,7 @@ class MiniMap(Card):
         return canvas.mapToScene(canvas.viewport().rect()).boundingRect()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint all states in one batch, and a frame around what is in view."""
         super().paintEvent(event)
         frame, sheet = self._frame(), self._canvas.sheet
         if frame is None or sheet is None:
@@ -80,12 +82,15 @@ class MiniMap(Card):
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Look at the place under the pointer."""
         self._go(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Look at the place under the pointer while it is dragged."""
         self._go(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Take the release, so that the canvas below hears nothing of it."""
         event.accept()
 
     def _go(self, event: QMouseEvent) -> None:

@@ -45,11 +45,13 @@ class NodeItem(QGraphicsObject):
         return float(self.sheet.full_widths[self.state]), FULL_SIZE[1]
 
     def boundingRect(self) -> QRectF:
+        """The node with all that is painted around it, in scene units."""
         return self._rect
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
+        """Paint the state as the sheet says it looks now."""
         sheet = self.sheet
         if sheet is None or not 0 <= self.state < len(sheet.picture):
             return
@@ -89,6 +91,7 @@ class NodePool:
             item.show_state(sheet, state)
 
     def clear(self) -> None:
+        """Hide all items and keep them for later."""
         for item in self.used.values():
             item.setVisible(False)
             self._free.append(item)

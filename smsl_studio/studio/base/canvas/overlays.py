@@ -58,6 +58,7 @@ class Overlays:
         self.breadcrumb.clicked.connect(self._crumb)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Give all floating widgets the colours of another theme."""
         for widget in (self.zoom, self.map, self.pad, self.banner, self.word, self.empty):
             widget.set_tokens(tokens)
         for plain in (self.breadcrumb, self.legend, self.run_legend, self.key, self.ring):
@@ -65,6 +66,7 @@ class Overlays:
             plain.update()
 
     def show_branch(self, blueprint: Blueprint, branch: str) -> None:
+        """Show the path to an SB and the legend of what its picture has in it."""
         self.breadcrumb.show_branch(blueprint, branch)
         sheet = self._canvas.sheet
         kinds: set[str] = set()
@@ -82,6 +84,7 @@ class Overlays:
         self.place()
 
     def show_marks(self, marks: Marks) -> None:
+        """Show the legend that fits the marks: that of a run while one is marked."""
         sheet = self._canvas.sheet
         guarded = sheet is not None and bool(sheet.picture.guarded)
         anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
@@ -90,6 +93,7 @@ class Overlays:
             self._place_legend()
 
     def show_zoom(self, zoom: float) -> None:
+        """Show the zoom; 1.0 is 100 %."""
         self.zoom.show_zoom(zoom)
         self._explain()
 
@@ -143,6 +147,7 @@ class Overlays:
         return any(not part.isHidden() and part.geometry().intersects(area) for part in parts)
 
     def show_banner(self, text: str) -> None:
+        """Say something across the top; empty hides the banner."""
         if text == self.banner.text:
             return
         self.banner.show_text(text)
@@ -168,6 +173,7 @@ class Overlays:
         self._hush.start()
 
     def hush(self) -> None:
+        """Hide what is said at the pointer."""
         self.word.hide()
 
     def forget(self) -> None:

@@ -79,9 +79,11 @@ class Sheet:
 
     @property
     def compact(self) -> bool:
+        """Whether nodes show less than their name and facts."""
         return self.level is not Level.FULL
 
     def set_zoom(self, zoom: float) -> None:
+        """Take another zoom (1.0 is 100 %), with the level of detail that belongs to it."""
         self.zoom = zoom
         self.level = level_at(zoom, self.spacing)
         self.unit = unit_at(zoom, self.level)
@@ -270,12 +272,15 @@ class Sheet:
     # Looks
 
     def address_of_state(self, state: int) -> Address:
+        """The address of the state with this number."""
         return Address(self.picture.branch.name, self.picture.names[state])
 
     def node_look(self, state: int) -> node_paint.NodeLook:
+        """How the state with this number looks now."""
         return self.looks.node(state)
 
     def edge_look(self, edge: int) -> edge_paint.EdgeLook:
+        """How the edge with this number looks now."""
         return self.looks.edge(edge)
 
 

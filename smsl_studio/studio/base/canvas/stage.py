@@ -102,6 +102,7 @@ class Stage(QGraphicsView):
 
     @property
     def tokens(self) -> Tokens:
+        """The colours it is painted in."""
         return self._ink.tokens
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -115,6 +116,7 @@ class Stage(QGraphicsView):
 
     @property
     def marks(self) -> Marks:
+        """What is marked on states and operations now."""
         return self._marks
 
     def set_marks(self, marks: Marks) -> None:
@@ -333,6 +335,7 @@ class Stage(QGraphicsView):
         batch.draw_grid(painter, area, step, DOT / self.zoom, tokens.dot)
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:
+        """Scroll, give items to the nodes that came into view, and tell that the view moved."""
         super().scrollContentsBy(dx, dy)
         if self._ready:
             self.refresh_pool()

@@ -43,6 +43,7 @@ class Hand:
 
     @property
     def busy(self) -> bool:
+        """Whether a gesture is under way."""
         return self._gesture is not None
 
     def reset(self) -> None:
@@ -54,6 +55,7 @@ class Hand:
     # Mouse
 
     def press(self, event: QMouseEvent) -> None:
+        """Take the keys, and begin the gesture that fits the button and what lies below it."""
         canvas = self._canvas
         canvas.setFocus(Qt.FocusReason.MouseFocusReason)
         self._overlays.hush()
@@ -110,12 +112,14 @@ class Hand:
             self._canvas.say("Click the target state, or empty canvas for a new one.")
 
     def move(self, event: QMouseEvent) -> None:
+        """Go on with the gesture; without one, hover what lies under the pointer."""
         if self._gesture is not None:
             self._gesture.move(event)
         else:
             self._hover(event.position())
 
     def release(self, event: QMouseEvent) -> None:
+        """End the gesture, if there is one."""
         gesture, self._gesture = self._gesture, None
         if gesture is not None:
             gesture.release(event)
@@ -123,6 +127,7 @@ class Hand:
             self._hover(event.position())
 
     def double_click(self, event: QMouseEvent) -> None:
+        """Open what lies under the pointer; on empty canvas ask for a new state."""
         canvas, sheet = self._canvas, self._canvas.sheet
         if event.button() is not Qt.MouseButton.LeftButton:
             return
@@ -314,6 +319,7 @@ class Hand:
         return keys.press(self._canvas, event)
 
     def key_release(self, event: QKeyEvent) -> bool:
+        """Let go of Space; answers whether the key was used."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self._space = False
             self._cursor()
@@ -321,4 +327,5 @@ class Hand:
         return False
 
     def lost_focus(self) -> None:
+        """Let go of Space, because its release will not be heard."""
         self._space = False

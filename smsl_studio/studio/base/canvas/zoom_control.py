@@ -48,6 +48,7 @@ class ZoomControl(Card):
         self.show_zoom(1.0)
 
     def sizeHint(self) -> QSize:
+        """Wider while it says how many states are outside the view."""
         return QSize(156 + (0 if self.outside.isHidden() else OUTSIDE), 32)
 
     def show_outside(self, states: int) -> None:
@@ -61,10 +62,12 @@ class ZoomControl(Card):
             self.outside.setVisible(bool(states))
 
     def show_zoom(self, zoom: float) -> None:
+        """Show the zoom in percent; 1.0 is 100 %."""
         percent = zoom * 100.0
         self.value.setText(f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %")
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the card, and a line before the button that fits all."""
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QPen(self.tokens.line, 1.0))

@@ -52,6 +52,7 @@ class BindingLine(FormLine):
         self.show_values(self._shown)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Show the bound function and its arguments, or that the entries differ."""
         super().show_values(shown)
         self._shown = tuple(shown)
         written = shown[0].written if shown and same(list(shown)) else None
@@ -70,6 +71,7 @@ class BindingLine(FormLine):
         self._show_arguments(written)
 
     def said(self, value: Any) -> str:
+        """The name of the function."""
         if isinstance(value, Binding):
             return value.function
         return str(value["function"])
@@ -133,6 +135,7 @@ class ArgumentLine(FormLine):
         self.field.editingFinished.connect(self._typed)
 
     def show_argument(self, value: Any) -> None:
+        """Show the value of the argument as it is typed."""
         self.field.settle(_argument_text(value))
 
     def _typed(self) -> None:

@@ -40,6 +40,7 @@ class TextBox(QPlainTextEdit):
             self.setPlainText(text)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape puts the old text back, Ctrl+Enter gives the new one; other keys are typed."""
         held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
         if event.key() == Qt.Key.Key_Escape and self.changed:
             self.setPlainText(self._settled)
@@ -50,6 +51,7 @@ class TextBox(QPlainTextEdit):
             super().keyPressEvent(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Give the text, unless only a menu took the keys."""
         super().focusOutEvent(event)
         if event.reason() is not Qt.FocusReason.PopupFocusReason:
             self.done.emit()
@@ -66,6 +68,7 @@ class BoxLine(FormLine):
         self.field.done.connect(self._typed)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Show the words where all entries have the same; else say that they differ."""
         super().show_values(shown)
         values = [one.value or "" for one in shown]
         alike = bool(values) and same(values)

@@ -27,6 +27,7 @@ class ChoiceLine(FormLine):
         self.field.activated.connect(self._chosen)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Offer the choices and mark the one that is written, or that the entries differ."""
         super().show_values(shown)
         self.field.clear()
         alike = bool(shown) and same(list(shown))
@@ -45,6 +46,7 @@ class ChoiceLine(FormLine):
         self.field.setCurrentIndex(self._values.index(first.written) if written else 0)
 
     def said(self, value: Any) -> str:
+        """The words of a value; the value itself where no choice has it."""
         return next((words for words, one in self._choices if one == value), str(value))
 
     def _standard_words(self, shown: Sequence[ShownValue]) -> str:
@@ -75,6 +77,7 @@ class SwitchLine(FormLine):
         self.clear.clicked.connect(lambda: self.given.emit(None))
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Show yes where all entries say yes, and offer to take back what is written."""
         super().show_values(shown)
         values = [one.value for one in shown]
         self.field.setChecked(bool(values) and all(values))
@@ -82,6 +85,7 @@ class SwitchLine(FormLine):
         self.clear.setVisible(any(one.written is not None for one in shown))
 
     def said(self, value: Any) -> str:
+        """ "yes" or "no"."""
         return "yes" if value else "no"
 
     def _answer(self, shown: Sequence[ShownValue], values: Sequence[Any]) -> str:

@@ -11,9 +11,11 @@ class DigitsLine(ListLine):
     """Facts by their place in the fact string, counted from 0; each once, in order."""
 
     def text_of(self, value: Any) -> str:
+        """The digits with commas between them."""
         return ", ".join(map(str, value))
 
     def value_of(self, text: str) -> Any:
+        """The digits in order, None for none; raises ``ValueError`` where a word is no digit."""
         texts = super().value_of(text) or []
         for word in texts:
             if not (word.isascii() and word.isdecimal() and len(word) < 7):

@@ -44,6 +44,7 @@ class FactCompleter(QCompleter):
             popup.setItemDelegate(NameDelegate(popup))
 
     def pathFromIndex(self, index: QModelIndex | QPersistentModelIndex) -> str:
+        """What is written for a row: the place of the fact."""
         return str(index.data(TEXT))
 
 

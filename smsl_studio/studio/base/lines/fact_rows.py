@@ -67,6 +67,7 @@ class FactRows(QWidget):
         return dict(self._facts)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for one in self.rows:
             one.gone.set_tokens(tokens)
@@ -93,6 +94,7 @@ class FactRows(QWidget):
         empty.fact.setFocus()
 
     def refuse(self, sentence: str) -> None:
+        """Say below the rows why a change was refused; empty takes it away."""
         self.refusal.setText(sentence)
         self.refusal.setVisible(bool(sentence))
 

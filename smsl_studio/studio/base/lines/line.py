@@ -45,6 +45,7 @@ class Sentence(Label):
         self.hide()
 
     def say(self, sentence: str) -> None:
+        """Show a sentence; empty hides the label."""
         self.setText(sentence)
         self.setVisible(bool(sentence))
 

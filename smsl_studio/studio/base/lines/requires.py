@@ -34,6 +34,7 @@ class RequiresLine(FormLine):
         self._blueprint = blueprint
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Show the required facts, and say where the entries differ or where they come from."""
         super().show_values(shown)
         values = [one.value for one in shown]
         if self._blueprint is None:
@@ -46,7 +47,9 @@ class RequiresLine(FormLine):
             self.say(f"From {shown[0].origin}.")
 
     def said(self, value: Any) -> str:
+        """The facts with their values; "nothing" for none."""
         return ", ".join(f"{fact} = {one}" for fact, one in value.items()) or "nothing"
 
     def refuse(self, sentence: str) -> None:
+        """Say below the rows why a change was refused."""
         self.refusal.say(sentence)

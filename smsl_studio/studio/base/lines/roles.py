@@ -16,8 +16,10 @@ class RolesLine(ListLine):
         super().__init__(words, tip, hint, once=False)
 
     def text_of(self, value: Any) -> str:
+        """The roles with commas between them; one that is not said reads "anybody"."""
         return super().text_of([role or ANYBODY for role in value])
 
     def value_of(self, text: str) -> Any:
+        """The roles as they are written; anybody becomes the empty text."""
         roles = super().value_of(text)
         return roles and ["" if role.casefold() == ANYBODY else role for role in roles]

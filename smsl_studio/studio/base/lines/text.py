@@ -23,6 +23,7 @@ class TextLine(FormLine):
         self.field.editingFinished.connect(self._typed)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
+        """Show the text where all entries have the same written; else a hint in its place."""
         super().show_values(shown)
         written = [one.written for one in shown]
         alike = bool(shown) and same(written) and written[0] is not None
@@ -96,9 +97,11 @@ class NumberLine(TextLine):
         self.field.set_suffix(unit)
 
     def text_of(self, value: Any) -> str:
+        """A number as it is typed."""
         return number_text(value)
 
     def value_of(self, text: str) -> Any:
+        """The number that was typed; raises ``ValueError`` with the reason where it is none."""
         text = text.replace(",", ".")
         sentence = self._bounds.sentence(text)
         if sentence:
@@ -107,6 +110,7 @@ class NumberLine(TextLine):
         return int(value) if value.is_integer() else value
 
     def said(self, value: Any) -> str:
+        """The number with its unit."""
         return f"{number_text(value)} {self._unit}".strip()
 
 
@@ -121,16 +125,19 @@ class ListLine(TextLine):
         self._once = once
 
     def text_of(self, value: Any) -> str:
+        """The texts with commas between them, in quotes where one holds a comma."""
         out = io.StringIO()
         csv.writer(out, lineterminator="").writerow(value)
         return out.getvalue().replace(",", ", ") if _plain(value) else out.getvalue()
 
     def value_of(self, text: str) -> Any:
+        """The texts that were typed; None for none."""
         cells = next(csv.reader([text.replace("\n", " ")], skipinitialspace=True), [])
         texts = [cell.strip() for cell in cells if cell.strip()]
         return (list(dict.fromkeys(texts)) if self._once else texts) or None
 
     def said(self, value: Any) -> str:
+        """The texts with commas between them."""
         return self.text_of(value)
 
 

@@ -37,6 +37,7 @@ class _Mark:
         self._first, self._length = field.selectionStart(), field.selectionLength()
 
     def put_back(self) -> None:
+        """Put caret and selection back to where they were."""
         self._field.setCursorPosition(self._at)
         if self._length:
             self._field.setSelection(self._first, self._length)

@@ -108,10 +108,12 @@ class Breadcrumb(QWidget):
         return widths
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the whole path and the note behind it."""
         last = self._places()[-1].right()
         return QSize(int(last + 12 + _width(self._note, False) + 8), 26)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Mark the part under the pointer, if it can be clicked."""
         at = event.position()
         found = (i for i, rect in enumerate(self._places()) if rect.contains(at))
         under = next(found, -1)
@@ -125,19 +127,23 @@ class Breadcrumb(QWidget):
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
+        """Mark no part."""
         self._under = -1
         self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Take the press, so that the canvas below begins no gesture."""
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Tell which part was clicked."""
         for i, rect in enumerate(self._places()):
             if rect.contains(event.position()) and i < len(self._chain):
                 self.clicked.emit(self._chain[i - 1] if i else "")
                 return
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the parts on a veil over the drawing."""
         tokens = self.tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

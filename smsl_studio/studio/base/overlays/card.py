@@ -38,12 +38,14 @@ class Card(QWidget):
         self.setGraphicsEffect(shadow)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme, with all icon buttons on the card."""
         self.tokens = tokens
         for child in self.findChildren(IconButton):
             child.tokens = tokens
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground and its border."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self.tokens.line, 1.0))
@@ -98,17 +100,21 @@ class IconButton(QAbstractButton):
         self.setCursor(Qt.CursorShape.PointingHandCursor)
 
     def sizeHint(self) -> QSize:
+        """30 by 30 pixels."""
         return QSize(30, 30)
 
     def enterEvent(self, event: QEnterEvent) -> None:
+        """Light the button while the pointer is on it."""
         self._inside = True
         self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
+        """Light the button no more."""
         self._inside = False
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the icon or the words, lit where the pointer is on it."""
         tokens = self.tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -27,29 +27,35 @@ class Choices(QWidget):
 
     @property
     def current(self) -> str:
+        """The chosen name; empty while none is chosen."""
         return self._names[self._at] if 0 <= self._at < len(self._names) else ""
 
     @property
     def names(self) -> tuple[str, ...]:
+        """The names that are offered."""
         return tuple(self._names)
 
     def show_names(self, names: list[str]) -> None:
+        """Offer other names and choose none; without names it hides."""
         self._names, self._at = names, -1
         self.setVisible(bool(names))
         self.setFixedHeight(len(names) * ROW)
         self.update()
 
     def move_choice(self, step: int) -> None:
+        """Choose the name so many rows further; it goes round at the ends."""
         if self._names:
             self._at = (self._at + step) % len(self._names)
             self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Tell the name that was clicked."""
         row = int(event.position().y() // ROW)
         if 0 <= row < len(self._names):
             self.chosen.emit(self._names[row])
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the names, the chosen one marked."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for i, name in enumerate(self._names):

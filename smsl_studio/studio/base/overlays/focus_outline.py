@@ -33,6 +33,7 @@ class FocusRing(QWidget):
             self.raise_()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Fill the border with the accent."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.tokens.acc)
         painter.end()

@@ -27,6 +27,7 @@ class Key(QWidget):
 
     @property
     def rows(self) -> tuple[tuple[str, str], ...]:
+        """Pairs of a short text and what it stands for."""
         return self._rows
 
     def show_picture(self, picture: Picture | None, compact: bool) -> None:
@@ -50,10 +51,12 @@ class Key(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the longest row."""
         widths = [self._code.width(c) + 8 + self._words.width(w) for c, w in self._rows]
         return QSize(int(max(widths, default=0.0)) + 4, ROW * len(self._rows))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the rows against the right edge."""
         painter = QPainter(self)
         for i, (code, words) in enumerate(self._rows):
             y = i * ROW + ROW / 2

@@ -58,13 +58,16 @@ class Legend(QWidget):
 
     @property
     def empty(self) -> bool:
+        """Whether there is nothing to explain."""
         return not self._words
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the longest row."""
         width = max((self._type.width(text) for _, text in self._words), default=0.0)
         return QSize(int(width) + 24, ROW * len(self._words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint a mark and its words in each row."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for i, (kind, text) in enumerate(self._words):
@@ -105,10 +108,12 @@ class RunLegend(QWidget):
         return changed
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the longest row."""
         width = max(self._type.width(text) for text in self.words)
         return QSize(int(width) + 42, RUN_ROW * len(self.words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint a mark and its words in each row, on a veil over the drawing."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), faded(self.tokens.canvas, 0.88))

@@ -34,6 +34,7 @@ class NameLine(QLineEdit):
         self.setMinimumHeight(28)
 
     def event(self, event: QEvent) -> bool:
+        """Keep letters from the window's shortcuts while a name is typed, and tell Tab."""
         if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
             # Keys belong to the field while it is edited, not to the window's shortcuts.
             if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
@@ -49,6 +50,7 @@ class NameLine(QLineEdit):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Tell Enter, Escape and the arrows up and down; other keys are typed."""
         key = event.key()
         if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.done.emit()
@@ -63,6 +65,7 @@ class NameLine(QLineEdit):
 
 
 def error_label(parent: QWidget, tokens: Tokens) -> QLabel:
+    """A hidden label that says in the colour of errors why a name does not fit."""
     label = Label("", parent)
     label.setFont(text_font(12))
     label.setWordWrap(True)
@@ -73,6 +76,7 @@ def error_label(parent: QWidget, tokens: Tokens) -> QLabel:
 
 
 def complain(label: QLabel, reason: str, width: int) -> None:
+    """Say a reason in such a label, this many pixels wide; empty hides it."""
     label.setText(reason)
     label.setFixedWidth(width)
     label.setFixedHeight(label.heightForWidth(width) if reason else 0)

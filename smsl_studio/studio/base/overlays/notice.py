@@ -28,11 +28,13 @@ class Banner(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.tokens = tokens
         tint(self._text, tokens.risk)
         self.update()
 
     def show_text(self, text: str) -> None:
+        """Say something; empty hides the banner."""
         self._text.setText(text)
         self.setAccessibleName(plain_text(text))
         self.setVisible(bool(text))
@@ -47,9 +49,11 @@ class Banner(QWidget):
 
     @property
     def text(self) -> str:
+        """What the banner says now."""
         return self._text.text()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground in the colours of a risk."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self.tokens.risk, 1.0))
@@ -79,6 +83,7 @@ class PointerNote(Card):
         return self._label.text() if not self.isHidden() else ""
 
     def say(self, text: str) -> None:
+        """Show a sentence, above everything else on the canvas."""
         self._label.setText(text)
         tint(self._label, self.tokens.tx)
         self.setAccessibleName(plain_text(text))
@@ -111,8 +116,10 @@ class EmptyHint(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.tokens = tokens
         tint(self._label, tokens.tx2)
 
     def sizeHint(self) -> QSize:
+        """320 by 96 pixels."""
         return QSize(320, 96)

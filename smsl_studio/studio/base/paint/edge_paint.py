@@ -183,6 +183,7 @@ def paint_head(painter: QPainter, shape: EdgeShape, colour: QColor, size: float)
 
 
 def head_polygon(shape: EdgeShape, size: float) -> QPolygonF:
+    """The arrowhead at the tip of an edge; ``size`` is its length in scene units."""
     x, y = shape.tip
     # The direction is taken over the head's own length, so that a curve's head sits on it.
     bx, by = shape.at(max(shape.length - size, 0.0))
@@ -200,6 +201,7 @@ def head_polygon(shape: EdgeShape, size: float) -> QPolygonF:
 
 
 def polyline(points: Floats) -> QPolygonF:
+    """Points as a polygon of Qt."""
     return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
 
 
@@ -261,11 +263,13 @@ def paint_pill(painter: QPainter, name: str, words: str, left: QPointF, ink: Ink
 
 
 def pill_width(name: str, words: str, ink: Ink) -> float:
+    """How wide the pill of a running operation is, in mark pixels."""
     # Room for a digit more, so that the pill does not twitch while the time runs.
     return ink.strong.width(name) + 6.0 + ink.plain.width(words) + 28.0
 
 
 def boxed_width(text: EdgeText, ink: Ink) -> float:
+    """How wide a label in a box is, in mark pixels."""
     return ink.boxed.width(text.text) + 26.0
 
 

@@ -106,6 +106,7 @@ def hatch(colour: QColor) -> QBrush:
 
 
 def rounded_rect(x: float, y: float, w: float, h: float, radius: float) -> QPainterPath:
+    """A rectangle with rounded corners, as a path."""
     path = QPainterPath()
     path.addRoundedRect(QRectF(x, y, w, h), radius, radius)
     return path

@@ -37,13 +37,16 @@ class Looks:
         return lit
 
     def is_lit(self, edge: int) -> bool:
+        """Whether something is lit about the edge, or the pointer is on it."""
         return edge in self._edges or edge == self.hovered_edge
 
     def node(self, state: int) -> NodeLook:
+        """How the state with this number looks."""
         found = self._nodes.get(state) or NodeLook(dimmed=self.marks.dimmed)
         return replace(found, hovered=True) if state == self.hovered_state else found
 
     def edge(self, edge: int) -> EdgeLook:
+        """How the edge with this number looks."""
         found = self._edges.get(edge) or EdgeLook(dimmed=self.marks.dimmed)
         return replace(found, hovered=True) if edge == self.hovered_edge else found
 

@@ -77,6 +77,7 @@ def compact_width(face: Face, ink: Ink) -> float:
 
 
 def chip_width(chip: Chip, ink: Ink) -> float:
+    """How wide a chip is, in mark pixels; never less than it is high."""
     return max(CHIP, ink.chip.width(chip.text) + 8.0)
 
 

@@ -38,6 +38,7 @@ class Dialogs:
         self._window = window
 
     def file_to_open(self, folder: Path) -> Path | None:
+        """The blueprint file that a person chooses; None where they choose none."""
         name, _ = QFileDialog.getOpenFileName(self._window, "Open blueprint", str(folder), OPEN)
         return Path(name) if name else None
 
@@ -66,6 +67,7 @@ class Dialogs:
         )
 
     def interrupted(self, names: str, when: str) -> Interrupted:
+        """Ask what becomes of a save that was interrupted: finish it, undo it, or neither yet."""
         said = f"The program ended {when} while it was saving {names}."
         why = (
             "The new texts stand beside the files. Finishing the save puts them in their places. "
@@ -77,6 +79,7 @@ class Dialogs:
         return "finish" if chosen == FINISH else "undo" if chosen == UNDO else "cancel"
 
     def may_overwrite(self, names: str) -> bool:
+        """Ask whether changes of another program may be overwritten."""
         return self._agrees(
             "Changed by another program",
             f"{names} was changed by another program since it was read.",
@@ -85,6 +88,7 @@ class Dialogs:
         )
 
     def may_lose(self, said: str) -> bool:
+        """Ask whether a save may lose properties of the file; ``said`` says which."""
         return self._agrees(
             "What a save cannot keep",
             said,
@@ -94,6 +98,7 @@ class Dialogs:
         )
 
     def may_save_broken(self, name: str, faults: str) -> bool:
+        """Ask whether a text that does not read may be saved as it is."""
         return self._agrees(
             "The text does not read",
             f"The text of {name} does not read as a blueprint.",
@@ -102,6 +107,7 @@ class Dialogs:
         )
 
     def may_leave_comments(self, name: str, form: str) -> bool:
+        """Ask whether the comments may be left out in a format that has none."""
         return self._agrees(
             "Comments",
             f"{name} has comments, and they do not come along into {form}.",
@@ -110,6 +116,7 @@ class Dialogs:
         )
 
     def unsaved(self, said: str) -> Answer:
+        """Ask what becomes of unsaved changes: "save", "discard" or "cancel"."""
         words = ("Save", "Discard changes", "Cancel")
         why = "Saving writes them to the file. Discarding loses them."
         chosen = self._chosen("Unsaved changes", said, why, words, default="Save")

@@ -118,6 +118,7 @@ class Files(QObject):
 
     @property
     def recent(self) -> tuple[Path, ...]:
+        """The files opened last, the newest first."""
         return self._settings.recent
 
     def new(self) -> None:
@@ -324,6 +325,7 @@ class Files(QObject):
         """Write documents to their places (see ``store``); whether that was done."""
 
         def ask(files: list[str]) -> bool:
+            """Ask whether these files may be overwritten."""
             return self._asker.may_overwrite(_listed([self.display(file) for file in files]))
 
         if not self._may_lose([path for _, path in pairs]):

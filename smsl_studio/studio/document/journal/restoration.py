@@ -182,6 +182,7 @@ def _whole_first(blueprint: Blueprint, waiting: list[KeptText]) -> list[KeptText
     """Only one text may be broken at a time, so what does not read comes last."""
 
     def broken(kept: KeptText) -> bool:
+        """Whether a kept text does not read."""
         return understood(kept.text, kept.file).broken is not None
 
     return sorted(waiting, key=broken) if len(waiting) > 1 else waiting

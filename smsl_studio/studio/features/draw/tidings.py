@@ -26,7 +26,8 @@ EMPTY = "R03"
 class Marked(Protocol):
     """What marks the elements that it shows with their findings."""
 
-    def set_findings(self, findings: Sequence[Finding]) -> None: ...
+    def set_findings(self, findings: Sequence[Finding]) -> None:
+        """Mark the elements with these findings."""
 
 
 class Tidings(QObject):

@@ -121,6 +121,7 @@ class Checks(QScrollArea):
             card.show_check(written_check(blueprint, check), which, where)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for card in self.cards.values():
             card.tokens = tokens

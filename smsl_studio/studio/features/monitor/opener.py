@@ -24,6 +24,7 @@ class MonitorOpener(QObject):
 
     @property
     def is_open(self) -> bool:
+        """Whether the monitor page is shown."""
         return self.page is not None and self.page.isVisible()
 
     def toggle(self) -> None:
@@ -50,6 +51,7 @@ class MonitorOpener(QObject):
             self.page.close()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme, for a page that is made later too."""
         self._tokens = tokens
         if self.page is not None:
             self.page.set_tokens(tokens)

@@ -163,6 +163,7 @@ class MonitorPage(QDialog):
         self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Show how the run stands now, and give the keys to the table."""
         super().showEvent(event)
         self.refresh()
         self.table.setFocus()

@@ -75,12 +75,15 @@ class MonitorModel(QAbstractTableModel):
         return False
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many rows there are; a row has none below it."""
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many columns there are."""
         return 0 if parent.isValid() else len(COLUMNS)
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> object:
+        """The heads of the columns; for a row, what is read out."""
         if orientation is Qt.Orientation.Horizontal:
             if role == Qt.ItemDataRole.DisplayRole:
                 return f"  {COLUMNS[section]}" if section == DISTURBED else COLUMNS[section]
@@ -94,6 +97,7 @@ class MonitorModel(QAbstractTableModel):
         return None
 
     def data(self, index: Index, role: int = 0) -> object:
+        """The words of a cell, what is read out, the tip, or the ``MonitorRow`` itself."""
         row = self.rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return row.cells[index.column()]
@@ -112,6 +116,7 @@ class _MonitorCells(QStyledItemDelegate):
         self.tokens = tokens
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint one cell."""
         row: MonitorRow = index.data(Qt.ItemDataRole.UserRole)
         tokens, room, column = self.tokens, QRectF(option.rect), index.column()
         words = row.cells[column]
@@ -249,10 +254,12 @@ class MonitorTable(QTableView):
         self._fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._cells.tokens = tokens
         self.viewport().update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Share the new width among the columns."""
         super().resizeEvent(event)
         self._fit()
 

@@ -11,13 +11,21 @@ from smsl_studio.studio.base.actions import Action
 class PeopleActions(Protocol):
     """What actions ask of the people of a window."""
 
-    def has_task(self) -> bool: ...
-    def may_edit_levels(self) -> bool: ...
-    def edit_persons(self) -> None: ...
-    def edit_levels(self) -> None: ...
+    def has_task(self) -> bool:
+        """Whether people are asked something now."""
+
+    def may_edit_levels(self) -> bool:
+        """Whether the levels can be edited now."""
+
+    def edit_persons(self) -> None:
+        """Open the dialog of the persons."""
+
+    def edit_levels(self) -> None:
+        """Open the dialog of the levels."""
 
 
 def people_actions(people: PeopleActions, open_task: Callable[[], object]) -> tuple[Action, ...]:
+    """The rows about people in the Run menu."""
     return (
         Action("open_task", "Show the open task", open_task, "Run", "hand", ("F4",),
                people.has_task, section=3, tip="Show in Supervise what people are asked"),

@@ -21,9 +21,11 @@ class Decide(QPushButton):
     """Enter decides once; a key that is held down does not decide twice."""
 
     def sizeHint(self) -> QSize:
+        """As high as a control that decides."""
         return QSize(super().sizeHint().width(), CONTROL_DECISION)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter decides, but not again while it is held down."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             if not event.isAutoRepeat():
                 self.click()

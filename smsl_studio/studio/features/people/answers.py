@@ -28,12 +28,14 @@ class Answers(QWidget):
         self._column.setSpacing(8)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for row in self.rows:
             row.set_tokens(tokens)
 
     @property
     def chosen(self) -> OptionView | None:
+        """The option that is chosen; None while none is."""
         row = self._group.checkedButton()
         return row.option if isinstance(row, OptionRow) else None
 

@@ -55,6 +55,7 @@ class CardHead(QWidget):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         ratio = self.devicePixelRatioF()
         self._hand.setPixmap(pixmap("hand", tokens.acc, tokens.surf, 16, ratio))
         for part in (self.before, self.after, self._bar):

@@ -68,6 +68,7 @@ class Continuum(QWidget):
         self.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for part in (self._ends, self.whole, *self.rows):
             part.set_tokens(tokens)
@@ -91,6 +92,7 @@ class Continuum(QWidget):
         self.note.setText(RECORDED if kept else said)
 
     def showEvent(self, event: object) -> None:
+        """Show the levels as they are now."""
         super().showEvent(event)  # type: ignore[arg-type]
         self.refresh()
 

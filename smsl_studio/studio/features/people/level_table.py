@@ -32,6 +32,7 @@ class LevelModel(QAbstractTableModel):
         self._after: list[dict[str, str]] = []
 
     def show_rows(self, rows: tuple[LevelRow, ...]) -> None:
+        """Show other rows; only those that match the words stay in view."""
         self._all = rows
         self.find(self._words)
 
@@ -70,12 +71,15 @@ class LevelModel(QAbstractTableModel):
         self.dataChanged.emit(self.index(0, 0), last)
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many rows match; a row has none below it."""
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many columns there are."""
         return 0 if parent.isValid() else len(HEADS)
 
     def headerData(self, section: int, way: Qt.Orientation, role: int = Role.DisplayRole) -> Any:
+        """The heads of the columns; for a row its name, which is read out."""
         if way is Qt.Orientation.Horizontal and role == Role.DisplayRole:
             return HEADS[section]
         if role == Role.DisplayRole:
@@ -84,6 +88,7 @@ class LevelModel(QAbstractTableModel):
         return None
 
     def data(self, index: Index, role: int = Role.DisplayRole) -> Any:
+        """The words of a cell; an empty one is read out as blank."""
         row = self.rows[index.row()]
         if role == Role.ToolTipRole:
             return tip_text(row.key)

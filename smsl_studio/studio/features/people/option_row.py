@@ -32,25 +32,31 @@ class OptionRow(QAbstractButton):
         self.setAccessibleName(plain_text(f"{option.words}, key {option.letter}"))
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def hasHeightForWidth(self) -> bool:
+        """True: narrow rows need more lines."""
         return True
 
     def heightForWidth(self, width: int) -> int:
+        """The height that the words need at this width, in pixels."""
         metrics = QFontMetrics(text_font(13, 500))
         room = QRect(0, 0, max(width - LEFT - KEY - 2 * PAD, 40), 10_000)
         needed = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, self.text())
         return max(CONTROL_DECISION, needed.height() + 20)
 
     def sizeHint(self) -> QSize:
+        """As high as the words need at this width."""
         return QSize(240, self.heightForWidth(max(self.width(), 240)))
 
     def minimumSizeHint(self) -> QSize:
+        """As high as a control that decides."""
         return QSize(120, CONTROL_DECISION)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint circle, words and letter, with a frame where it is chosen or has the keys."""
         tokens, chosen, focus = self._tokens, self.isChecked(), self.hasFocus()
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -76,6 +76,7 @@ class OutcomeLines(QWidget):
         return tuple(row.accessibleName() for row in self.rows)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self._rebuild()
 

@@ -59,6 +59,7 @@ class People(QObject):
         self.continuum.edit_wanted.connect(self.edit_levels)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for part in (self.card, self.badge, self.continuum):
             part.set_tokens(tokens)
 

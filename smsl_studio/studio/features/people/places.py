@@ -91,6 +91,7 @@ class PersonPlaces(QWidget):
         self._grid.setSpacing(8)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self._rebuild()
 

@@ -31,6 +31,7 @@ class Scale(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.tokens = tokens
         self.update()
 

@@ -32,6 +32,7 @@ class TaskBadge(QAbstractButton):
         self.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

@@ -110,6 +110,7 @@ class TaskCard(QWidget):
         self.outcomes.clear()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for part in (self.head, self.answers, self._places, self.lines):
             part.set_tokens(tokens)
 

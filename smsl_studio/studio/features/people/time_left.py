@@ -20,6 +20,7 @@ class TimeLeft(QWidget):
         self.setFixedHeight(HEIGHT)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

@@ -39,6 +39,7 @@ class OpeningCard(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

@@ -76,6 +76,7 @@ class ReplayPane(QWidget):
         self.timeline.time_wanted.connect(replay.to_time)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for part in (self.canvas, self.facts, self.check, self.timeline):
             part.set_tokens(tokens)

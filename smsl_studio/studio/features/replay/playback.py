@@ -92,6 +92,7 @@ class ReplayVerbs(QObject):
             menu.addAction("No run was recorded yet").setEnabled(False)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.transport.set_tokens(tokens)
         self.pane.set_tokens(tokens)
         self.card.set_tokens(tokens)

@@ -55,6 +55,7 @@ class Scrubber(QWidget):
             self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

@@ -67,6 +67,7 @@ class ReplayTransport(QWidget):
         self._connect()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for part in (self.scrubber, self.back, self.step, self.play):
             part.set_tokens(tokens)
 

@@ -169,6 +169,7 @@ class RunPane(QWidget):
             self._begin(stepping)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for part in (self.transport, self.canvas, self.world, self.facts, self.check):
             part.set_tokens(tokens)

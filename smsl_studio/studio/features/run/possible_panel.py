@@ -51,6 +51,7 @@ class PossiblePanel(QWidget):
         self.asking.dropped.connect(self._fit)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.list.set_tokens(tokens)
 
     def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:

@@ -120,6 +120,7 @@ class Transport(QWidget):
         self._precedence.fit()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for button in (self.step, self.play, self.stop):
             button.set_tokens(tokens)
 

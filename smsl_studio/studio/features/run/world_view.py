@@ -120,6 +120,7 @@ class WorldView(QWidget):
         self._look(self._home)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens, self._image = tokens, None
         self.update()
 

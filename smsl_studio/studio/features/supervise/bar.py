@@ -113,6 +113,7 @@ class SuperviseBar(QWidget):
         return self._person.text()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for button in (self.step, self.play, self.stop):
             button.set_tokens(tokens)

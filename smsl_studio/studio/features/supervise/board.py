@@ -67,6 +67,7 @@ class Board(QScrollArea):
         return self._inner.shown_spots()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._inner.set_tokens(tokens)
 
     def show_view(

@@ -69,6 +69,7 @@ class CardButton(QAbstractButton):
         self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

@@ -79,6 +79,7 @@ class CheckPanel(QWidget):
         return self._outside.lines
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.table.set_tokens(tokens)
         self._outside.set_tokens(tokens)
@@ -150,6 +151,7 @@ class _OutsideLines(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

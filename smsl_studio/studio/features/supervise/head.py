@@ -66,6 +66,7 @@ class PartialHead(QWidget):
         ]
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self._dress_map()
         self.update()

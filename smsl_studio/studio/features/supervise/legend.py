@@ -26,6 +26,7 @@ class PartialLegend(QWidget):
         self._say()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

@@ -72,6 +72,7 @@ class SupervisePane(QWidget):
         self.refresh()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for part in self._wearing:
             part.set_tokens(tokens)
         self.refresh()

@@ -75,6 +75,7 @@ class StepIn(QWidget):
         return "" if self._why.isHidden() else self._why.text()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for button in (self.veto, self.prune, self.hand):
             button.set_tokens(tokens)
 

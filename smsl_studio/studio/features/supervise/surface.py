@@ -54,6 +54,7 @@ class PartialSurface(QWidget):
         self._told: object = None
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens, self._ink = tokens, Ink(tokens)
         for spot in (self._previous, self._current, *self._neighbours):
             spot.set_ink(self._ink)

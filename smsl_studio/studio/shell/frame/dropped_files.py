@@ -25,6 +25,7 @@ class DroppedFiles(QObject):
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Accept local files that are dragged over the window, and open those that are dropped."""
         if isinstance(event, QDragEnterEvent):
             if any(url.isLocalFile() for url in event.mimeData().urls()):
                 event.acceptProposedAction()

@@ -51,6 +51,7 @@ class MenuRow(QWidget):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._logo.setPixmap(_logo(tokens, self.devicePixelRatioF()))
         self.badge.set_tokens(tokens)
         self._title.set_tokens(tokens)
@@ -125,6 +126,7 @@ class _Title(QWidget):
         )
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._dot.setPixmap(pixmap("dot", tokens.acc, tokens.win, 16, self.devicePixelRatioF()))
 
     def show_name(self, name: str, edited: str) -> None:
@@ -149,6 +151,7 @@ class Badge(QWidget):
         return QSize(round(QFontMetricsF(self._font).horizontalAdvance(self._words)) + 38, 22)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

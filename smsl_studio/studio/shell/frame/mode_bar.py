@@ -102,6 +102,7 @@ class ModeBar(QToolBar):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.run.setIcon(icon("play", tokens, 14, tokens.onacc))
         self.stop.set_tokens(tokens)
         self.search.set_tokens(tokens)
@@ -261,6 +262,7 @@ class SearchBox(QAbstractButton):
         return QSize(44, 32)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 

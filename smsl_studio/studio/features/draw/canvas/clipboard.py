@@ -41,9 +41,11 @@ class ClipboardVerbs:
         self._session, self._canvas, self._say = session, canvas, say
 
     def can_copy(self) -> bool:
+        """Whether something is selected, or a text is being edited."""
         return bool(self._session.selection) or _text_focus() is not None
 
     def can_duplicate(self) -> bool:
+        """Whether something is selected."""
         return bool(self._session.selection)
 
     def copy(self) -> None:

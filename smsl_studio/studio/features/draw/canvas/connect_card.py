@@ -91,6 +91,7 @@ class ConnectCard(PassingCard):
 
     @property
     def complaint(self) -> str:
+        """Why the operation was refused; empty where it was not."""
         return self.error.text()
 
     def _typed(self) -> None:

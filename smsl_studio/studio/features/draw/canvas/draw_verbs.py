@@ -28,27 +28,34 @@ class DrawVerbs:
     # What can be done now.
 
     def has_branch(self) -> bool:
+        """Whether the SB that is shown exists."""
         return self._session.branch in self._session.blueprint.branches
 
     def has_states(self) -> bool:
+        """Whether the SB that is shown has states."""
         return self.has_branch() and bool(self._branch.table)
 
     def has_selection(self) -> bool:
+        """Whether states or operations are selected."""
         return bool(self._session.selection)
 
     def can_rename(self) -> bool:
+        """Whether exactly one element is selected."""
         return len(self._session.selection) == 1
 
     def can_connect(self) -> bool:
+        """Whether one or two states are selected."""
         return bool(self._states()) and len(self._states()) <= 2
 
     def can_enter(self) -> bool:
+        """Whether a fact of the SB that is shown has a sub-SB."""
         if not self.has_branch():
             return False
         branches = self._session.blueprint.branches
         return not branches.keys().isdisjoint(self._branch.subs.values())
 
     def can_leave(self) -> bool:
+        """Whether the SB that is shown is a sub-SB."""
         return self._session.branch in self._session.blueprint.bases
 
     # Doing it.
@@ -76,6 +83,7 @@ class DrawVerbs:
         name = sub or fresh_branch_name(self._session.blueprint)
 
         def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint with the sub-SB attached; a new one is added first."""
             if sub is None:
                 blueprint = editing.add_branch(blueprint, name)
             return editing.attach_sub(blueprint, base, digit, name)
@@ -89,9 +97,11 @@ class DrawVerbs:
             self._editor.rename(self._session.selection[0])
 
     def delete(self) -> None:
+        """Delete what is selected."""
         self._editor.delete_selected()
 
     def select_all(self) -> None:
+        """Select all states of the SB that is shown."""
         self._session.select(Address(self._branch.name, name) for name in self._branch.table)
 
     def tidy(self) -> None:

@@ -121,6 +121,7 @@ class CanvasEditor(QObject):
         suggested = fresh_state_name(self._branch)
 
         def commit(name: str) -> str:
+            """Add the state and select it; answers why that was refused, or nothing."""
             words = f"Add {name}"
             done = self._edit(words, lambda bp: editing.add_state(bp, branch, name, place))
             if not done:
@@ -134,7 +135,10 @@ class CanvasEditor(QObject):
         place = on_grid(at)
 
         def commit(name: str) -> str:
+            """Add an SB with the state and show it; answers why that was refused, or nothing."""
+
             def change(blueprint: Blueprint) -> Blueprint:
+                """The blueprint with the SB and its first state."""
                 return editing.add_state(editing.add_branch(blueprint, "SB1"), "SB1", name, place)
 
             camera = self.canvas.camera
@@ -161,11 +165,13 @@ class CanvasEditor(QObject):
         asked = None if target is not None else fresh_state_name(shown)
 
         def commit(name: str, typed: str) -> str:
+            """Add the operation and select it; answers why that was refused, or nothing."""
             goal = target.state if target is not None else typed
             if not goal:
                 return "The operation has no target. Name a state."
 
             def change(blueprint: Blueprint) -> Blueprint:
+                """The blueprint with the operation; a new target is added first."""
                 if goal not in blueprint[branch].table:
                     blueprint = editing.add_state(blueprint, branch, goal, place)
                 return editing.add_operation(blueprint, branch, source.state, name, goal)
@@ -215,6 +221,7 @@ class CanvasEditor(QObject):
         old = address.path[-1]
 
         def commit(new: str) -> str:
+            """Rename the element and keep it selected; answers why that was refused, or nothing."""
             if new == old:
                 return ""
             words = f"Rename {old} to {new}"
@@ -361,6 +368,7 @@ def _same_picture(before: StateBranch, after: StateBranch) -> bool:
         return False
 
     def rest(branch: StateBranch) -> dict[str, object]:
+        """The fields of an SB without its layout."""
         return {k: v for k, v in branch.fields.items() if k != "_layout"}
 
     return rest(before) == rest(after)

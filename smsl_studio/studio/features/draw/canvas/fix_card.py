@@ -78,12 +78,14 @@ class FixCard(Card):
         self._choose()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Place the card again when the canvas has changed its size."""
         if event.type() == QEvent.Type.Resize and not self.isHidden():
             # Once the canvas has fitted its picture into the new size.
             QTimer.singleShot(0, self, self._place)
         return super().eventFilter(watched, event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint border and icon in the colour of the finding's severity."""
         super().paintEvent(event)
         if self._shown is None:
             return

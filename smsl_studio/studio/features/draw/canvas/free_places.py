@@ -53,6 +53,7 @@ def place_near(widget: QWidget, area: QWidget, at: QPoint) -> None:
 
 
 def on_grid(at: QPointF) -> Position:
+    """The grid point nearest to a scene point."""
     return round(at.x() / GRID) * GRID, round(at.y() / GRID) * GRID
 
 

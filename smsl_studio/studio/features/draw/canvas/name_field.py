@@ -45,6 +45,7 @@ class NameField(PassingCard):
         self.field.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Commit or close when the keys go elsewhere, but not for a menu or another window."""
         if isinstance(event, QFocusEvent) and event.type() is QEvent.Type.FocusOut:
             kept = {Qt.FocusReason.PopupFocusReason, Qt.FocusReason.ActiveWindowFocusReason}
             if event.reason() not in kept and not self._closing:

@@ -81,10 +81,12 @@ class Comparison(QObject):
 
     @property
     def is_open(self) -> bool:
+        """Whether the compare view is open."""
         return self._dialog is not None
 
     @property
     def can_use_saved(self) -> bool:
+        """Whether the blueprint has a file to compare with."""
         return self._files.path is not None
 
     def with_file(self) -> None:
@@ -116,11 +118,13 @@ class Comparison(QObject):
         self._compare(version)
 
     def next_change(self) -> None:
+        """Go to the next change, if the compare view is open."""
         if self._dialog is not None:
             self._dialog.show_next()
             self._come_to_front(self._dialog)
 
     def previous_change(self) -> None:
+        """Go to the change before, if the compare view is open."""
         if self._dialog is not None:
             self._dialog.show_previous()
             self._come_to_front(self._dialog)
@@ -137,6 +141,7 @@ class Comparison(QObject):
         self.close()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme, in the open compare view too."""
         self._tokens = tokens
         if self._dialog is not None:
             self._dialog.set_tokens(tokens)

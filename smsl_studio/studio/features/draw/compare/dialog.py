@@ -253,6 +253,7 @@ class CompareDialog(QDialog):
             self.element_wanted.emit(wanted)
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Divide the room, show the first change and give the keys to the list."""
         super().showEvent(event)
         handle = self.windowHandle()
         if self._stands_alone and handle is not None:

@@ -12,7 +12,8 @@ from smsl_studio.studio.features.draw.panels.properties import Properties
 class Panels(Protocol):
     """What brings a panel to the front by its name."""
 
-    def show_tab(self, name: str) -> None: ...
+    def show_tab(self, name: str) -> None:
+        """Bring the panel of this name to the front."""
 
 
 class Destinations:
@@ -32,6 +33,7 @@ class Destinations:
         self._properties.show_hazard(name)
 
     def open_file(self, path: Path) -> None:
+        """Open a file in this window."""
         self._files.open(path)
 
     @property

@@ -28,11 +28,18 @@ ICONS = {"State Branch": "layers", "State": "dot", "Operation": "arrow", "Fact":
 class FinderWindow(Protocol):
     """What finding asks of the window."""
 
-    def show_fact(self, branch: str, digit: int) -> None: ...
-    def show_hazard(self, name: str) -> None: ...
-    def open_file(self, path: Path) -> None: ...
+    def show_fact(self, branch: str, digit: int) -> None:
+        """Show a fact of an SB in the properties."""
+
+    def show_hazard(self, name: str) -> None:
+        """Show a hazard in the properties."""
+
+    def open_file(self, path: Path) -> None:
+        """Open a file in this window."""
+
     @property
-    def recent_files(self) -> tuple[Path, ...]: ...
+    def recent_files(self) -> tuple[Path, ...]:
+        """The files opened last, the newest first."""
 
 
 class Choice(NamedTuple):

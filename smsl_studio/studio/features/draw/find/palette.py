@@ -55,6 +55,7 @@ class Palette(QFrame):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._glass.setIcon(icon("search", tokens))
         self.list.set_tokens(tokens)
 
@@ -78,6 +79,7 @@ class Palette(QFrame):
                 self._before.setFocus()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Close when the field loses the keys, and take the keys that move in the list."""
         if watched is self.field:
             if event.type() == QEvent.Type.FocusOut and self.isVisible():
                 self.hide()

@@ -60,6 +60,7 @@ class PlaceIndex:
         names = list(blueprint.branches)
 
         def hazard(at: int) -> Target:
+            """The line that leads to a hazard."""
             return Target("Hazard", hazards[at].name, "hazard", hazards[at].name)
 
         self._stacks = [

@@ -16,7 +16,10 @@ def blueprint_actions(
     choose_sub_sb: Callable[[], object],
     shell: Shell,
 ) -> tuple[Action, ...]:
+    """The rows of the Blueprint menu that edit what is drawn."""
+
     def drawn() -> bool:
+        """Whether Draw mode is shown."""
         return shell.mode == "draw"
 
     return (

@@ -8,7 +8,10 @@ from smsl_studio.studio.features.draw.compare.dialog import NEXT_KEYS, PREVIOUS_
 
 
 def compare_actions(comparing: Comparison) -> tuple[Action, ...]:
+    """The rows of the Blueprint menu that compare versions."""
+
     def saved() -> bool:
+        """Whether there is a saved version."""
         return comparing.can_use_saved
 
     return (

@@ -20,15 +20,18 @@ NOT_SHOWN = EditRefused(
 def edit_actions(
     session: Session, drawing: DrawVerbs, clipping: ClipboardVerbs, shell: Shell
 ) -> tuple[Action, ...]:
+    """The rows of the Edit menu."""
     history = session.history
 
     def drawn() -> bool:
+        """Whether Draw mode is shown."""
         return shell.mode == "draw"
 
     def of_drawing(call: Callable[[], object]) -> Callable[[], None]:
         """In Draw mode alone: nobody wants to change what he does not see."""
 
         def act() -> None:
+            """Do it in Draw mode; in another mode say that the drawing is not shown."""
             if drawn():
                 call()
             else:

@@ -13,7 +13,10 @@ from smsl_studio.studio.document.session import Session
 def file_actions(
     files: Files, session: Session, windows: AllWindows, shell: Shell
 ) -> tuple[Action, ...]:
+    """The rows of the File menu."""
+
     def open_home() -> None:
+        """Open the file in which the SB that is shown stands."""
         files.open(Path(session.blueprint.home(session.branch).file))
 
     return (

@@ -10,6 +10,7 @@ from smsl_studio.studio.document.files.fresh import samples
 
 
 def sample_actions(files: Files) -> tuple[Action, ...]:
+    """One action for each sample; it opens a copy."""
     return tuple(
         Action(f"sample_{path.name}", f"Open sample {path.name}", partial(files.open_copy, path),
                icon="file", tip=f"Open a copy of the sample {path.name}")

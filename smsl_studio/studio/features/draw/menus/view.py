@@ -10,12 +10,15 @@ from smsl_studio.studio.features.draw.canvas.draw_verbs import DrawVerbs
 def view_actions(
     drawing: DrawVerbs, docks: DockSides, windows: AllWindows, shell: Shell
 ) -> tuple[Action, ...]:
+    """The rows of the View menu."""
     canvas = drawing.canvas
 
     def drawn() -> bool:
+        """Whether Draw mode is shown."""
         return shell.mode == "draw"
 
     def in_draw(name: str) -> Action:
+        """The row that shows or hides a dock, named by its side."""
         shown = {"left": docks.left_shown, "right": docks.right_shown,
                  "bottom": docks.bottom_shown}[name]  # fmt: skip
         call = {"left": docks.toggle_left, "right": docks.toggle_right,
@@ -28,6 +31,7 @@ def view_actions(
                       tip=f"Show or hide: {words}")  # fmt: skip
 
     def theme(name: str, words: str) -> Action:
+        """The row that chooses a theme."""
         return Action(f"theme_{name}", words, lambda: windows.set_theme(name), "View",
                       checked=lambda: windows.theme == name, section=4)  # fmt: skip
 

@@ -75,9 +75,11 @@ class FactForm(NoteForm):
 
     @property
     def values(self) -> ValueTable:
+        """The table of the fact's values."""
         return self._values
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.chip.set_tokens(tokens)
         self._values.set_tokens(tokens)
         self.close_button.set_tokens(tokens)
@@ -114,6 +116,7 @@ class FactForm(NoteForm):
         self.column.addWidget(self.odd)
 
     def unknown(self, misfits: Mapping[str, str]) -> dict[str, str]:
+        """Keys without a line in the form, but for those that the table of values shows."""
         return {k: v for k, v in super().unknown(misfits).items() if k not in TABLED}
 
     def show_fact(self, blueprint: Blueprint, name: str, digit: int) -> None:
@@ -135,6 +138,7 @@ class FactForm(NoteForm):
         self._show_source(blueprint, branch, note, written)
 
     def who(self) -> str:
+        """The fact as the history names it."""
         return f"fact {self._digit} of {self._branch}"
 
     def _show_source(

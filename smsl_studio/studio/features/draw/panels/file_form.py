@@ -58,6 +58,7 @@ class FileForm(Panel):
         self.show_file()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for _, _, gone in self.rows:
             gone.set_tokens(tokens)

@@ -41,14 +41,17 @@ class _Model(QAbstractListModel):
         self.findings: tuple[Finding, ...] = ()
 
     def show(self, findings: tuple[Finding, ...]) -> None:
+        """Show other findings in place of all."""
         self.beginResetModel()
         self.findings = findings
         self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many findings there are; a finding has no rows below it."""
         return 0 if parent.isValid() else len(self.findings)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """The finding itself, its words, what is read out, or its tip with place and fix."""
         finding = self.findings[index.row()]
         if role == Qt.ItemDataRole.UserRole:
             return finding
@@ -81,6 +84,7 @@ class FindingsView(QListView):
         self.delegate.pressed.connect(self.fix_wanted)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.delegate.tokens = tokens
         self.viewport().update()
 
@@ -110,6 +114,7 @@ class FindingDelegate(QStyledItemDelegate):
         self.tokens = tokens
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """The height of a row: two lines for an error, one for the rest."""
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
         return QSize(10, HIGH if finding.severity is Severity.ERROR else LOW)
 
@@ -126,6 +131,7 @@ class FindingDelegate(QStyledItemDelegate):
     def editorEvent(
         self, event: QEvent, model: Any, option: QStyleOptionViewItem, index: Index
     ) -> bool:
+        """Tell a click on the button of a finding."""
         if isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonRelease:
             finding: Finding = index.data(Qt.ItemDataRole.UserRole)
             box = self.button(QRectF(option.rect), finding)
@@ -137,6 +143,7 @@ class FindingDelegate(QStyledItemDelegate):
         return super().editorEvent(event, model, option, index)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint one finding with its mark and button."""
         finding: Finding = index.data(Qt.ItemDataRole.UserRole)
         tokens, rect = self.tokens, QRectF(option.rect)
         state = option.state

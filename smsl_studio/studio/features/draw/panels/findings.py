@@ -76,11 +76,13 @@ class Findings(Panel):
         self._beside.stop()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.list.set_tokens(tokens)
 
     @property
     def findings(self) -> tuple[Finding, ...]:
+        """The findings that are listed."""
         return self._findings
 
     def set_checking(self) -> None:
@@ -202,6 +204,7 @@ class Findings(Panel):
             FixList(self._session, repair, left, self._tokens, self.window()).open()
 
     def can_fix(self) -> bool:
+        """Whether a finding has a fix."""
         return any(finding.fix is not None for finding in self._findings)
 
     def fix(self, finding: Finding) -> None:

@@ -62,6 +62,7 @@ class HazardForm(Panel):
         self.show_hazards()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for card in self.cards:
             card.facts.set_tokens(tokens)

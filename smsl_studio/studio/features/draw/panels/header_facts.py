@@ -57,6 +57,7 @@ class HeaderFacts(QWidget):
         self._grid.addWidget(label("Sub-SB", "small"), 0, 2)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for fact in self.rows:
             fact.chip.set_tokens(tokens)

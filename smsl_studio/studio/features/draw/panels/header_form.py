@@ -86,6 +86,7 @@ class HeaderForm(Panel):
         self.show_header()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._facts.set_tokens(tokens)
 
     @property
@@ -163,6 +164,7 @@ class HeaderForm(Panel):
 
     def _giver(self, key: str, line: NumberLine) -> Callable[[Any], None]:
         def give(number: int | None) -> None:
+            """Set the number, or leave the key out for None."""
             name = self._session.branch
             words = f"Set {key} to {number}" if number is not None else f"Leave {key} out"
             self._try(words, lambda bp: editing.set_header(bp, name, key, number), line.refuse)
@@ -178,6 +180,7 @@ class HeaderForm(Panel):
         made = fresh_branch_name(self._session.blueprint) if new else sub
 
         def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint with another sub-SB for the fact, or none; a new one comes first."""
             if new and made:
                 blueprint = editing.add_branch(blueprint, made)
             if before is not None:

@@ -73,6 +73,7 @@ class Library(Panel):
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self._glass.setIcon(icon("search", tokens))
         self.list.set_tokens(tokens)

@@ -37,6 +37,7 @@ class NoteEntry:
     misfits: Mapping[str, str] = field(default_factory=dict)
 
     def shown(self, word: str) -> ShownValue:
+        """What a line shows of a word: what is written, what holds otherwise, and where from."""
         written = getattr(self.note, word) if word in self.written else None
         origin = self.origin if word in self.inherited else ""
         return ShownValue(written, getattr(self.standard, word), origin)
@@ -107,6 +108,7 @@ class NoteForm(Panel):
             step = f"Set {what} of {self.who()} to {line.said(value)}"
 
         def change(blueprint: Blueprint) -> Blueprint:
+            """The blueprint with the changed annotations."""
             return change_notes(blueprint, self._table, changes)
 
         return self.edit(_short(step), change, line.refuse)

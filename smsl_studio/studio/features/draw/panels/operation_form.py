@@ -133,6 +133,7 @@ class OperationForm(NoteForm):
         self.column.addWidget(self.alone)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.requires.facts.set_tokens(tokens)
 
     def set_plugins(self, loaded: Loaded) -> None:
@@ -160,6 +161,7 @@ class OperationForm(NoteForm):
         self._show_details()
 
     def who(self) -> str:
+        """The edges or the operation as the history names them."""
         names = sorted({edge.operation for edge in self._edges})
         if len(self._edges) == 1 and self._only_here:
             return f"{self._edges[0].state}/{names[0]}"

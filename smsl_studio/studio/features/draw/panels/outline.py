@@ -101,6 +101,7 @@ class Outline(Panel):
         self._show()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.add_button.setIcon(icon("plus", tokens, 14))
         self.tree.set_tokens(tokens)

@@ -36,6 +36,7 @@ class OutlineLine:
 
     @property
     def tip(self) -> str:
+        """The tip: the SB with level and file, the fact with its values, or the fault."""
         if self.fault:
             return self.fault
         if self.digit is None:

@@ -34,6 +34,8 @@ _NAMED = _PLAIN | Qt.ItemFlag.ItemIsEditable
 
 
 class OutlineModel(QAbstractItemModel):
+    """The SBs, their facts and sub-SBs as a tree for Qt; a name is edited in place."""
+
     named = Signal(str, object, str)
     """(SB, digit or None, name): the name that the SB or its fact is to have was typed in place."""
 
@@ -46,29 +48,36 @@ class OutlineModel(QAbstractItemModel):
     # What Qt asks.
 
     def index(self, row: int, column: int, /, parent: Index = NOWHERE) -> QModelIndex:
+        """The index of a line below another; an invalid one where there is none."""
         below = self.nodes.below(self.node(parent))
         if column == 0 and 0 <= row < len(below):
             return self.createIndex(row, 0, below[row].number)
         return QModelIndex()
 
     def parent(self, child: Index = NOWHERE, /) -> QModelIndex:  # type: ignore[override]
+        """The index of the line above; an invalid one for a line at the top."""
         above = self.node(child).above
         return self.index_of(above) if above is not None else QModelIndex()
 
     def rowCount(self, /, parent: Index = NOWHERE) -> int:
+        """How many lines stand below a line."""
         return len(self.nodes.below(self.node(parent)))
 
     def columnCount(self, /, parent: Index = NOWHERE) -> int:
+        """One column."""
         return 1
 
     def hasChildren(self, /, parent: Index = NOWHERE) -> bool:
+        """Whether lines stand below; answers without making them."""
         return self.nodes.leads_down(self.node(parent))
 
     def flags(self, index: Index, /) -> Qt.ItemFlag:
+        """Names can be edited, except that of an import that failed."""
         # An import that failed stands below no SB.
         return _NAMED if self.node(index).key[0] else _PLAIN
 
     def data(self, index: Index, /, role: int = _TEXTS[0]) -> Any:
+        """The text, the tip, or the ``OutlineLine`` itself."""
         if role in _TEXTS:
             return self.line(self.node(index)).text
         if role == _TIP:

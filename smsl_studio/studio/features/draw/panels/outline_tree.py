@@ -43,6 +43,8 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class OutlineTree(QTreeView):
+    """The tree of the outline. It remembers what a person closed."""
+
     moved = Signal(QModelIndex)
     """The current line is another one, and ``mark`` was not what made it so."""
     named = Signal(str, object, str)
@@ -71,6 +73,7 @@ class OutlineTree(QTreeView):
         self._open(self.lines.nodes.top, ())
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = self._delegate.tokens = tokens
         self.viewport().update()
 
@@ -149,6 +152,7 @@ class OutlineTree(QTreeView):
                         self.expand(self.lines.index_of(node))
 
     def currentChanged(self, current: Index, previous: Index) -> None:
+        """Tell that the current line is another one, unless ``mark`` made it so."""
         super().currentChanged(current, previous)
         if not self._quiet:
             self.moved.emit(current)
@@ -168,10 +172,12 @@ class OutlineTree(QTreeView):
         """
 
     def drawBranches(self, painter: QPainter, rect: QRect, index: Index) -> None:
+        """Paint the ground left of a selected line; there are no lines of a tree."""
         if self.selectionModel().isSelected(index):
             painter.fillRect(rect, self._tokens.accs)
 
     def drawRow(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint the line, and a chevron where lines stand below."""
         super().drawRow(painter, option, index)
         if self.model().hasChildren(index):
             row = self.visualRect(index)
@@ -190,6 +196,8 @@ class OutlineTree(QTreeView):
 
 
 class OutlineDelegate(QStyledItemDelegate):
+    """Paints SBs, facts and failed imports, and makes the field for a new name."""
+
     def __init__(self, tokens: Tokens, parent: QWidget) -> None:
         super().__init__(parent)
         self.tokens = tokens
@@ -197,9 +205,11 @@ class OutlineDelegate(QStyledItemDelegate):
         self.running = ""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        """All lines have the same height."""
         return QSize(10, ROW)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint one line."""
         line: OutlineLine = index.data(Qt.ItemDataRole.UserRole)
         rect = QRectF(option.rect)
         chosen = bool(option.state & QStyle.StateFlag.State_Selected)
@@ -287,11 +297,13 @@ class OutlineDelegate(QStyledItemDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
+        """Put the field over the name, right of the mark."""
         rect: QRect = option.rect
         left = 33 if line_of(index).digit is None else 36
         editor.setGeometry(rect.adjusted(left, 0, -4, 0))
 
     def createEditor(self, parent: QWidget, option: QStyleOptionViewItem, index: Index) -> QWidget:
+        """A flat field that says to assistive tools what it names."""
         editor = QLineEdit(parent)
         editor.setProperty("role", "flat")
         digit = line_of(index).digit

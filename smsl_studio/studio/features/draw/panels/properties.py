@@ -63,6 +63,7 @@ class Properties(QScrollArea):
         self.fact.sub_wanted.connect(session.show_branch)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Give all forms the colours of another theme."""
         for form in (self.fact, self.state, self.operation, self.header, self.hazards, self.file):
             form.set_tokens(tokens)
 
@@ -127,6 +128,7 @@ class _Several(Panel):
         self.column.addLayout(row(self.delete, None))
 
     def show_selection(self, states: list[Address], edges: list[Address]) -> None:
+        """Count what is selected, and show the facts that the states share."""
         words = [counted(len(states), "state")] if states else []
         words += [counted(len(edges), "operation")] if edges else []
         self._count.setText(f"{' and '.join(words)} selected")

@@ -88,6 +88,7 @@ class StateForm(NoteForm):
         self.column.addWidget(self._none)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.chips.set_tokens(tokens)
         self.operations.set_tokens(tokens)
 
@@ -122,6 +123,7 @@ class StateForm(NoteForm):
         self.operations.setFixedHeight(28 * min(len(rows), MOST_ROWS))
 
     def who(self) -> str:
+        """The state, or how many states, as the history names them."""
         states = self._states
         return states[0].state if len(states) == 1 else counted(len(states), "state")
 

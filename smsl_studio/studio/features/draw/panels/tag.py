@@ -24,6 +24,7 @@ class Tag(QWidget):
         self.setFixedSize(20, 28)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         self.update()
 
@@ -40,21 +41,25 @@ class Tag(QWidget):
         self._button = name
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Enter and Space click the chip."""
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
             self.clicked.emit()
             return
         super().keyPressEvent(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Tell the click."""
         self.clicked.emit()
 
     def show_tag(self, text: str, kind: str, sub: bool) -> None:
+        """Show another text, kind and bar of a sub-SB."""
         self._text, self._kind, self._sub = text, kind, sub
         words = self._button or (f"Fact {text}" if kind == VALUE else text)
         self.setAccessibleName(plain_text(words + (", with a sub-SB" if sub else "")))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the chip, with a frame while it has the keys."""
         chip = QRectF(1, 5, self.width() - 2, 18)
         metrics = QFontMetrics(mono_font(12, 500))
         wide = max(18, self.width() - 6)

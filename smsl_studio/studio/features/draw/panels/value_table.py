@@ -32,9 +32,11 @@ class TickBox(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
+        """26 by 26 pixels."""
         return QSize(26, 26)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the box or the ring, and the tick or dot where it is on."""
         palette, painter = self.palette(), QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         on, box = self.isChecked(), QRectF(5.5, 5.5, 15, 15)
@@ -87,6 +89,7 @@ class ValueTable(QWidget):
             self._grid.addWidget(label(words, "small"), 0, column)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self._tokens = tokens
         for one in self.rows.values():
             one.chip.set_tokens(tokens)

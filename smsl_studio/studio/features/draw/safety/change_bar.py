@@ -45,6 +45,7 @@ class ChangeBar(QFrame):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         ratio = self.devicePixelRatioF()
         self._mark.setPixmap(pixmap("warning", tokens.risk, tokens.risks, 16, ratio))
 

@@ -58,6 +58,7 @@ class Safety(QObject):
         return both
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.bar.set_tokens(tokens)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

@@ -39,6 +39,7 @@ class TextToken:
 
     @property
     def end(self) -> int:
+        """The column behind its last character."""
         return self.start + len(self.text)
 
     @property

@@ -90,6 +90,7 @@ class Colours:
         self._form, self._wearing = "json", 1
 
     def set_tokens(self, colours: Tokens) -> None:
+        """Take the colours of another theme; blocks are coloured again as they are seen."""
         self._tokens = colours
         self._wearing += 1
 

@@ -212,6 +212,7 @@ class Editor(TextSurface):
     # Keys, the clipboard, the pointer.
 
     def event(self, event: QEvent) -> bool:
+        """Keep the keys that the editor uses from the window's shortcuts."""
         override = event.type() == QEvent.Type.ShortcutOverride
         if override and self.keys and isinstance(event, QKeyEvent) and self.keys.takes(event):
             event.accept()
@@ -219,6 +220,7 @@ class Editor(TextSurface):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let the editor's own keys answer first; other keys are typed."""
         if self.keys is not None and self.keys.answer(event):
             event.accept()
             return
@@ -227,6 +229,7 @@ class Editor(TextSurface):
             self.keys.typed(event)
 
     def viewportEvent(self, event: QEvent) -> bool:
+        """Show what is said of the word under the pointer as a tip."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             place = self.place_at(event.pos())
             words = self.words_at(*place) if place else ""
@@ -235,6 +238,7 @@ class Editor(TextSurface):
         return super().viewportEvent(event)
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Ask for the menu of the text."""
         self.menu_wanted.emit(event.pos(), event.globalPos())
 
     def createMimeDataFromSelection(self) -> QMimeData:
@@ -249,6 +253,7 @@ class Editor(TextSurface):
         return source.hasText() and not any(url.isLocalFile() for url in source.urls())
 
     def insertFromMimeData(self, source: QMimeData) -> None:
+        """Paste the text as one step of the history."""
         if self.isReadOnly():
             return
         start, end = self.marked
@@ -293,14 +298,17 @@ class Editor(TextSurface):
         return text.replace("\r\n", "\n").replace("\n", self.sheet.newline)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
+        """Tell that the text has the keys."""
         super().focusInEvent(event)
         self.entered.emit()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Tell that the text lost the keys."""
         super().focusOutEvent(event)
         self.left.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Unfold a fold that is clicked; else put the caret there."""
         line = self.row_at(event.position().y())
         fold = self.folds.at(line) if line is not None else None
         if fold is not None and event.button() is Qt.MouseButton.LeftButton:
@@ -309,6 +317,7 @@ class Editor(TextSurface):
         super().mousePressEvent(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Tell a click without a selection; with Ctrl it asks for the place named there."""
         super().mouseReleaseEvent(event)
         if event.button() is Qt.MouseButton.LeftButton and not self.textCursor().hasSelection():
             control = event.modifiers() & Qt.KeyboardModifier.ControlModifier

@@ -77,6 +77,7 @@ def replaced(match: Match, words: str, search: TextSearch) -> str:
         return words
 
     def group(mark: re.Match[str]) -> str:
+        """What a mark such as ``\\1`` or ``\\n`` stands for."""
         letter = mark[1]
         if letter.isdigit():
             at = int(letter)

@@ -78,6 +78,7 @@ class FindBar(QWidget):
             self.setTabOrder(before, after)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         for button, name in ((self.back, "chevron-up"), (self.on, "chevron-down"),
                              (self.shut, "close")):  # fmt: skip
             button.setIcon(icon(name, tokens))
@@ -102,6 +103,7 @@ class FindBar(QWidget):
         self.look()
 
     def close_bar(self) -> None:
+        """Close the bar, forget what was found and give the keys to the text."""
         self.hide()
         self.found = Found()
         self.changed.emit()
@@ -157,6 +159,7 @@ class FindBar(QWidget):
         self.look()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Answer Enter, Escape and the other keys of the bar, whichever field has them."""
         if isinstance(event, QKeyEvent) and event.key() in _OURS:
             if event.type() == QEvent.Type.ShortcutOverride:
                 event.accept()

@@ -54,4 +54,5 @@ class FoldVerbs:
                 editor.fold(*hidden)
 
     def unfold_all(self) -> None:
+        """Show all lines."""
         self._editor.folds.unfold_all()

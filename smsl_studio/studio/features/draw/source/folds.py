@@ -45,10 +45,12 @@ class Folds:
         self._show(first + 1, last, False)
 
     def unfold(self, fold: Fold) -> None:
+        """Show the lines of a fold and drop it."""
         self.all.remove(fold)
         self._show(fold.first, fold.last, True)
 
     def unfold_all(self) -> None:
+        """Show all lines and drop all folds."""
         for fold in tuple(self.all):
             self.unfold(fold)
 

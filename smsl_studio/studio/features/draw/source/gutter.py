@@ -42,6 +42,7 @@ class Gutter(QWidget):
         self.setAccessibleName("Line numbers")
 
     def sizeHint(self) -> QSize:
+        """As wide as the numbers and marks need."""
         return QSize(self.needed(), 0)
 
     def needed(self) -> int:
@@ -50,6 +51,7 @@ class Gutter(QWidget):
         return LEFT + self._editor.fontMetrics().horizontalAdvance("0") * digits + MARKS
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the rows that are exposed."""
         painter = QPainter(self)
         painter.fillRect(event.rect(), self._editor.tokens.surf)
         painter.setFont(self._editor.font())
@@ -87,6 +89,7 @@ class Gutter(QWidget):
         draw(painter, name, box, colour, self._editor.tokens.surf)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Fold or unfold the line, or ask for the fixes of its mark."""
         line = self._editor.row_at(event.position().y())
         if event.button() is not Qt.MouseButton.LeftButton or line is None:
             return
@@ -98,13 +101,16 @@ class Gutter(QWidget):
             self.fixes_wanted.emit(line)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Light the row under the pointer."""
         self._point(self._editor.row_at(event.position().y()))
 
     def leaveEvent(self, event: QEvent) -> None:
+        """Light no row."""
         super().leaveEvent(event)
         self._point(None)
 
     def event(self, event: QEvent) -> bool:
+        """Show the words of a mark as a tip."""
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             line = self._editor.row_at(event.pos().y())
             mark = self.marks.get(-1 if line is None else line)

@@ -32,6 +32,7 @@ class Bulb(QToolButton):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.setIcon(icon("bulb", tokens, colour=tokens.risk))
 
     def paintEvent(self, event: QPaintEvent) -> None:

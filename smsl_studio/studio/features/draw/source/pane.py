@@ -93,6 +93,7 @@ class SourcePane(QWidget):
     # What others ask of it.
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme, in the text and in all strips."""
         self._tokens = tokens
         self.editor.set_tokens(tokens)
         for strip in (self.yaml, self.faults, self.find_bar, self.repairing.bulb):
@@ -163,6 +164,7 @@ class SourcePane(QWidget):
         self._session.history.undo()
 
     def redo(self) -> None:
+        """Take over what is being typed, then redo."""
         self.settle()
         self._session.history.redo()
 
@@ -211,6 +213,7 @@ class SourcePane(QWidget):
             self.editor.reveal(min(lines))
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Show the text as it is now: it was stale while hidden."""
         super().showEvent(event)
         self._refresh()
         self._selection_changed()

@@ -50,6 +50,7 @@ def _text_fix(session: Session, fix: TextFix) -> Callable[[], None]:
     broken = session.broken
 
     def apply() -> None:
+        """Write the fixed text, if the text is still the one the fix was made for."""
         # A fix is made for one text; where that has gone on, it fits no more.
         if broken is not None and session.broken is broken:
             text = broken.text[: fix.start] + fix.text + broken.text[fix.end :]

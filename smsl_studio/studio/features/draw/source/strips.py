@@ -81,10 +81,12 @@ class Strip(QFrame):
         return made
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Paint the icon in the colours of another theme."""
         colour = tokens.bad if self._icon == "error" else tokens.risk
         self._mark.setPixmap(pixmap(self._icon, colour, tokens.surf, 14, self.devicePixelRatioF()))
 
     def minimumSizeHint(self) -> QSize:
+        """120 pixels wide: the sentence is shortened."""
         return QSize(120, super().minimumSizeHint().height())
 
 

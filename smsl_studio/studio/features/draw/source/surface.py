@@ -43,6 +43,7 @@ class TextSurface(TextRows):
         self.cursorPositionChanged.connect(self._keep_caret_out_of_folds)
 
     def set_tokens(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
         self.tokens = tokens
         self.colours.set_tokens(tokens)
         self.viewport().update()
@@ -65,6 +66,7 @@ class TextSurface(TextRows):
         self.folds.fold(first, last)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Colour the blocks that are in view, then paint the text and the folds."""
         high = max(1, int(self.fontMetrics().height()))
         self.colours.dress(self.firstVisibleBlock(), self.viewport().height() // high + 2)
         super().paintEvent(event)
@@ -87,6 +89,7 @@ class TextSurface(TextRows):
         painter.end()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
+        """With Ctrl make the text larger or smaller, else scroll."""
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
             step = (event.angleDelta().y() > 0) - (event.angleDelta().y() < 0)
             self._size = max(SMALLEST, min(LARGEST, self._size + step))
@@ -97,6 +100,7 @@ class TextSurface(TextRows):
         super().wheelEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Put the gutter at its place again."""
         super().resizeEvent(event)
         self._place_gutter()
 
