@@ -92,7 +92,7 @@ def add_seed_and_host(parser: ArgumentParser) -> None:
 
 def host_of(options: argparse.Namespace) -> str:
     """Where the world runs: code of plugins in a child, unless something else was asked for."""
-    from smsl_studio.library.operation_library import TABLE
+    from smsl_studio.world.engines import TABLE
 
     chosen: str | None = options.host
     return chosen or ("local" if options.world == TABLE else "process")

@@ -55,7 +55,7 @@ def _nothing() -> Blueprint:
 
 def _must_exist(world: str) -> None:
     from smsl_studio.host.plugin_offers import describe
-    from smsl_studio.library.operation_library import TABLE
+    from smsl_studio.world.engines import TABLE
 
     if world != TABLE:
         describe().world(world)

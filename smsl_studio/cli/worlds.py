@@ -9,7 +9,7 @@ from smsl_studio.cli.output import Output
 from smsl_studio.cli.plugins import fault_as_json, print_waiting, waiting_as_json
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.legible import one_line
-from smsl_studio.library.operation_library import TABLE
+from smsl_studio.world.engines import TABLE
 
 
 def add_arguments(parser: ArgumentParser) -> None:
@@ -20,9 +20,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Print every world, then the plugins that were not loaded, and why."""
     loaded = describe()
-    worlds = [
-        {"name": TABLE, "engine": "table", "hardware": False, "plugin": None, "location": None}
-    ]
+    worlds = [{"name": TABLE, "engine": TABLE, "hardware": False, "plugin": None, "location": None}]
     for plugin in loaded.plugins:
         for entry in plugin.library.worlds.values():
             worlds.append(

@@ -13,9 +13,9 @@ from smsl_studio.host.protocol import Host, SensorInfo
 from smsl_studio.host.remote import Remote, WithRemote
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside
 from smsl_studio.library.bound import leaf_facts
-from smsl_studio.library.operation_library import TABLE
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.reception import Reception
+from smsl_studio.world.engines import TABLE
 
 PERIOD, MAX_AGE = 0.1, 0.3
 """Seconds between two samples of a source, and how old one may be where ``_facts`` is silent."""

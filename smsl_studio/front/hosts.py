@@ -11,7 +11,7 @@ from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded, discover
-from smsl_studio.library.operation_library import TABLE
+from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare

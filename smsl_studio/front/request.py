@@ -15,7 +15,7 @@ from smsl_studio.errors import UsageError
 from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.script import Script
 from smsl_studio.front.supervisors import supervisor_of
-from smsl_studio.library.operation_library import TABLE
+from smsl_studio.world.engines import TABLE
 
 Json = Any
 Several = Written | Iterable[Written] | None

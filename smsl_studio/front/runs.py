@@ -26,10 +26,10 @@ from smsl_studio.front.script.fit import check_faults
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act, Script
 from smsl_studio.library.loading import Loaded
-from smsl_studio.library.operation_library import TABLE
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.stop import Stopped, heeding, whole
+from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:
     from smsl_studio.host.spare import Spare

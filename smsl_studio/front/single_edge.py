@@ -16,7 +16,6 @@ from smsl_studio.front.request import RunRequest
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.host.protocol import Host
 from smsl_studio.library.loading import Loaded
-from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import (
     Committed,
     EdgeSwept,
@@ -26,6 +25,7 @@ from smsl_studio.runlog.events import (
     OperationRefused,
     OperationRisky,
 )
+from smsl_studio.world.engines import TABLE
 
 
 def try_edge(

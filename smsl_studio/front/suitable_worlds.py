@@ -16,7 +16,7 @@ from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.bound import leaf_facts
 from smsl_studio.library.loading import Loaded
-from smsl_studio.library.operation_library import TABLE
+from smsl_studio.world.engines import TABLE
 
 
 def worlds_for(

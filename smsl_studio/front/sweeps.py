@@ -12,11 +12,11 @@ from smsl_studio.front.hosts import known_world, make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.single_edge import edge_alone
 from smsl_studio.host.protocol import Host
-from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import (
     EdgeSwept,
     SweepFinished,
 )
+from smsl_studio.world.engines import TABLE
 
 
 def sweep(

@@ -17,7 +17,6 @@ import time
 import traceback
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -32,8 +31,8 @@ from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
 from smsl_studio.host.wire import ChildWire
 from smsl_studio.library.loading import Loaded, discover
-from smsl_studio.library.operation_library import TABLE
 from smsl_studio.smsl.forms import form_named
+from smsl_studio.world.engines import TABLE, preload
 
 HEARTBEAT = 0.1
 PICTURE = 1.0 / 60.0
@@ -111,7 +110,7 @@ class _Child:
     def warm(self) -> None:
         """Load what takes long to load."""
         with contextlib.suppress(ImportError):
-            import_module("smsl_studio.world.bullet")
+            preload()
 
     def prepare(self, recipe: Recipe) -> None:
         """Read the blueprint and build the world; where that fails, ``open`` reports the fault."""

@@ -15,7 +15,6 @@ from smsl_studio.host.compound import mapped, mapping, optional, row, several
 from smsl_studio.host.vocabulary import PATIENCE, PLACE, SECONDS, name, sentence
 from smsl_studio.library.loading import Plugin, PluginFault
 from smsl_studio.library.operation_library import (
-    ENGINES,
     STOP_MODES,
     CostEntry,
     FaultEntry,
@@ -27,6 +26,7 @@ from smsl_studio.library.operation_library import (
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.signature import Signature
 from smsl_studio.library.survey import FoundPlugin
+from smsl_studio.world.engines import ENGINES
 
 LARGEST: Final = 4 * 2**20
 """Bytes of the longest description of one plugin."""

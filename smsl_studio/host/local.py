@@ -18,7 +18,6 @@ from smsl_studio.errors import HostError, RunRefused, StudioError
 from smsl_studio.host.brief import finite, short_words
 from smsl_studio.host.call import Call, words_of
 from smsl_studio.host.cost_functions import CostFunctions
-from smsl_studio.host.engines import make_engine
 from smsl_studio.host.fact_rules import rules_of
 from smsl_studio.host.injections import Injections
 from smsl_studio.host.protocol import (
@@ -35,10 +34,11 @@ from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.bound import Bindings, BoundSensor
 from smsl_studio.library.loading import Loaded, discover
-from smsl_studio.library.operation_library import TABLE, FaultEntry, WorldEntry
+from smsl_studio.library.operation_library import FaultEntry, WorldEntry
 from smsl_studio.library.table import facts_of
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.monitor.sample import Sample
+from smsl_studio.world.engines import TABLE, make_engine
 from smsl_studio.world.protocol import World
 
 

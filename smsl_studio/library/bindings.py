@@ -29,13 +29,9 @@ from smsl_studio.library.bound import (
     noted_touches,
 )
 from smsl_studio.library.loading import Loaded, Plugin
-from smsl_studio.library.operation_library import (
-    TABLE,
-    CostEntry,
-    OperationEntry,
-    SensorEntry,
-)
+from smsl_studio.library.operation_library import CostEntry, OperationEntry, SensorEntry
 from smsl_studio.library.table import table_bindings
+from smsl_studio.world.engines import TABLE
 
 
 def bind(

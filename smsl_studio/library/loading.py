@@ -16,14 +16,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from smsl_studio.errors import Place, PluginError, WorldError, did_you_mean
-from smsl_studio.library.operation_library import (
-    TABLE,
-    FaultEntry,
-    OperationLibrary,
-    WorldEntry,
-)
+from smsl_studio.library.operation_library import FaultEntry, OperationLibrary, WorldEntry
 from smsl_studio.library.plugin_package import import_plugin, place_of
 from smsl_studio.library.survey import FoundPlugin, PluginState, survey
+from smsl_studio.world.engines import TABLE
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,12 +37,11 @@ from smsl_studio.errors import PluginError
 from smsl_studio.library.pattern import Pattern, read_pattern
 from smsl_studio.library.signature import Signature, signature_of
 from smsl_studio.library.terms import proper_name, seconds, truth, words_of_values
+from smsl_studio.world.engines import ENGINES, TABLE, USUAL
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
-ENGINES = ("bullet", "table")
 STOP_MODES = ("abort", "hold", "finish")
-TABLE = "table"
 NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
 
@@ -127,7 +126,7 @@ class OperationLibrary:
         return any((self.worlds, self.operations, self.sensors, self.costs))
 
     def world(
-        self, name: str, engine: str = "bullet", hardware: bool = False, settle: float = 0.5
+        self, name: str, engine: str = USUAL, hardware: bool = False, settle: float = 0.5
     ) -> Callable[[FunctionT], FunctionT]:
         """Offer a world, furnished by the decorated ``build(world, blueprint, seed)``."""
         name = proper_name(name, "a world")

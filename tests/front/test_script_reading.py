@@ -13,6 +13,7 @@ import smsl_studio as smsl
 from smsl_studio.errors import ReadError
 from smsl_studio.front.script.lines import FAULTS, MOST, read_script, script_of
 from smsl_studio.front.script.script import ASKED, AT, DURING, EVERY, WHEN, Script, Trigger
+from smsl_studio.front.script.words import WORDS
 from smsl_studio.seal.digest import sha256_hex
 from smsl_studio.shipped import samples_dir
 
@@ -163,3 +164,14 @@ def test_any_changed_script_is_read_or_refused_with_a_place() -> None:
             at = random.randrange(len(raw))
             raw[at : at + random.randint(0, 3)] = random.randbytes(random.randint(0, 3))
         assert _is_refused_well(bytes(raw))
+
+
+def test_the_page_has_every_word_with_what_belongs_to_it() -> None:
+    page = Path(__file__).parents[2] / "docs" / "command-line.md"
+    lines = page.read_text("utf-8").splitlines()
+    begin = lines.index("| `do` | with it |")
+    table = lines[begin : lines.index("", begin)]
+    for word, takes in WORDS.items():
+        (line,) = [line for line in table if f"`{word}`" in line.split(" | ")[0]]
+        assert [key for key in takes.needs if f"`{key}`" not in line] == [], word
+        assert [key for key in takes.may if f"`{key}`" not in line] == [], word

@@ -19,8 +19,8 @@ from smsl_studio.dispatch.execution.words import all_words, check_words, truth_w
 from smsl_studio.dispatch.people.board import ANSWERED, Closed, Question
 from smsl_studio.dispatch.people.questions import operation_task
 from smsl_studio.host.protocol import Bound, Outcome, Tick
-from smsl_studio.library.operation_library import TABLE
 from smsl_studio.runlog.events import Committed, OperationEnded, OperationStarted, StateChecked
+from smsl_studio.world.engines import TABLE
 
 HAIR = 1e-9
 MOVING = (ActionStage.RUNNING, ActionStage.ASKING, ActionStage.SETTLING)

@@ -1,14 +1,24 @@
-"""Which class drives a world: the engines a plugin may ask for, loaded only when one does."""
+"""The engines that a world may be built on; each is loaded only when a world asks for it."""
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING
+
 from smsl_studio.errors import WorldError
-from smsl_studio.world.protocol import World
+
+if TYPE_CHECKING:
+    from smsl_studio.world.protocol import World
+
+BULLET, TABLE = "bullet", "table"
+ENGINES = (BULLET, TABLE)
+USUAL = BULLET
+"""What a plugin's world is built on that names no engine."""
 
 
 def make_engine(engine: str, name: str) -> World:
     """A fresh, empty engine world called ``name``; WorldError where it is not installed."""
-    if engine == "table":
+    if engine == TABLE:
         from smsl_studio.world.table import TableWorld
 
         return TableWorld(name)
@@ -20,3 +30,8 @@ def make_engine(engine: str, name: str) -> World:
             advice="Install pybullet, or run in the world table.",
         ) from None
     return BulletWorld(name)
+
+
+def preload() -> None:
+    """Load the usual engine, so that a world that is built later stands sooner."""
+    import_module("smsl_studio.world.bullet")
