@@ -44,16 +44,15 @@ def joined(
     source: NodeBox,
     target: NodeBox,
     style: LineStyle,
-    outward: Point,
-    clear: bool = True,
+    outward: Point | None,
     only: int | None = None,
 ) -> dict[int, EdgeShape]:
     """The lines of all edges between two states, side by side; or that of the ``only`` one.
 
-    ``outward`` is the direction away from the middle of the picture: a lone curve bends there.
-    ``clear`` says whether the straight way is free of other nodes.
+    ``outward`` is the direction away from the middle of the picture: a lone curve bends there. None
+    says that the straight way is not free of other nodes.
     """
-    straight = clear and not style.compact and in_row(source, target)
+    straight = outward is not None and not style.compact and in_row(source, target)
     normal = _normal(source, target)
     shapes: dict[int, EdgeShape] = {}
     for edge, there, offset in _side_by_side(pair, source, target, style, only):
@@ -62,7 +61,7 @@ def joined(
             shapes[edge] = _straight(*ends, offset, normal, style)
         else:
             bow = 0.0
-            if len(pair) == 1 and clear and not style.compact:
+            if len(pair) == 1 and outward is not None and not style.compact:
                 bow = _gentle(source, target, normal, outward)
             shapes[edge] = curve(*ends, offset, bow, normal, style)
     return shapes
@@ -236,7 +235,7 @@ def around(
             trial = curve(source, target, 0.0, bend, normal, style)
             if not meets(trial.points, boxes, (pair.a, pair.b), 8.0 * style.unit):
                 return _bent(pair, source, target, style, normal, bend)
-    return joined(pair, source, target, style, outward, clear=False)
+    return joined(pair, source, target, style, None)
 
 
 def _bent(

@@ -190,8 +190,8 @@ class Geometry:
         places = self._places
         if places is None:
             places = self._places = self._fresh_places()
-        unit, compact = self.style.unit, self.style.compact
-        self._labels[edge] = labels.place(edge, shape, size, places, self._lines, unit, compact)
+        compact = self.style.compact
+        self._labels[edge] = labels.place(edge, shape, size, places, self._lines, compact)
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)

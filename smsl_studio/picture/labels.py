@@ -35,7 +35,7 @@ class LabelPlaces:
     """
 
     def __init__(self, boxes: Floats, unit: float) -> None:
-        self._unit = unit
+        self.unit = unit
         self._cell = 96.0 * unit
         if len(boxes):
             self._cell = max(self._cell, float(boxes[:, 2:].max()) * 2.0 + 4.0 * unit)
@@ -53,7 +53,7 @@ class LabelPlaces:
 
     def take(self, rect: Rect, margin: float = 1.0) -> None:
         """Keep a rectangle free of labels from now on."""
-        m = margin * self._unit
+        m = margin * self.unit
         wide = (rect[0] - m, rect[1] - m, rect[2] + m, rect[3] + m)
         for cell in self._over(wide):
             self._cells.setdefault(cell, []).append(wide)
@@ -129,11 +129,11 @@ def place(
     size: tuple[float, float],
     places: LabelPlaces,
     lines: LinePieces,
-    unit: float,
     compact: bool,
 ) -> Rect | None:
     """The best free place of one label, taken; None where there is none."""
     best: tuple[float, Rect] | None = None
+    unit = places.unit
     for cost, make in _candidates(shape, size, unit, compact):
         if best is not None and cost >= best[0]:
             break

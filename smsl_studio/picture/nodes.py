@@ -19,7 +19,7 @@ from smsl_studio.picture.figure import (
 from smsl_studio.picture.levels import FULL_SIZE, Level
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.picture.signs import DASHES, inks, sign_at
-from smsl_studio.picture.strokes import box, circle, number, polygon, polyline, text
+from smsl_studio.picture.strokes import box, circle, mono_text, number, polygon, polyline, text
 from smsl_studio.picture.words import elided
 
 
@@ -75,7 +75,7 @@ def _initial(x: float, colours: Colours) -> Iterator[str]:
 
 def _short(face: Face, wide: float, colours: Colours) -> Iterator[str]:
     words = elided(face.short, SHORT, wide - 8.0)
-    yield text((0.0, 4.2), words, SHORT, colours["tx"], 500, mono=True)
+    yield mono_text((0.0, 4.2), words, SHORT, colours["tx"], 500)
 
 
 def _words(face: Face, wide: float, colours: Colours) -> Iterator[str]:
@@ -103,6 +103,6 @@ def _chip(chip: Chip, left: float, across: float, colours: Colours) -> Iterator[
         yield box((left, top, across, CHIP), 4.0, colours["sunk"])
         ink = colours["tx"]
     middle = left + across / 2
-    yield text((middle, top + CHIP / 2 + 4.2), chip.text, CHIP_TEXT, ink, 500, mono=True)
+    yield mono_text((middle, top + CHIP / 2 + 4.2), chip.text, CHIP_TEXT, ink, 500)
     if chip.sub:
         yield box((middle - 6.5, top + CHIP + 1.5, 13.0, 2.0), 1.0, colours["acc"])

@@ -79,13 +79,21 @@ def text(
     colour: str,
     weight: int = 400,
     anchor: str = "middle",
-    mono: bool = False,
 ) -> str:
     """A line of text about a baseline point."""
+    return _text(at, words, size, f'text-anchor="{anchor}" fill="{colour}"', _heavy(weight))
+
+
+def mono_text(at: Point, words: str, size: float, colour: str, weight: int = 400) -> str:
+    """A line of text about a baseline point, in letters of one width."""
+    look = f'text-anchor="middle" fill="{colour}"'
+    return _text(at, words, size, look, f'{_heavy(weight)} font-family="{MONO_FAMILY}"')
+
+
+def _heavy(weight: int) -> str:
+    return f' font-weight="{weight}"' if weight != 400 else ""
+
+
+def _text(at: Point, words: str, size: float, look: str, font: str) -> str:
     x, y = map(number, at)
-    family = f' font-family="{MONO_FAMILY}"' if mono else ""
-    heavy = f' font-weight="{weight}"' if weight != 400 else ""
-    return (
-        f'<text x="{x}" y="{y}" font-size="{number(size)}"{heavy}{family} '
-        f'text-anchor="{anchor}" fill="{colour}">{markup(words)}</text>'
-    )
+    return f'<text x="{x}" y="{y}" font-size="{number(size)}"{font} {look}>{markup(words)}</text>'

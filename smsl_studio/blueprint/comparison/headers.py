@@ -24,7 +24,8 @@ def compare_header(pair: BranchSides) -> None:
     was, now = _others(pair.before), _others(pair.after)
     for key, here, there in fields_that_differ(was, now):
         old, new = was.get(key), now.get(key)
-        _add(pair, key, old, new, value_words(here, there, old, new), here=here, there=there)
+        words = value_words(here, there, old, new)
+        _add(pair, key, (old, new), words, sides=(here, there))
     pair.sides.changes.extend(
         changed_fields(
             one.fields,
@@ -46,7 +47,7 @@ def _compare_role(pair: BranchSides, key: str) -> None:
     written = getattr(pair.after.header, word) is not None
     default = "" if written or not new else f", the {_default(key)} state listed"
     words = f"is {new or 'no state'} instead of {old or 'no state'}{default}"
-    _add(pair, key, old, new, words)
+    _add(pair, key, (old, new), words)
 
 
 def _default(key: str) -> str:
@@ -61,7 +62,7 @@ def _compare_facts(pair: BranchSides) -> None:
     words = f"cuts the names into {_cut(pair.after)} instead of {_cut(pair.before)}"
     if old == new:
         words = f"is {_cut(pair.after)} by the names, instead of {_cut(pair.before)}"
-    _add(pair, "NUM_FACTS", _shape(pair.before), _shape(pair.after), words)
+    _add(pair, "NUM_FACTS", (_shape(pair.before), _shape(pair.after)), words)
 
 
 def _cut(branch: StateBranch) -> str:
@@ -99,7 +100,8 @@ def _compare_subs(pair: BranchSides) -> None:
         else:
             words = f"lets {sub} expand {other}"
         below = (was if here else "", sub if there else "")
-        _add(pair, "SUB_SBS", _one(here), _one(there), words, below, bool(here), bool(there))
+        values, sides = (_one(here), _one(there)), (bool(here), bool(there))
+        _add(pair, "SUB_SBS", values, words, below, sides)
 
 
 def _digits(digits: list[int]) -> str:
@@ -122,14 +124,16 @@ def _others(branch: StateBranch) -> dict[str, Json]:
 def _add(
     pair: BranchSides,
     key: str,
-    old: Json,
-    new: Json,
+    values: tuple[Json, Json],
     words: str,
     below: tuple[str, str] = ("", ""),
-    here: bool = True,
-    there: bool = True,
+    sides: tuple[bool, bool] = (True, True),
 ) -> None:
-    """``below`` is the key inside the header's value, before and after."""
+    """Add a change of a header; pairs are before and after.
+
+    ``below`` is the key inside the header's value, ``sides`` says on which sides it is written.
+    """
+    here, there = sides
     inner = [(key, name) if name else (key,) for name in below]
     pair.add(
         Change(
@@ -139,8 +143,7 @@ def _add(
             pair.after.address,
             f"{key} of {pair.after.name} {words}.",
             "/".join(inner[there]),
-            old,
-            new,
+            *values,
             (pair.before.name, HEADER, *inner[0]) if here else (),
             (pair.after.name, HEADER, *inner[1]) if there else (),
         )

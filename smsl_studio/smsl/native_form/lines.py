@@ -73,8 +73,7 @@ class BadValue(Exception):  # noqa: N818
 
     def __init__(
         self,
-        at: int,
-        end: int,
+        span: tuple[int, int],
         sentence: str,
         advice: str,
         fix: TextFix | None = None,
@@ -82,7 +81,8 @@ class BadValue(Exception):  # noqa: N818
         resume: int = 0,
     ) -> None:
         super().__init__(sentence)
-        self.at, self.end, self.sentence, self.advice = at, end, sentence, advice
+        self.at, self.end = span
+        self.sentence, self.advice = sentence, advice
         self.fix, self.guess, self.resume = fix, guess, resume
 
 
@@ -149,7 +149,7 @@ def _field(text: str, raw: str, line: HashLine, depth: int) -> Value:
         fix = TextFix("Write it on one line", line.value_start, end, one_line(value))
         sentence = f"the value of {line.key} goes over several lines"
         advice = "A header line ends with its line: write the value on one."
-        raise BadValue(line.value_start, end, sentence, advice, fix, value, end) from None
+        raise BadValue((line.value_start, end), sentence, advice, fix, value, end) from None
 
 
 def _json(raw: str, line: HashLine, depth: int) -> Value:
@@ -158,7 +158,7 @@ def _json(raw: str, line: HashLine, depth: int) -> Value:
         value, end, doubled = read_json(raw, depth)
     except BadJson as error:
         at = min(start + error.at, line.end)
-        raise BadValue(at, at + error.length, error.sentence, error.advice) from None
+        raise BadValue((at, at + error.length), error.sentence, error.advice) from None
     _check_trail(raw, end, line)
     return Value(value, start + end, doubled)
 
@@ -174,8 +174,7 @@ def _name(raw: str, line: HashLine) -> Value:
     at, end = line.value_start, line.value_start + len(words)
     if not words:
         raise BadValue(
-            line.key_start,
-            line.key_end,
+            (line.key_start, line.key_end),
             f"{line.key} has no value",
             f"Write a name behind the colon: # {line.key}: State0.",
         )
@@ -184,11 +183,15 @@ def _name(raw: str, line: HashLine) -> Value:
         cut = line.end - len(behind)
         fix = TextFix("Break the line", cut, cut, "\n")
         raise BadValue(
-            cut, cut + 1, "a header line ends with its line", "Break the line here.", fix, match[0]
+            (cut, cut + 1),
+            "a header line ends with its line",
+            "Break the line here.",
+            fix,
+            match[0],
         )
     fix = TextFix("Write it in quotes", at, end, json.dumps(words, ensure_ascii=False))
     sentence = f"{words!r} is no name without quotes"
-    raise BadValue(at, end, sentence, NEEDS_QUOTES, fix, words)
+    raise BadValue((at, end), sentence, NEEDS_QUOTES, fix, words)
 
 
 def _quoted(raw: str, line: HashLine) -> Value:
@@ -198,11 +201,11 @@ def _quoted(raw: str, line: HashLine) -> Value:
         end = start + len(_without_comment(raw))
         fix = TextFix("Close the quotes", end, end, '"')
         sentence, advice = "the quotes are not closed", 'Put " behind the text.'
-        raise BadValue(start, end, sentence, advice, fix, raw[1 : end - start])
+        raise BadValue((start, end), sentence, advice, fix, raw[1 : end - start])
     try:
         value = decoded(match[0])
     except ValueError:
-        raise BadValue(start, start + match.end(), *NO_TEXT) from None
+        raise BadValue((start, start + match.end()), *NO_TEXT) from None
     _check_trail(raw, match.end(), line)
     return Value(value, start + match.end())
 
@@ -214,8 +217,7 @@ def _map(raw: str, line: HashLine) -> Value | None:
             return None
         at = line.value_start
         raise BadValue(
-            at,
-            at + len(_without_comment(raw)),
+            (at, at + len(_without_comment(raw))),
             "SUB_SBS is no map from sub-SBs to digits",
             "Write it as (SB2: 1, SB3: 0), digits from 0 at the left.",
         )
@@ -229,7 +231,7 @@ def _map(raw: str, line: HashLine) -> Value | None:
             found[decoded(entry[1])] = int(entry[2])
         except ValueError:
             at = line.value_start + entry.start(1)
-            raise BadValue(at, at + len(entry[1]), *NO_TEXT) from None
+            raise BadValue((at, at + len(entry[1])), *NO_TEXT) from None
     return Value(found, line.value_start + match.end(), len(found) != count)
 
 
@@ -264,8 +266,7 @@ def _check_trail(raw: str, at: int, line: HashLine) -> None:
     if behind[:1] in ("}", "{", "#", "]"):
         fix = TextFix("Break the line", start, start, "\n")
     raise BadValue(
-        start,
-        line.end,
+        (start, line.end),
         f"more stands behind the value of {line.key}",
         "A header line holds one value, and ends with its line.",
         fix,
@@ -273,4 +274,4 @@ def _check_trail(raw: str, at: int, line: HashLine) -> None:
 
 
 def _too_large(at: int, length: int) -> BadValue:
-    return BadValue(at, at + length, "the number is too large", "Write a shorter number.")
+    return BadValue((at, at + length), "the number is too large", "Write a shorter number.")

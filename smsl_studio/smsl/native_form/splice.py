@@ -76,7 +76,7 @@ class _NativeSplicer:
             return self._style.branch(key, value, indent)
 
         merged = self._members(
-            row, list(row.slots), dict(self._document.values), new, "", self._branch_value, fresh
+            row, list(row.slots), (dict(self._document.values), new), "", self._branch_value, fresh
         )
         merged = {
             key: value if key[:1] == "_" else _as_read(value) for key, value in merged.items()
@@ -121,7 +121,7 @@ class _NativeSplicer:
 
         slots = [s for s in row.slots if s.element and s.element.kind in ("state", "field")]
         members, after = _without_header(old), _without_header(new)
-        merged |= self._members(row, slots, members, after, indent, state_value, fresh)
+        merged |= self._members(row, slots, (members, after), indent, state_value, fresh)
         return "{" + row.whole(indent, outer) + "}", merged
 
     def _header(self, row: ElementRow, branch: str, old: Map, new: Map, indent: str) -> Map:
@@ -193,7 +193,7 @@ class _NativeSplicer:
             edge.text = edge.text[: found.value_start - found.end or None] + spelled(new)
             return new
 
-        merged = self._members(row, list(row.slots), old, new, indent, target, fresh)
+        merged = self._members(row, list(row.slots), (old, new), indent, target, fresh)
         head = slot.text[: state.value_start - state.end]
         inner = row.whole(indent, outer)
         blank = not row.slots and not inner.strip() and not has_break(inner)
@@ -215,13 +215,13 @@ class _NativeSplicer:
         self,
         row: ElementRow,
         slots: list[Slot],
-        old: Map,
-        new: Map,
+        maps: tuple[Map, Map],
         indent: str,
         change: Change,
         fresh: Callable[[str, Json, str], str],
     ) -> Map:
-        """Bring those slots of a row that are its members to the new values."""
+        """Bring those slots of a row that are its members from the old values to the new ones."""
+        old, new = maps
         kept = survivors(old, new)
         latest = {slot.key: slot for slot in slots}
         for slot in slots:

@@ -24,6 +24,7 @@ from smsl_studio.studio.base.canvas.sheet import Numbers, Sheet
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.edge_paint import (
     EdgeShapes,
+    LineInk,
     paint_label,
     paint_line,
     paint_pill,
@@ -100,10 +101,11 @@ class EdgeLayer(Layer):
     def _near(self, painter: QPainter, sheet: Sheet, edges: list[int]) -> None:
         geometry, looks, drawn = sheet.geometry, sheet.looks, self._drawn
         rest = [e for e in edges if not looks.is_lit(e)]
+        ink = LineInk(sheet.ink, sheet.unit, sheet.compact)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for edge in rest:
             look, shape = looks.edge(edge), geometry.shape(edge)
-            paint_line(painter, shape, look, sheet.ink, sheet.unit, sheet.compact, drawn)
+            paint_line(painter, shape, look, ink, drawn)
         if looks.marks.dimmed:
             return
         unit = sheet.unit
@@ -238,12 +240,13 @@ class LitLayer(Layer):
         """Paint the lit edges and then their labels, the most important one last."""
         geometry, looks, unit = sheet.geometry, sheet.looks, sheet.unit
         order = by_weight(sheet)
+        ink = LineInk(sheet.ink, unit, sheet.compact)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.save()
         self._spare_names(painter, sheet, exposed)
         for edge in order:
             shape = geometry.shape(edge)
-            paint_line(painter, shape, looks.edge(edge), sheet.ink, unit, sheet.compact)
+            paint_line(painter, shape, looks.edge(edge), ink)
         painter.restore()
         painter.save()
         painter.scale(unit, unit)

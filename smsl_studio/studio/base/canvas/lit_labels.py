@@ -122,7 +122,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
             (x - w / 2, y + off - h / 2, x + w / 2, y + off + h / 2)
             for off in (step * sheet.unit for step in (0.0, -14.0, 14.0, -24.0, 24.0))
         ]
-        return _first(sheet, edge, text, rects, taken, True, must=True)
+        return _first(sheet, edge, text, rects, taken, True)
     if look.running is not None:
         return _pill(sheet, edge, shape, taken, view)
     if look.pruned or look.held_back or look.risky:
@@ -131,7 +131,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         return _first(sheet, edge, text, _near_sign(sheet, edge, text, shape), taken, False)
     if sheet.compact and look.change:
         rects = _clear_of_names(sheet, edge, text, shape)
-        return _first(sheet, edge, text, rects, taken, True, must=True)
+        return _first(sheet, edge, text, rects, taken, True)
     if sheet.compact and (look.trail or look.planned or look.possible):
         # Short lines would vanish below their label: it stands beside them.
         size = _size(sheet, text)
@@ -214,13 +214,13 @@ def _first(
     rects: list[Rect],
     taken: list[Rect],
     ground: bool,
-    must: bool = False,
 ) -> LitLabel | None:
     """At the first of these places that covers neither a node nor a label.
 
-    Where there is none it hides until it is pointed at, unless it ``must`` be read.
+    Where there is none it hides until it is pointed at, unless it has a ``ground``: what must be
+    read has one.
     """
-    must = must or sheet.edge_look(edge).hovered
+    must = ground or sheet.edge_look(edge).hovered
     free = (r for r in rects if _is_free(sheet, r, taken))
     rect = next(free, rects[0] if must else None)
     return LitLabel(edge, text, rect, ground) if rect is not None else None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QPointF, QRectF
@@ -83,19 +84,26 @@ def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
     return width, LABEL_HEIGHT if not text.mono else 14.0
 
 
+class LineInk(NamedTuple):
+    """What lines are drawn with: ink, scene units in a pixel, and whether states are compact."""
+
+    ink: Ink
+    unit: float
+    compact: bool = False
+
+
 def paint_line(
     painter: QPainter,
     shape: EdgeShape,
     look: EdgeLook,
-    ink: Ink,
-    unit: float,
-    compact: bool = False,
+    with_ink: LineInk,
     drawn: EdgeShapes | None = None,
 ) -> None:
     """The line and its arrowhead; compact edges have a smaller one.
 
     ``drawn`` keeps polygons from one painting to the next.
     """
+    ink, unit, compact = with_ink
     tokens = ink.tokens
     if look.running is not None:
         _running(painter, shape, look.running, ink, unit)

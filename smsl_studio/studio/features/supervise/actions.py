@@ -38,24 +38,20 @@ def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
 
         return ask
 
-    def row(name: str, words: str, call: Callable[[], object], icon: str, key: str, tip: str,
-            enabled: Callable[[], bool] = pane.run_exists) -> Action:  # fmt: skip
-        keys = tuple(key.split())
-        return Action(name, words, there(call), "Run", icon, keys, enabled,
-                      scope="supervise", section=2, tip=tip)  # fmt: skip
-
     def command(one: CommandRow) -> Action:
         ask, name = partial(pane.ask_for, one.word), NAMES.get(one.word, one.word)
         if one.word == "full_map":
             return Action(name, one.label, there(ask), "Run", one.icon, (), pane.run_exists,
                           pane.is_mapped, section=2, tip=one.tip)  # fmt: skip
         words = "Take over, or give back" if one.word == "take_over" else one.label
-        return row(name, words, ask, one.icon, one.key, one.tip,
-                   fitting.get(one.word, pane.run_exists))  # fmt: skip
+        enabled = fitting.get(one.word, pane.run_exists)
+        return Action(name, words, there(ask), "Run", one.icon, tuple(one.key.split()), enabled,
+                      scope="supervise", section=2, tip=one.tip)  # fmt: skip
 
     fitting = {"accept": pane.is_located, "reset": pane.is_stopped, "end": pane.is_held}
     return (
-        row("choose_operation", "Choose an operation", pane.choose_first, "", "1 2 3 4 5 6 7 8 9",
-            "Choose one of the operations out of the current state"),
+        Action("choose_operation", "Choose an operation", there(pane.choose_first), "Run", "",
+               tuple("123456789"), pane.run_exists, scope="supervise", section=2,
+               tip="Choose one of the operations out of the current state"),
         *(command(one) for one in COMMANDS.values() if one.tip),
     )  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from smsl_studio.blueprint.check import CheckResult, Term, state_check, sub_below
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -82,6 +83,14 @@ def sensed_marks(
     return tuple(found)
 
 
+class _Here(NamedTuple):
+    """The state that is shown, whether the SB leaves it now, and whether no reading comes."""
+
+    state: str
+    moving: bool
+    lost: bool
+
+
 def _rows(
     blueprint: Blueprint,
     own: StateBranch,
@@ -91,9 +100,9 @@ def _rows(
     lost: bool,
 ) -> tuple[FactRow, ...]:
     terms = {term.fact: term for term in check.terms}
-    moving = check.state != state
+    here = _Here(state, check.state != state, lost)
     return tuple(
-        _row(blueprint, own, status, terms.get((own.name, digit)), state, digit, moving, lost)
+        _row(blueprint, own, status, terms.get((own.name, digit)), digit, here)
         for digit in range(len(own.facts(state)))
     )
 
@@ -103,11 +112,10 @@ def _row(
     own: StateBranch,
     status: DispatchStatus,
     term: Term | None,
-    state: str,
     digit: int,
-    moving: bool,
-    lost: bool,
+    here: _Here,
 ) -> FactRow:
+    state, moving, lost = here
     believed, name = own.facts(state)[digit], own.fact_name(digit)
     chip, sub = kind_of(own, state, digit), sub_below(blueprint, own, digit)
     if sub is not None:

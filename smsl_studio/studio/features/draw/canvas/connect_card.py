@@ -18,6 +18,7 @@ ROWS = 4
 class ConnectCard(PassingCard):
     """The fields of a new operation: its name, with the names in use, and perhaps its target.
 
+    ``begun`` are both as they stand at first; a target of None is fixed, and has no field.
     ``commit`` takes (operation, target) and answers with a reason or the empty text. Without a
     fixed target the second field names a state that is there, or a new one.
     """
@@ -27,12 +28,12 @@ class ConnectCard(PassingCard):
         parent: QWidget,
         tokens: Tokens,
         names: Sequence[str],
-        operation: str,
-        target: str | None,
+        begun: tuple[str, str | None],
         commit: Callable[[str, str], str],
         target_for: Callable[[str], str] | None = None,
     ) -> None:
         super().__init__(parent, tokens, 10.0)
+        operation, target = begun
         self._names, self._commit = list(names), commit
         self._target_for, self._own_target, self._touched = target_for, False, False
         self.operation = NameLine(self, tokens, "Operation")
