@@ -109,13 +109,26 @@ class AllWindows(Protocol):
 class DockSides(Protocol):
     """What actions ask of the docks at the sides of the drawing."""
 
-    def left_shown(self) -> bool: ...
-    def right_shown(self) -> bool: ...
-    def bottom_shown(self) -> bool: ...
-    def toggle_left(self) -> None: ...
-    def toggle_right(self) -> None: ...
-    def toggle_bottom(self) -> None: ...
-    def enter_tab(self, name: str) -> bool: ...
+    def left_shown(self) -> bool:
+        """Whether the dock at the left is shown."""
+
+    def right_shown(self) -> bool:
+        """Whether the dock at the right is shown."""
+
+    def bottom_shown(self) -> bool:
+        """Whether the dock at the bottom is shown."""
+
+    def toggle_left(self) -> None:
+        """Show or hide the dock at the left."""
+
+    def toggle_right(self) -> None:
+        """Show or hide the dock at the right."""
+
+    def toggle_bottom(self) -> None:
+        """Show or hide the dock at the bottom."""
+
+    def enter_tab(self, name: str) -> bool:
+        """Show the tab of this name and give it the keys; False where it has them already."""
 
 
 class Shell(Protocol):
@@ -126,17 +139,31 @@ class Shell(Protocol):
         """The mode that is shown, such as "draw"."""
 
     @property
-    def sides(self) -> DockSides: ...
+    def sides(self) -> DockSides:
+        """The docks at the sides of the drawing."""
+
     @property
-    def program(self) -> AllWindows: ...
+    def program(self) -> AllWindows:
+        """The program with all its windows."""
+
     def set_mode(self, mode: str) -> None:
         """Show another mode."""
 
-    def show_tab(self, name: str) -> None: ...
-    def show_count(self, panel: str, count: int) -> None: ...
-    def show_segment(self, name: str, shown: bool) -> None: ...
-    def say_findings(self, words: str) -> None: ...
-    def corner_below(self, action: str) -> QPoint: ...
+    def show_tab(self, name: str) -> None:
+        """Bring the panel of this name to the front."""
+
+    def show_count(self, panel: str, count: int) -> None:
+        """Say on the tab of a panel how much is in it."""
+
+    def show_segment(self, name: str, shown: bool) -> None:
+        """Offer a mode in the mode bar, or no longer."""
+
+    def say_findings(self, words: str) -> None:
+        """Say in the status line what was found."""
+
+    def corner_below(self, action: str) -> QPoint:
+        """A point of the screen below the button of an action."""
+
     def new_window(self) -> None:
         """Open another window."""
 

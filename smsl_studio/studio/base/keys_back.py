@@ -1,4 +1,4 @@
-"""KeysBack: a part of the window that goes with the keys gives them back to what had them."""
+"""KeysBack: when a part that has the keys hides, they go back to the widget that had them."""
 
 from __future__ import annotations
 

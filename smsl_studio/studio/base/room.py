@@ -1,4 +1,4 @@
-"""Room for a part that may be taller than there is space: it scrolls, and asks for no more."""
+"""A scroll area for a part that may be taller than the space there is."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ LEAST = 120
 
 
 class Room(QScrollArea):
-    """As high as what is in it, and less where that has to be."""
+    """Asks for the height of the part in it, and scrolls where there is less."""
 
     def __init__(self, inner: QWidget) -> None:
         super().__init__()

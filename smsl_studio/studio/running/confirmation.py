@@ -106,6 +106,7 @@ class ConfirmBox(QFrame):
         self.do.setToolTip(tip_text("" if words == verb else verb))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the words into the new width."""
         super().resizeEvent(event)
         self._fit()
 
@@ -133,6 +134,7 @@ class ConfirmBox(QFrame):
         self.confirmed.emit(decision, reason)
 
     def drop(self) -> None:
+        """Close the box without doing it, and tell so."""
         self.show_decision(None)
         self.dropped.emit()
 

@@ -69,6 +69,7 @@ class FactsModel(QAbstractTableModel):
         self._heads = (*COLUMNS[:4], quality)
 
     def show(self, rows: tuple[FactRow, ...]) -> None:
+        """Show other rows; only rows that changed are told to the view."""
         if len(rows) != len(self.rows):
             self.beginResetModel()
             self.rows = rows
@@ -80,12 +81,15 @@ class FactsModel(QAbstractTableModel):
                 self.dataChanged.emit(self.index(row, 0), self.index(row, len(COLUMNS) - 1))
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many rows there are; a row has none below it."""
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many columns there are."""
         return 0 if parent.isValid() else len(COLUMNS)
 
     def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> object:
+        """The heads of the columns; for a row its name, which is read out."""
         if orientation is Qt.Orientation.Horizontal:
             if role == Qt.ItemDataRole.DisplayRole:
                 return self._heads[section]
@@ -98,6 +102,7 @@ class FactsModel(QAbstractTableModel):
         return None
 
     def data(self, index: Index, role: int = 0) -> object:
+        """The words of a cell, what is read out, the tip, or the ``FactRow`` itself."""
         row = self.rows[index.row()]
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             age = "" if row.age is None else age_words(row.age)
@@ -121,6 +126,7 @@ class _FactCells(QStyledItemDelegate):
         self.tokens = tokens
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Paint one cell, or a group's name over the whole row."""
         row: FactRow = index.data(Qt.ItemDataRole.UserRole)
         room = QRectF(option.rect)
         painter.save()
@@ -266,6 +272,7 @@ class FactsTable(QTableView):
         self.setAccessibleName("Facts: believed and sensed")
 
     def show_rows(self, rows: tuple[FactRow, ...]) -> None:
+        """Show other rows, each group's name over the whole width."""
         grouped = [row.group for row in rows]
         anew = grouped != [row.group for row in self.facts.rows]
         self.facts.show(rows)
@@ -289,6 +296,7 @@ class FactsTable(QTableView):
             super().keyPressEvent(event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the names into the new width."""
         super().resizeEvent(event)
         self._fit_names()
 

@@ -133,9 +133,11 @@ class _Tool(QToolButton):
     """A tool whose words keep off its icon, with a chevron where it opens a menu."""
 
     def setText(self, words: str) -> None:
+        """Set the words, with a space between them and the icon."""
         super().setText(f" {words}" if words else "")
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the button, with a chevron where it opens a menu."""
         super().paintEvent(event)
         if self.menu() is not None:
             painter = QPainter(self)

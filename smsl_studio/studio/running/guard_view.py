@@ -48,6 +48,7 @@ class _Looked:
         self._checks: dict[str, CheckResult] = {}
 
     def standing(self, guards: tuple[Guard, ...]) -> Standing:
+        """How these guards stand together: the worst of their truths, and the words of each."""
         each = [self._one(guard) for guard in guards]
         truths = [truth for truth, _ in each]
         worst = next((one for one in (MISSES, UNKNOWN) if one in truths), HOLDS)

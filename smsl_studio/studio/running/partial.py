@@ -49,6 +49,7 @@ class OperationCard:
 
     @property
     def name(self) -> str:
+        """The name of the operation."""
         return self.address.operation
 
     @property
@@ -58,6 +59,7 @@ class OperationCard:
 
     @property
     def permitted(self) -> bool:
+        """Whether the operation may be chosen now."""
         return self.standing in (NEXT, POSSIBLE)
 
 

@@ -28,6 +28,7 @@ class Person:
 
     @property
     def has_pin(self) -> bool:
+        """Whether the person must say a PIN."""
         return bool(self.kept)
 
     def opens_with(self, pin: str) -> bool:
@@ -59,6 +60,7 @@ class Persons(QObject):
 
     @property
     def all(self) -> tuple[Person, ...]:
+        """All persons, in the order they were added."""
         return self._all
 
     @property
@@ -89,6 +91,7 @@ class Persons(QObject):
         self.changed.emit()
 
     def remove(self, person: Person) -> None:
+        """Forget a person, here and in the file."""
         self._all = tuple(one for one in self._all if one != person)
         self._write()
         self.changed.emit()

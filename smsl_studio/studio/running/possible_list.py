@@ -96,6 +96,7 @@ class PossibleList(QScrollArea):
         return list(inner.findChildren(QFrame, "possibleRow")) if inner else []
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Make the rows again when the list becomes narrow or wide."""
         super().resizeEvent(event)
         if self._is_narrow() != self._narrow:
             self._rebuild()
@@ -257,6 +258,7 @@ class _Words(Label):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the sentence, with an ellipsis where it is too long."""
         painter = QPainter(self)
         painter.setPen(self.palette().windowText().color())
         right = Qt.TextElideMode.ElideRight

@@ -148,6 +148,7 @@ class RunCanvas(QWidget):
         self.refresh()
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Show how the run stands now."""
         super().showEvent(event)
         self.refresh()
 
@@ -288,6 +289,7 @@ class RunCanvas(QWidget):
         return [metrics.elidedText(plain_text(name), middle, share) for name in names]
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the buttons of the SBs into the new width."""
         super().resizeEvent(event)
         self._name_branches(self._blueprint())
         self._fit_steps()

@@ -191,6 +191,7 @@ class RunSession(QObject, Commands):
         request = _request(blueprint, choice)
 
         def record() -> RunLog | None:
+            """The record of the run that begins; None where it is not recorded."""
             log = _log(request, loaded, folder, who) if folder is not None else None
             self.record = log.path if log is not None else None
             return log
@@ -210,6 +211,7 @@ class RunSession(QObject, Commands):
         self.changed.emit()
 
     def set_speed(self, speed: float) -> None:
+        """Set the simulated seconds per wall second; does nothing without a run."""
         if self._runner is not None:
             self._runner.set_speed(speed)
 

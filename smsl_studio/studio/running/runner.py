@@ -91,6 +91,7 @@ class Runner(QThread):
         """Simulated seconds per wall second; ``FASTEST`` runs as fast as it can."""
 
         def change(_: Dispatcher) -> None:
+            """Take the speed in the run's own thread."""
             self._speed = speed
 
         self._inbox.put(change)
@@ -207,6 +208,7 @@ class Runner(QThread):
         late = monotonic() + FRAME
 
         def listen() -> None:
+            """Take commands while a long search goes on, and tell that it takes its time."""
             nonlocal told
             self._inbox.heed(dispatcher)
             if told is not None and not told.planning and is_restartable() and monotonic() > late:

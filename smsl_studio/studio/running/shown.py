@@ -14,28 +14,48 @@ class DrawnPlaces(Protocol):
     """Where the drawing stands that a run may differ from."""
 
     @property
-    def blueprint(self) -> Blueprint: ...
+    def blueprint(self) -> Blueprint:
+        """The blueprint as it is drawn now."""
+
     @property
-    def places(self) -> Places: ...
+    def places(self) -> Places:
+        """Where its states stand."""
 
 
 class ShownRun(Protocol):
     """A run as it is shown. ``exists`` says whether it can be commanded."""
 
     @property
-    def blueprint(self) -> Blueprint | None: ...
+    def blueprint(self) -> Blueprint | None:
+        """The blueprint of the run; None without a run."""
+
     @property
-    def status(self) -> DispatchStatus | None: ...
+    def status(self) -> DispatchStatus | None:
+        """How the run stands; None while that is not known."""
+
     @property
-    def story(self) -> Story: ...
+    def story(self) -> Story:
+        """What has happened so far."""
+
     @property
-    def shown(self) -> bool: ...
+    def shown(self) -> bool:
+        """Whether there is something to show, also after the end of the run."""
+
     @property
-    def foreign(self) -> bool: ...
-    def is_another(self, drawn: Blueprint) -> bool: ...
+    def foreign(self) -> bool:
+        """Whether the run belongs to another file than the drawing."""
+
+    def is_another(self, drawn: Blueprint) -> bool:
+        """Whether the run's blueprint differs from what is drawn."""
+
     @property
-    def exists(self) -> bool: ...
+    def exists(self) -> bool:
+        """Whether there is a run that can be commanded."""
+
     @property
-    def phase(self) -> str: ...
+    def phase(self) -> str:
+        """What the run does now, in one word; empty without a run."""
+
     @property
-    def sentence(self) -> str: ...
+    def sentence(self) -> str:
+        """Why the run stands as it does."""

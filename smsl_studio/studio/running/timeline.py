@@ -169,6 +169,7 @@ class _Labels(QWidget):
         self.setFixedWidth(EMPTY)
 
     def show_lanes(self, lanes: Sequence[Lane]) -> None:
+        """Show the names of other lanes, as wide as the longest needs."""
         self._lanes = lanes
         metrics = QFontMetricsF(text_font(12))
         needed = max((metrics.horizontalAdvance(lane.label) for lane in lanes), default=0.0) + 22
@@ -178,6 +179,7 @@ class _Labels(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the name of each lane beside it."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.tokens.surf)
         middle = Qt.AlignmentFlag.AlignVCenter
@@ -214,6 +216,7 @@ class _Seconds(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
             self.update()
 
     def tickStrings(self, values: list[float], scale: float, spacing: float) -> list[str]:
+        """The seconds at the ticks; none where the mark of now would cover them."""
         digits = 0 if spacing >= 1 else 1 if spacing >= 0.1 else 2
         low, high = self._hidden
         return ["" if low < v < high else f"{v:.{digits}f} s" for v in values]
@@ -232,17 +235,21 @@ class _TimeBox(pg.ViewBox):  # type: ignore[misc]  # pyqtgraph has no types
         self.setLimits(minXRange=0.05)
 
     def wheelEvent(self, event: object, axis: int | None = None) -> None:
+        """Zoom in time at the pointer, and tell that a person moved it."""
         self.moved.emit()
         super().wheelEvent(event, axis)
 
     def mouseDragEvent(self, event: object, axis: int | None = None) -> None:
+        """Pan in time, and tell that a person moved it."""
         self.moved.emit()
         super().mouseDragEvent(event, axis)
 
     def mouseDoubleClickEvent(self, event: object) -> None:
+        """Tell that all is wanted again."""
         self.reset.emit()
 
     def mouseClickEvent(self, event: Any) -> None:
+        """Tell the time that was clicked, in simulated seconds."""
         if event.button() == Qt.MouseButton.LeftButton:
             self.clicked.emit(self.mapSceneToView(event.scenePos()).x())
             event.accept()
@@ -259,6 +266,7 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self.time = 0.0
 
     def show_lanes(self, lanes: tuple[Lane, ...], time: float) -> None:
+        """Show other lanes; ``time`` is now, in simulated seconds."""
         self.prepareGeometryChange()
         if lanes is not self.lanes:
             self._starts = [[block.start for block in lane.blocks] for lane in lanes]
@@ -266,11 +274,13 @@ class _Lanes(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self.update()
 
     def boundingRect(self) -> QRectF:
+        """Simulated seconds across, pixels down."""
         high = float(sum(PITCH[lane.kind] for lane in self.lanes))
         ends = [block.end or 0.0 for lane in self.lanes for block in lane.blocks[-1:]]
         return QRectF(0, 0, max(self.time, *ends, 1.0) if ends else 1.0, max(high, 1.0))
 
     def paint(self, painter: QPainter, *_: object) -> None:
+        """Paint the blocks that are in view."""
         view = self.getViewBox()
         (left, right), _y = view.viewRange()
         transform = painter.transform()

@@ -91,9 +91,11 @@ def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
         return None
 
     def recover(one: Left) -> bool:
+        """Bring work back into the first window while that is untouched, else into a new one."""
         return (window if window.safety.untouched else make_window(windows)).safety.recover(one)
 
     def show_difference(one: Left) -> bool:
+        """Show how the kept work differs from the files."""
         return window.features.draw.show_difference(one.entry, window.tokens, offer)
 
     offer = RecoveryOffer(left, recover, show_difference, window)

@@ -16,6 +16,7 @@ def crash_hook(keep: Callable[[], bool], say: Callable[[str], None]) -> Hook:
     """An excepthook: print the trace, keep the unsaved work, say so, and go on."""
 
     def hook(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+        """Print the error, keep the unsaved work and tell the person."""
         print(whole_text("".join(traceback.format_exception(kind, error, trace))), file=sys.stderr)
         if issubclass(kind, KeyboardInterrupt):
             raise SystemExit(130)

@@ -25,6 +25,7 @@ class StopKey(QObject):
             self._application.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """F8 stops the run, and nobody else hears of that key."""
         pressed = event.type() == QEvent.Type.KeyPress
         if pressed and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_F8:
             self._stop()

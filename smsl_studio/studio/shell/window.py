@@ -142,6 +142,7 @@ class Window(QMainWindow):
 
     @property
     def mode(self) -> str:
+        """The mode that is shown, such as "draw"."""
         return self._modes.shown
 
     @property
@@ -192,6 +193,7 @@ class Window(QMainWindow):
             self.files.open(path)
 
     def stop_run(self) -> None:
+        """Stop the run of this window."""
         self.features.stop_run()
 
     def end_run(self) -> None:
@@ -226,6 +228,7 @@ class Window(QMainWindow):
         return self.mode_bar.below(action)
 
     def show_tab(self, name: str) -> None:
+        """Bring the panel of this name to the front."""
         self.docks.show_tab(name)
 
     def show_count(self, panel: str, count: int) -> None:
@@ -241,10 +244,12 @@ class Window(QMainWindow):
         self.status_line.show_findings(words)
 
     def show_shortcuts(self) -> None:
+        """Show the list of all shortcuts."""
         own = [keys for feature in self.features for keys in feature.keys]
         shortcuts_dialog(self.actions_table, own, self).open()
 
     def show_about(self) -> None:
+        """Show what this program is, and its version."""
         about_dialog(self).open()
 
     # What is shown.
@@ -280,14 +285,17 @@ class Window(QMainWindow):
         self._modes.restore()
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Follow the screen that the window is on."""
         super().showEvent(event)
         self._room.shown()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the panels into the new width."""
         super().resizeEvent(event)
         self._modes.fit_width(self.width())
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        """Close once all that is asked is answered; then end the run and keep the places."""
         if self._closes or not self.leaving.may_close():
             event.ignore()
             return

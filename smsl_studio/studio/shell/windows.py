@@ -24,20 +24,43 @@ class OpenWindow(Protocol):
     """What is asked of each window."""
 
     @property
-    def session(self) -> Session: ...
+    def session(self) -> Session:
+        """The blueprint that the window has open."""
+
     @property
-    def leaving(self) -> Departure: ...
+    def leaving(self) -> Departure:
+        """What asks before it closes."""
+
     @property
-    def name(self) -> str: ...
-    def wear(self, tokens: Tokens) -> None: ...
-    def stop_run(self) -> None: ...
-    def keep_unsaved(self) -> bool: ...
-    def leave_behind(self) -> bool: ...
-    def settle(self) -> None: ...
-    def end_run(self) -> None: ...
-    def warn(self, words: str) -> None: ...
-    def isActiveWindow(self) -> bool: ...
-    def deleteLater(self) -> None: ...
+    def name(self) -> str:
+        """The name it goes by in questions about several windows."""
+
+    def wear(self, tokens: Tokens) -> None:
+        """Take the colours of another theme."""
+
+    def stop_run(self) -> None:
+        """Stop its run."""
+
+    def keep_unsaved(self) -> bool:
+        """Write the journal now; answers whether there is unsaved work."""
+
+    def leave_behind(self) -> bool:
+        """Keep unsaved work for the next start; answers whether there is any."""
+
+    def settle(self) -> None:
+        """Take over what is still being typed."""
+
+    def end_run(self) -> None:
+        """End its run, so that the window can close."""
+
+    def warn(self, words: str) -> None:
+        """Say something to the person who works here."""
+
+    def isActiveWindow(self) -> bool:
+        """Whether it has the keys."""
+
+    def deleteLater(self) -> None:
+        """Go, once the event loop is reached again."""
 
 
 class Windows(QObject):
@@ -64,6 +87,7 @@ class Windows(QObject):
         return iter(tuple(self._open))
 
     def add(self, window: OpenWindow) -> None:
+        """Add a window that was opened."""
         self._open.append(window)
 
     def remove(self, window: OpenWindow) -> None:
@@ -83,6 +107,7 @@ class Windows(QObject):
 
     @property
     def theme(self) -> str:
+        """The name of the chosen theme."""
         return self.settings.theme
 
     @property

@@ -83,9 +83,11 @@ class BranchView(Stage):
         self.camera.go(self.camera.centre, zoom)
 
     def zoom_in(self) -> None:
+        """Zoom in one step about the middle."""
         self.zoom_to(self.zoom * STEP)
 
     def zoom_out(self) -> None:
+        """Zoom out one step about the middle."""
         self.zoom_to(self.zoom / STEP)
 
     def fit(self, smooth: bool = True) -> None:

@@ -32,9 +32,14 @@ class Gesture(Protocol):
 class GestureOwner(Protocol):
     """What a gesture asks of the hand that makes it."""
 
-    def fact_at(self, state: int, at: QPointF) -> int: ...
-    def hover_target(self, address: Address | None) -> None: ...
-    def hush(self) -> None: ...
+    def fact_at(self, state: int, at: QPointF) -> int:
+        """The digit of the fact whose chip lies at a scene point; -1 for none."""
+
+    def hover_target(self, address: Address | None) -> None:
+        """Light the state that an operation would lead to; None lights none."""
+
+    def hush(self) -> None:
+        """Hide what is said at the pointer."""
 
 
 def _is_far(a: QPoint, b: QPoint) -> bool:

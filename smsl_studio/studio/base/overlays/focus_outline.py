@@ -12,7 +12,7 @@ WIDE = 2
 
 
 class FocusRing(QWidget):
-    """Covers the border alone, so that what is below it is never painted on its behalf."""
+    """Covers only the border, so that the canvas is not painted again because of it."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)

@@ -39,7 +39,7 @@ class Title:
 
 
 class Files(QObject):
-    """Where the session's texts come from and go to. Nothing is lost on a refusal."""
+    """Reads and writes the session's texts. Where something is refused, nothing is lost."""
 
     changed = Signal()
     """The file, its name, what stands in it, or the recent files have changed."""

@@ -24,7 +24,7 @@ DECLARED = "As the blueprint declares them. They can be set before a run."
 class Continuum(QWidget):
     """Shows the levels of the run that is there, else those of the next one.
 
-    A run's levels cannot be changed; then the button waits and the line below says why.
+    The levels of a run cannot be changed: then the button is disabled, and the line says why.
     """
 
     edit_wanted = Signal()

@@ -33,6 +33,7 @@ class OutcomeLine(QWidget):
         self.setAccessibleName(plain_text(words.text()))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground and the sign in the colours of the outcome."""
         tokens = self._tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -81,6 +82,7 @@ class OutcomeLines(QWidget):
         self._rebuild()
 
     def show_lines(self, lines: tuple[TaskOutcome, ...]) -> None:
+        """Show other lines, where they differ from those shown."""
         if lines != self._lines:
             self._lines = lines
             self._rebuild()

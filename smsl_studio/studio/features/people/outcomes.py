@@ -57,6 +57,7 @@ class Outcomes:
                 self._answered(event)
 
     def dismiss(self, line: TaskOutcome) -> None:
+        """Drop one line."""
         self.lines = tuple(one for one in self.lines if one != line)
 
     def _add(self, line: TaskOutcome) -> None:

@@ -1,4 +1,4 @@
-"""The places of those who must answer: who has, and when; what they said is not known here."""
+"""The persons who must answer: who has answered, and when. Their answers are not known here."""
 
 from __future__ import annotations
 
@@ -29,9 +29,11 @@ class PersonPlace(QWidget):
         self.setToolTip(tip_text(said))
 
     def sizeHint(self) -> QSize:
+        """150 pixels wide, as high as it is."""
         return QSize(150, self.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the box of one person: dashed until they have answered."""
         person, tokens = self._person, self._tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -96,6 +98,7 @@ class PersonPlaces(QWidget):
         self._rebuild()
 
     def show_persons(self, persons: tuple[PersonView, ...]) -> None:
+        """Show other persons, where they differ from those shown."""
         if persons != self._shown:
             self._shown = persons
             self._rebuild()

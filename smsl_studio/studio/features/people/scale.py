@@ -36,17 +36,21 @@ class Scale(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """Room for the name, twice the least scale, and the words."""
         return QSize(LEFT + NAME + 2 * LEAST + GAP + WORDS + MARGIN, self.height())
 
     def minimumSizeHint(self) -> QSize:
+        """Room for the name, the least scale, and the words."""
         return QSize(LEFT + NAME + LEAST + GAP + WORDS, self.height())
 
     @property
     def start(self) -> float:
+        """Where the scale begins, in pixels from the left."""
         return float(LEFT + NAME)
 
     @property
     def length(self) -> float:
+        """How long the scale is, in pixels."""
         return max(float(self.width() - LEFT - NAME - GAP - WORDS - MARGIN), float(LEAST))
 
     def at(self, place: float) -> float:
@@ -54,6 +58,7 @@ class Scale(QWidget):
         return self.start + self.length * place
 
     def words_room(self) -> QRectF:
+        """The room for the words, at the right of the scale."""
         left = self.start + self.length + GAP
         return QRectF(left, 0, max(self.width() - left - 4, 10), self.height())
 
@@ -66,6 +71,7 @@ class Ends(Scale):
         self.setToolTip("From a person alone to the automation alone")
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the person and the arm, with their words where there is room."""
         tokens = self.tokens
         painter = QPainter(self)
         right = self.start + self.length
@@ -88,12 +94,14 @@ class ScaleRow(Scale):
         self.show_view(view)
 
     def show_view(self, view: ScaleView) -> None:
+        """Show another row, and say it to assistive tools."""
         self.view = view
         self.setAccessibleName(plain_text(f"{view.name}: {view.words}"))
         self.setToolTip(tip_text(f"{view.name}: {view.words}"))
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint name, scale, band, knob and words."""
         view, tokens, middle = self.view, self.tokens, self.height() / 2
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -124,6 +132,7 @@ class WholeRow(Scale):
         self._position, self._words = 0.5, ""
 
     def show_whole(self, position: float, words: str) -> None:
+        """Show where the whole procedure stands: 0 is human, 1 automatic."""
         self._position, self._words = position, words
         self.setAccessibleName(plain_text(f"Whole procedure: {words}"))
         self.setToolTip(
@@ -135,6 +144,7 @@ class WholeRow(Scale):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the spectrum, its knob and the words."""
         tokens = self.tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

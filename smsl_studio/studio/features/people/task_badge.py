@@ -52,10 +52,12 @@ class TaskBadge(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the words and the time that is left."""
         wide = QFontMetricsF(self._font).horizontalAdvance(self.text())
         return QSize(round(LEFT + wide + 8 + TIME + PAD), HEIGHT)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the hand, the words and the time that is left."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(tokens.tx if self.hasFocus() else tokens.acc, 1.5))

@@ -65,6 +65,7 @@ class TaskCard(QWidget):
         """Show the tasks of this run, and answer them there."""
 
         def look() -> None:
+            """Show the tasks of the run as it stands now."""
             status = run.status
             if status is None:
                 self.forget()
@@ -124,10 +125,12 @@ class TaskCard(QWidget):
             self.answers.take_focus()
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Tell that the card is in view."""
         super().showEvent(event)
         self.changed.emit()
 
     def hideEvent(self, event: QHideEvent) -> None:
+        """Tell that the card is out of view."""
         super().hideEvent(event)
         self.changed.emit()
 
@@ -248,6 +251,7 @@ class TaskCard(QWidget):
         return self.answers.press(letter)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape takes the choice back, a letter chooses an answer; Enter stays in the card."""
         if event.key() == Qt.Key.Key_Escape and self.answers.chosen is not None:
             self.answers.clear()
             return

@@ -31,6 +31,7 @@ class TimeLeft(QWidget):
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the bar, and the mark where others are asked too."""
         tokens, wide = self._tokens, float(self.width())
         painter = QPainter(self)
         painter.fillRect(QRectF(0, 0, wide, HEIGHT), tokens.line)

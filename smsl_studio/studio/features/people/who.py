@@ -22,6 +22,7 @@ class PersonChoice(Combo):
     """
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Leave letters and digits to what is around, unless the list is open."""
         text = event.text()
         if text.isprintable() and text.strip() and not self.view().isVisible():
             event.ignore()

@@ -8,12 +8,15 @@ from smsl_studio.studio.features.replay.playback import ReplayVerbs
 
 
 def replay_actions(replaying: ReplayVerbs, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
+    """The rows of the File, View and Run menus that concern recorded runs."""
     replay, settings = replaying.replay, windows.settings
 
     def shown() -> bool:
+        """Whether Replay mode is shown."""
         return shell.mode == "replay"
 
     def record() -> None:
+        """Switch whether runs are recorded."""
         settings.record_runs = not settings.record_runs
 
     return (

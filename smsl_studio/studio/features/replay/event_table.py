@@ -30,15 +30,18 @@ class EventsModel(QAbstractListModel):
         self._names = NAMELESS
 
     def show(self, events: Sequence[Event], by: Sequence[str], blueprint: Blueprint) -> None:
+        """Show the events of another run; ``by`` says who caused each."""
         self.beginResetModel()
         self._events, self._names = events, HeaderNames.of_header(names_of(blueprint))
         self._by = by
         self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
+        """How many events there are; an event has no rows below it."""
         return 0 if parent.isValid() else len(self._events)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+        """The words of an event, with its time in simulated seconds; the tip is its record."""
         event = self._events[index.row()]
         if role == Qt.ItemDataRole.ToolTipRole:
             return tip_text(event.line())

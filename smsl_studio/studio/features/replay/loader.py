@@ -28,6 +28,7 @@ class RecordingReader:
         self.path, self.share, self.given_up = path, 0.0, False
 
     def going(self, share: float) -> None:
+        """Note how much is read (0 to 1); stop reading where it was given up."""
         if self.given_up:
             raise _GivenUpError
         self.share = share

@@ -47,6 +47,7 @@ class _Held:
 
     @property
     def blueprint(self) -> Blueprint:
+        """The blueprint of the recording; an empty one without a recording."""
         return self._replay.blueprint or self._nothing
 
 

@@ -58,6 +58,7 @@ class ReplayVerbs(QObject):
 
     @property
     def is_open(self) -> bool:
+        """Whether a recording is open."""
         return self.replay.recording is not None
 
     def open(self, path: Path | None = None) -> None:

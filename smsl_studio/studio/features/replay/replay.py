@@ -45,10 +45,12 @@ class Replay(QObject):
 
     @property
     def blueprint(self) -> Blueprint | None:
+        """The blueprint that the recorded run had; None without a recording."""
         return self.recording.blueprint if self.recording is not None else None
 
     @property
     def whole(self) -> WholeStory | None:
+        """The story of the whole run; None without a recording."""
         return self.recording.whole if self.recording is not None else None
 
     @property
@@ -72,26 +74,32 @@ class Replay(QObject):
 
     @property
     def phase(self) -> str:
+        """What the run did at this moment, in one word; empty without a recording."""
         return self.told.phase if self.recording is not None else ""
 
     @property
     def sentence(self) -> str:
+        """Why the run stood as it did at this moment."""
         return self.told.sentence
 
     @property
     def index(self) -> int:
+        """How many events have happened at this moment."""
         return self.told.index
 
     @property
     def count(self) -> int:
+        """How many events the recording has."""
         return len(self.recording.retelling) if self.recording is not None else 0
 
     @property
     def end(self) -> float:
+        """When the recording ends, in simulated seconds."""
         return self.recording.retelling.end if self.recording is not None else 0.0
 
     @property
     def playing(self) -> bool:
+        """Whether time goes on by itself."""
         return self._clock.isActive()
 
     def show(self, recording: Recording | None) -> None:
@@ -113,6 +121,7 @@ class Replay(QObject):
         self.changed.emit()
 
     def pause(self) -> None:
+        """Stay at this moment."""
         self._clock.stop()
         self.changed.emit()
 

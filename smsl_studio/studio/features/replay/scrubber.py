@@ -39,6 +39,7 @@ class Scrubber(QWidget):
         self.setToolTip("Drag to a moment. Tall marks: held; then faults, people, commits")
 
     def sizeHint(self) -> QSize:
+        """320 pixels wide."""
         return QSize(320, HIGH)
 
     def show_run(self, end: float, marks: Iterable[tuple[float, str]]) -> None:
@@ -49,6 +50,7 @@ class Scrubber(QWidget):
         self.update()
 
     def show_time(self, time: float) -> None:
+        """Show the moment at this time, in simulated seconds."""
         if time != self._time:
             self._time = time
             self.setAccessibleDescription(plain_text(f"{time:.2f} of {self._end:.2f} s"))
@@ -60,14 +62,17 @@ class Scrubber(QWidget):
         self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Ask for the time under the pointer."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._go(event.position())
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Ask for the time under the pointer while it is dragged."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self._go(event.position())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Arrows and page keys ask for a time nearby, Home and End for the ends."""
         by = {Qt.Key.Key_Left: -STEP, Qt.Key.Key_Right: STEP, Qt.Key.Key_PageUp: -10 * STEP,
               Qt.Key.Key_PageDown: 10 * STEP, Qt.Key.Key_Home: -1.0, Qt.Key.Key_End: 1.0,
               }.get(Qt.Key(event.key()))  # fmt: skip
@@ -77,6 +82,7 @@ class Scrubber(QWidget):
         self.time_wanted.emit(min(max(self._time + by * self._end, 0.0), self._end))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the line, the marks and the moment that is shown."""
         t, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         middle, here = self.height() - 11.0, self._x(self._time)

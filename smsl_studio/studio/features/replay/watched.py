@@ -19,22 +19,26 @@ class Watched:
         return self._mode() == "replay"
 
     def play(self) -> None:
+        """Play or pause the replay; else let the run go on."""
         if self._replays:
             self._replay.turn()
         else:
             self._run.play()
 
     def pause(self) -> None:
+        """Pause the replay or the run."""
         if self._replays:
             self._replay.pause()
         else:
             self._run.pause()
 
     def step(self) -> None:
+        """Go to the next step of the replay; else do one operation of the run."""
         if self._replays:
             self._replay.step()
         else:
             self._run.step()
 
     def show_monitor(self) -> None:
+        """Show the monitor page of the run, in Replay mode too."""
         self._run.show_monitor()

@@ -8,11 +8,15 @@ from smsl_studio.studio.running.run_actions import RunActions
 
 
 def run_actions(run: RunActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
+    """The rows of the Run menu that play, step, pause and stop."""
+
     def play() -> None:
+        """Show the run and let it go on."""
         watch()
         run.play()
 
     def step() -> None:
+        """Show the run and do one operation."""
         watch()
         run.step()
 

@@ -38,6 +38,7 @@ class WorldCamera:
         return replace(self, azimuth=self.azimuth - right, elevation=elevation)
 
     def zoomed(self, factor: float) -> WorldCamera:
+        """The camera at ``factor`` times the distance, between 0.15 and 8 m."""
         return replace(self, distance=min(max(self.distance * factor, 0.15), 8.0))
 
     def panned(self, right: float, up: float) -> WorldCamera:

@@ -78,6 +78,7 @@ class RunFeature(Feature):
             wait = QEventLoop(self.pane)
 
             def look() -> None:
+                """End the wait once the run has stopped."""
                 if run.phase == "stopped":
                     wait.quit()
 

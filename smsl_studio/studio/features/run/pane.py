@@ -127,6 +127,7 @@ class RunPane(QWidget):
             self.reset_wanted.emit()
 
     def pause(self) -> None:
+        """Pause the run."""
         self.run.pause()
 
     def step(self) -> None:
@@ -188,6 +189,7 @@ class RunPane(QWidget):
         return Path(run.blueprint.file).name if shown and run.blueprint is not None else ""
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Offer what can be done next."""
         super().showEvent(event)
         self.next.offer()
 

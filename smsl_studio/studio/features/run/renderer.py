@@ -95,6 +95,7 @@ class _Program:
         self.program = context.program(vertex_shader=vertex, fragment_shader=fragment)
 
     def put(self, name: str, value: float | tuple[float, ...] | bytes) -> None:
+        """Set a uniform by its name."""
         uniform = self.program[name]
         assert isinstance(uniform, moderngl.Uniform)
         if isinstance(value, bytes):
@@ -158,6 +159,7 @@ class Renderer:
         return image.flipped(Qt.Orientation.Vertical)
 
     def close(self) -> None:
+        """Release the OpenGL context; nothing can be drawn after that."""
         self._gl.release()
 
     def _draw_ground(self, poses: Sequence[float], view: bytes, dark: bool) -> None:

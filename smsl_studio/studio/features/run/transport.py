@@ -208,6 +208,7 @@ class _Choice(Combo):
         self.setToolTip(tip_text(f"{self._tip}: {chosen}" if chosen else self._tip))
 
     def sizeHint(self) -> QSize:
+        """As wide as the longest entry, between the least and the greatest width."""
         metrics = self.fontMetrics()
         words = (self.itemText(at) for at in range(min(self.count(), 500)))
         widest = max((metrics.horizontalAdvance(text) for text in words), default=0) + 38

@@ -131,6 +131,7 @@ class WorldView(QWidget):
         self._renderer = None
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the picture and its labels; without OpenGL or poses a sentence."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_sky(painter)
@@ -143,10 +144,12 @@ class WorldView(QWidget):
         self._paint_chips(painter)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin to turn or pan."""
         self._drag = event.position()
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Turn the camera; with Shift or the middle button pan it."""
         if self._drag is None:
             return
         moved, self._drag = event.position() - self._drag, event.position()
@@ -158,13 +161,16 @@ class WorldView(QWidget):
             self._look(self._camera.orbited(moved.x() * 0.008, moved.y() * 0.008))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End turning or panning."""
         self._drag = None
         self.unsetCursor()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Go back to the view that was chosen by name."""
         self.come_back()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom."""
         self._look(self._camera.zoomed(0.999 ** event.angleDelta().y()))
         event.accept()
 

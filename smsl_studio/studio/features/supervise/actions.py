@@ -19,26 +19,43 @@ NAMES = {"reset": "run_reset", "end": "run_end"}
 class Supervising(Protocol):
     """What actions ask of Supervise mode."""
 
-    def run_exists(self) -> bool: ...
-    def is_located(self) -> bool: ...
-    def is_stopped(self) -> bool: ...
-    def is_held(self) -> bool: ...
-    def is_mapped(self) -> bool: ...
-    def choose_first(self) -> None: ...
-    def ask_for(self, word: str) -> None: ...
+    def run_exists(self) -> bool:
+        """Whether there is a run."""
+
+    def is_located(self) -> bool:
+        """Whether a run that was taken over fits one configuration only."""
+
+    def is_stopped(self) -> bool:
+        """Whether the run is stopped."""
+
+    def is_held(self) -> bool:
+        """Whether the run is stopped, or holds after a fault or without a route."""
+
+    def is_mapped(self) -> bool:
+        """Whether every state of the SB is shown."""
+
+    def choose_first(self) -> None:
+        """Give the keys to the first card."""
+
+    def ask_for(self, word: str) -> None:
+        """Ask a person once more for a command, named by its word."""
 
 
 def supervise_actions(pane: Supervising, shell: Shell) -> tuple[Action, ...]:
+    """The rows of the Run menu by which a person supervises."""
+
     def there(call: Callable[[], object]) -> Callable[[], None]:
         """Show Supervise, where what is asked can be seen, then ask."""
 
         def ask() -> None:
+            """Show Supervise, then ask."""
             shell.set_mode("supervise")
             call()
 
         return ask
 
     def command(one: CommandRow) -> Action:
+        """The row of one command of supervision."""
         ask, name = partial(pane.ask_for, one.word), NAMES.get(one.word, one.word)
         if one.word == "full_map":
             return Action(name, one.label, there(ask), "Run", one.icon, (), pane.run_exists,

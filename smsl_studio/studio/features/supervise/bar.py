@@ -22,7 +22,7 @@ LONGEST = 170
 
 
 class SuperviseBar(QWidget):
-    """Stop keeps the place and the size that it has in Run."""
+    """Stop has the same place and size as in Run mode."""
 
     step_wanted = Signal()
     play_wanted = Signal()

@@ -49,6 +49,7 @@ class Board(QScrollArea):
 
     @property
     def view(self) -> PartialView | None:
+        """The partial view that is shown; None while there is none."""
         return self._inner.view
 
     @property
@@ -83,6 +84,7 @@ class Board(QScrollArea):
         self._follow()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the states in the middle of what is in sight."""
         super().resizeEvent(event)
         self._follow()
 

@@ -37,13 +37,16 @@ class StepInButton(QPushButton):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """Wide enough for icon, words and key; 40 pixels high."""
         words = Type(text_font(13, 500)).width(self.text())
         return QSize(round(words) + 2 * SIDE + ICON + 8 + (CHIP + 8 if self._key else 0), 40)
 
     def minimumSizeHint(self) -> QSize:
+        """80 pixels wide: the words are shortened."""
         return QSize(80, CONTROL_DECISION)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint icon, words and key on the button of the style."""
         option = QStyleOptionButton()
         self.initStyleOption(option)
         option.text, option.icon = "", QIcon()

@@ -47,7 +47,7 @@ ACTORS = {"human": "a person acts", "shared": "a person and the robot act", "rob
 
 
 class CardButton(QAbstractButton):
-    """Choosing it does nothing yet: a decision asks once more."""
+    """A click only chooses the operation; a decision must still be confirmed."""
 
     step_wanted = Signal(int)
     """The card so many places further on is wanted."""
@@ -74,9 +74,11 @@ class CardButton(QAbstractButton):
         self.update()
 
     def sizeHint(self) -> QSize:
+        """The size of a card and the room around it."""
         return QSize(265 + 2 * INSET, HEIGHT + 2 * INSET)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Arrows ask for the card before or after; other keys press it as usual."""
         steps = {
             Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1,
         }  # fmt: skip
@@ -87,6 +89,7 @@ class CardButton(QAbstractButton):
             self.step_wanted.emit(step)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground, the badge, the name and the second line."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         box = QRectF(self.rect()).adjusted(INSET, INSET, -INSET, -INSET)

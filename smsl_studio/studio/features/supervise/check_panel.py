@@ -135,6 +135,7 @@ class _Written(Elided):
         self.setText(self._whole if fits else "")
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the check only where all of it fits."""
         super().resizeEvent(event)
         self._fit()
 
@@ -156,6 +157,7 @@ class _OutsideLines(QWidget):
         self.update()
 
     def show_lines(self, lines: tuple[OutsideFact, ...]) -> None:
+        """Show other lines; without lines it hides."""
         if lines != self.lines:
             self.lines = lines
             said = "\n".join(
@@ -168,13 +170,16 @@ class _OutsideLines(QWidget):
             self.update()
 
     def sizeHint(self) -> QSize:
+        """A line for each fact."""
         return QSize(200, len(self.lines) * self.LINE + 12)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Paint again, because names are shortened to the width."""
         super().resizeEvent(event)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint a line for each fact: name, value, what it blocks."""
         t, plain, strong = self._tokens, Type(text_font(12)), Type(text_font(13))
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

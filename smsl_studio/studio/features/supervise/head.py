@@ -141,17 +141,21 @@ class PartialHead(QWidget):
         self.branch_wanted.emit(self._names[at])
 
     def sizeHint(self) -> QSize:
+        """600 pixels wide."""
         return QSize(600, HIGH)
 
     def minimumSizeHint(self) -> QSize:
+        """Any width will do: what does not fit is left out."""
         return QSize(0, HIGH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the buttons of the SBs into the new width."""
         super().resizeEvent(event)
         if self._names:
             self._fill()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground and the heads of the columns."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self._tokens.canvas)
         draw_dots(painter, self.rect(), self._tokens)

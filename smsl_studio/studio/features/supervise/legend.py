@@ -46,11 +46,13 @@ class PartialLegend(QWidget):
         self.setAccessibleName(plain_text("Legend: " + "; ".join(self._lines())))
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the longest line."""
         kind = Type(text_font(12))
         widest = max(kind.width(words) for words in self._lines())
         return QSize(round(WORDS + widest) + 8, len(self._lines()) * LINE + 8)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint a mark and its words in each line."""
         t, kind = self._tokens, Type(text_font(12))
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

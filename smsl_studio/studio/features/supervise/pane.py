@@ -128,20 +128,25 @@ class SupervisePane(QWidget):
     # What the actions ask.
 
     def run_exists(self) -> bool:
+        """Whether there is a run."""
         return self._run.exists
 
     def is_located(self) -> bool:
+        """Whether a run that was taken over fits one configuration only."""
         status = self._run.status
         taken = status is not None and status.phase == "taken_over"
         return taken and status is not None and len(status.candidates) == 1
 
     def is_stopped(self) -> bool:
+        """Whether the run is stopped."""
         return self._run.exists and self._run.phase == "stopped"
 
     def is_held(self) -> bool:
+        """Whether the run is stopped, or holds after a fault or without a route."""
         return self._run.exists and self._run.phase in ("stopped", "fault_hold", "no_route")
 
     def is_mapped(self) -> bool:
+        """Whether every state of the SB is shown."""
         return self._run.exists and self._run.status is not None and self._run.status.full_map
 
     def choose_first(self) -> None:
@@ -168,6 +173,7 @@ class SupervisePane(QWidget):
             self.deciding.ask(decisions.decision(word))
 
     def turn_map(self) -> None:
+        """Show every state of the SB, or no longer."""
         self.set_full_map(not self.is_mapped())
 
     # Building.
@@ -305,12 +311,14 @@ class SupervisePane(QWidget):
         self.bar.show_run(run.phase, run.exists, run.sentence, goals, named)
 
     def showEvent(self, event: QShowEvent) -> None:
+        """Show how the run stands now."""
         super().showEvent(event)
         self.refresh()
 
     # Keys.
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Answer the keys of supervision; a key that is held down counts once."""
         plain = event.modifiers() in (
             Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier,
         )  # fmt: skip

@@ -41,6 +41,7 @@ class StateSpot(QWidget):
         return self._wide
 
     def set_ink(self, ink: Ink) -> None:
+        """Take the fonts and colours of another theme."""
         self._ink = ink
         self.update()
 
@@ -70,9 +71,11 @@ class StateSpot(QWidget):
         self.move(round(centre.x() - self.width() / 2), round(centre.y() - AROUND - 27))
 
     def sizeHint(self) -> QSize:
+        """The size of the box, the room around it and the words below."""
         return QSize(round(self._wide) + 2 * AROUND, round(FULL_SIZE[1]) + 2 * AROUND + BELOW)
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the box of the state, and the words below it."""
         if self._face is None:
             return
         painter = QPainter(self)

@@ -121,9 +121,11 @@ class StepIn(QWidget):
         self._detour.setVisible(bool(said))
 
     def ask_veto(self) -> None:
+        """Ask once more for a veto; where it is not possible, say why."""
         self._want(self._no_veto(), lambda: decisions.veto(*self._about()))
 
     def ask_prune(self) -> None:
+        """Ask once more for pruning; where it is not possible, say why."""
         self._want(self._no_prune(), lambda: decisions.prune(*self._about()))
 
     def ask_hand(self) -> None:

@@ -70,6 +70,7 @@ class PartialSurface(QWidget):
         chosen: Address | None,
         sensed: tuple[tuple[int, str], ...],
     ) -> None:
+        """Show another view; the same one again costs nothing. ``sensed``: digits with values."""
         # A run tells how it stands many times a second; only whole seconds of it are shown.
         whole = replace(view, seconds=float(int(view.seconds))) if view is not None else None
         told = (whole, chosen, sensed)
@@ -92,14 +93,17 @@ class PartialSurface(QWidget):
             self._arrange()
 
     def shown_spots(self) -> list[StateSpot]:
+        """The states that are in view now."""
         spots = (self._previous, self._current, *self._neighbours)
         return [spot for spot in spots if not spot.isHidden()]
 
     def sizeHint(self) -> QSize:
+        """High enough for all cards."""
         count = len(self.view.cards) if self.view else 0
         return QSize(800, TOP + count * PITCH + BOTTOM)
 
     def minimumSizeHint(self) -> QSize:
+        """High enough for all cards, as narrow as the columns allow."""
         return QSize(NARROWEST, self.sizeHint().height())
 
     # Filling.
@@ -266,6 +270,7 @@ class PartialSurface(QWidget):
     # Painting.
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the ground, the way so far and the wires; cards and states are widgets."""
         painter = QPainter(self)
         painter.fillRect(event.rect(), self._tokens.canvas)
         draw_dots(painter, event.rect(), self._tokens)
@@ -320,6 +325,7 @@ class PartialSurface(QWidget):
         return found
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Arrange cards and states in the new width."""
         super().resizeEvent(event)
         self._arrange()
 

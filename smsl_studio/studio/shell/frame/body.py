@@ -32,9 +32,11 @@ class PageBody(QScrollArea):
         self.updateGeometry()
 
     def sizeHint(self) -> QSize:
+        """As large as the page that is shown."""
         return self.pages.sizeHint()
 
     def minimumSizeHint(self) -> QSize:
+        """The least size of the page that is shown; a larger one is scrolled."""
         return self.pages.minimumSizeHint().boundedTo(LEAST)
 
 
@@ -42,9 +44,11 @@ class _Pages(QStackedWidget):
     """A stack whose hidden pages do not keep the window wide."""
 
     def sizeHint(self) -> QSize:
+        """As large as the page that is shown."""
         page = self.currentWidget()
         return page.sizeHint() if page is not None else super().sizeHint()
 
     def minimumSizeHint(self) -> QSize:
+        """The least size of the page that is shown."""
         page = self.currentWidget()
         return page.minimumSizeHint() if page is not None else super().minimumSizeHint()

@@ -86,6 +86,7 @@ class Docks(QObject):
         return state
 
     def restore(self, state: QByteArray) -> bool:
+        """Put the docks where they were; False where that was not remembered."""
         done = not state.isEmpty() and self._window.restoreState(state, LAYOUT_VERSION)
         if self._narrow:
             self.left.hide()
@@ -108,9 +109,11 @@ class Docks(QObject):
         return narrow
 
     def left_shown(self) -> bool:
+        """Whether the left panel is shown, as a dock or as a drawer."""
         return self.drawer.isVisible() if self._narrow else self.left.isVisible()
 
     def toggle_left(self) -> None:
+        """Show or hide the left panel, as a dock or as a drawer."""
         if self._narrow:
             self.drawer.toggle()
         else:
@@ -118,15 +121,19 @@ class Docks(QObject):
         self.changed.emit()
 
     def right_shown(self) -> bool:
+        """Whether the right dock is shown."""
         return self.right.isVisible()
 
     def toggle_right(self) -> None:
+        """Show or hide the right dock."""
         self._toggle(self.right)
 
     def bottom_shown(self) -> bool:
+        """Whether the bottom dock is shown."""
         return self.bottom.isVisible()
 
     def toggle_bottom(self) -> None:
+        """Show or hide the bottom dock."""
         self._toggle(self.bottom)
 
     def _toggle(self, dock: QDockWidget) -> None:
@@ -189,12 +196,14 @@ class Drawer(QFrame):
         window.installEventFilter(self)
 
     def take(self, widget: QWidget) -> None:
+        """Hold this widget from now on."""
         layout = self.layout()
         assert layout is not None
         layout.addWidget(widget)
         self._content = widget
 
     def toggle(self) -> None:
+        """Open the drawer and give the keys to what is in it, or close it."""
         if self.isVisible():
             self.close_drawer()
         else:
@@ -205,14 +214,17 @@ class Drawer(QFrame):
                 self._content.setFocus()
 
     def close_drawer(self) -> None:
+        """Close the drawer."""
         self.hide()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Keep its place when the window changes its size."""
         if event.type() == QEvent.Type.Resize and self.isVisible():
             self._place()
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Escape closes the drawer and gives the keys to the body."""
         if event.key() == Qt.Key.Key_Escape:
             self.close_drawer()
             self._body().setFocus()

@@ -65,6 +65,7 @@ class MenuRow(QWidget):
         badge.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Place the title again when something in the row has changed."""
         kind = QEvent.Type
         if event.type() in (kind.Show, kind.Hide, kind.Move, kind.Resize):
             self._place()
@@ -77,9 +78,11 @@ class MenuRow(QWidget):
 
     @property
     def title(self) -> str:
+        """The file's name, and whether it was edited, as shown."""
         return self._title.words
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Place the title in the middle of the new width."""
         super().resizeEvent(event)
         self._place()
 
@@ -121,6 +124,7 @@ class _Title(QWidget):
 
     @property
     def words(self) -> str:
+        """What is shown, in one text."""
         return self._name.text() + (
             f" {self._edited.text()}" if not self._edited.isHidden() else ""
         )
@@ -130,6 +134,7 @@ class _Title(QWidget):
         self._dot.setPixmap(pixmap("dot", tokens.acc, tokens.win, 16, self.devicePixelRatioF()))
 
     def show_name(self, name: str, edited: str) -> None:
+        """Show a name, and words for unsaved changes; those are empty where there are none."""
         self._name.setText(name)
         self._edited.setText(edited)
         self._dot.setVisible(bool(edited))
@@ -148,6 +153,7 @@ class Badge(QWidget):
         self.setFixedSize(self.sizeHint())
 
     def sizeHint(self) -> QSize:
+        """Wide enough for the words."""
         return QSize(round(QFontMetricsF(self._font).horizontalAdvance(self._words)) + 38, 22)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -156,6 +162,7 @@ class Badge(QWidget):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint a dashed box with icon and words."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         pen = QPen(tokens.risk, 1)

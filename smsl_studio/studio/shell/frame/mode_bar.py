@@ -45,7 +45,7 @@ COMMANDING = ("run", "supervise")
 
 
 class ModeBar(QToolBar):
-    """One bar, fixed; its middle follows the mode."""
+    """One fixed bar; its middle part changes with the mode."""
 
     search_wanted = Signal()
 
@@ -138,6 +138,7 @@ class ModeBar(QToolBar):
             self._precedence.fit()
 
     def show_mode(self, mode: str) -> None:
+        """Show the row of a mode, at the height that it needs."""
         self._mode = mode
         self._middle.setCurrentWidget(self._rows.get(mode, self._draw_tools))
         self.setFixedHeight(MODE_BAR_RUN if mode in self._rows else MODE_BAR)
@@ -163,6 +164,7 @@ class _Whole(QWidget):
     precedence: Precedence
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Decide anew what gives way."""
         super().resizeEvent(event)
         self.precedence.fit()
 
@@ -201,6 +203,7 @@ class _DrawTools(QWidget):
         self._precedence.fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave out words first, then buttons, where the row is narrow."""
         super().resizeEvent(event)
         for button in self._worded:
             _set_worded(button, self.width() >= WORDS)
@@ -256,9 +259,11 @@ class SearchBox(QAbstractButton):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
     def sizeHint(self) -> QSize:
+        """The width at which the words and the key fit."""
         return QSize(SEARCH, 32)
 
     def minimumSizeHint(self) -> QSize:
+        """Wide enough for the icon."""
         return QSize(44, 32)
 
     def set_tokens(self, tokens: Tokens) -> None:
@@ -267,6 +272,7 @@ class SearchBox(QAbstractButton):
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint a field with icon, words and key."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         edge = self.palette().color(QPalette.ColorRole.Accent) if self.hasFocus() else tokens.nl

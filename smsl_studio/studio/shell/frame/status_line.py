@@ -121,9 +121,11 @@ class _Segment(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
 
     def text(self) -> str:
+        """What it says now."""
         return self._label.text()
 
     def setText(self, text: str) -> None:
+        """Say something else; a long text is a tip too."""
         self._label.setText(text)
         self._label.setToolTip(tip_text(text if self._label.sizeHint().width() > LONG else ""))
 
@@ -132,9 +134,11 @@ class _Saying(Label):
     """Ends in an ellipsis where there is no room; the tooltip has it all."""
 
     def minimumSizeHint(self) -> QSize:
+        """Never wider than ``LONG``: the text is shortened."""
         return super().minimumSizeHint().boundedTo(QSize(LONG, 1 << 20))
 
     def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint the text, with an ellipsis where it is too long."""
         painter = QPainter(self)
         painter.setPen(self.palette().windowText().color())
         room = self.contentsRect()

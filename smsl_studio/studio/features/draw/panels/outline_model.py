@@ -1,4 +1,4 @@
-"""The lines of the outline as Qt asks for them: each when it is looked at, and not before.
+"""The outline as a Qt model: each line is made when Qt asks for it.
 
 A blueprint that was edited takes the place of the one before: the lines that are the same stay,
 and with them what stands open, what is selected and how far the tree was scrolled.

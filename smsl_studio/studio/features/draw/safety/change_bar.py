@@ -13,7 +13,7 @@ from smsl_studio.studio.base.theme import Tokens
 
 
 class ChangeBar(QFrame):
-    """Says which file, and asks whose text it is to be. It waits; nothing is decided by time."""
+    """Names the file and asks which text to keep. It waits for the answer without a time limit."""
 
     difference_wanted, theirs_wanted, mine_wanted = Signal(), Signal(), Signal()
 

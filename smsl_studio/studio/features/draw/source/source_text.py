@@ -15,13 +15,21 @@ class SourceText(Protocol):
     """One file's text in its editor, and what is done with it."""
 
     @property
-    def editor(self) -> Editor: ...
+    def editor(self) -> Editor:
+        """The text in its widget."""
+
     @property
-    def find_bar(self) -> FindBar: ...
+    def find_bar(self) -> FindBar:
+        """The bar that finds and replaces in the text."""
+
     @property
-    def folding(self) -> FoldVerbs: ...
+    def folding(self) -> FoldVerbs:
+        """What folds and unfolds lines of the text."""
+
     @property
-    def typing(self) -> TypedText: ...
+    def typing(self) -> TypedText:
+        """What makes steps of the history of what is typed."""
+
     @property
     def file(self) -> str:
         """The file whose text is shown."""
@@ -34,7 +42,9 @@ class SourceText(Protocol):
     def elements(self) -> Elements:
         """Where the elements of the shown text stand."""
 
-    def isVisible(self) -> bool: ...
+    def isVisible(self) -> bool:
+        """Whether the text is shown."""
+
     def settle(self) -> None:
         """Take over what was typed, if anything was."""
 
