@@ -15,6 +15,7 @@ from itertools import accumulate
 
 from smsl_studio.studio.features.draw.source.patches import common_prefix, common_suffix
 from smsl_studio.studio.features.draw.source.shown_text import (
+    BOM,
     CR_SHOWN,
     exact_column,
     shown,
@@ -101,7 +102,7 @@ class TextSheet:
         fresh[0] = before + fresh[0]
         known = p - first
         for at, piece in enumerate(fresh):
-            fresh[at] = _spelt(piece, lines[known + at])
+            fresh[at] = _spelt(piece, lines[known + at], p + at == 0)
         self._replace(p, q, fresh)
         return gone != "".join(fresh)
 
@@ -177,7 +178,13 @@ def _has_cuts(pieces: Sequence[str]) -> bool:
     return any(not piece.endswith("\n") for piece in pieces[:-1])
 
 
-def _spelt(piece: str, line: str) -> str:
-    """The piece so that it is shown as the line: a lone CR must not become part of a line end."""
+def _spelt(piece: str, line: str, first: bool) -> str:
+    """The piece so that it is shown as the line.
+
+    A lone CR must not become part of a line end. A character like a BOM that comes to stand at the
+    beginning of the file stays visible behind a BOM.
+    """
+    if first and line.startswith(BOM) and not piece.startswith(2 * BOM):
+        piece = BOM + piece
     lone = line.endswith(CR_SHOWN) and piece.endswith("\r\n") and not piece.endswith("\r\r\n")
     return piece[:-1] + "\r\n" if lone else piece

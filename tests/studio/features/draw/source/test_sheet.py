@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.studio.features.draw.source.patches import patches
@@ -38,6 +38,7 @@ def type_into(sheet: TextSheet, start: int, end: int, words: str) -> bool:
 
 @settings(max_examples=300)
 @given(typing())
+@example(("a\ufeff", 0, 1, ""))
 def test_what_is_shown_is_what_was_typed(case: tuple[str, int, int, str]) -> None:
     text, start, end, words = case
     sheet = TextSheet(text)
