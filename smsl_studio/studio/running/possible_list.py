@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal, SignalInstance
+from PySide6.QtCore import Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -27,6 +27,9 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
 
 ROW = 35
+SOON = 20
+"""Milliseconds after which the lines follow the run."""
+
 REASONED = ("refused", "pruned")
 PRUNABLE = ("running", "route", "possible", "waits")
 WIDEST = (160, 80)
@@ -81,17 +84,27 @@ class PossibleList(QScrollArea):
         self._by_hand = False
         self._empty = "Starts with the run"
         self._narrow = False
+        self._late = QTimer(self)
+        self._late.setSingleShot(True)
+        self._late.setInterval(SOON)
+        self._late.timeout.connect(self._rebuild)
         self._rebuild()
 
     def show_rows(self, rows: tuple[PossibleRow, ...], by_hand: bool, empty: str) -> None:
-        """Replace the list; nothing is touched where nothing changed, so that focus stays."""
+        """Replace the list; nothing is touched where nothing changed, so that focus stays.
+
+        The lines are made a moment later: how a run stands is in sight before what is possible.
+        """
         if (rows, by_hand, empty) == (self._rows, self._by_hand, self._empty):
             return
         self._rows, self._by_hand, self._empty = rows, by_hand, empty
-        self._rebuild()
+        if not self._late.isActive():
+            self._late.start()
 
     def row_widgets(self) -> list[QWidget]:
         """The lines in order, for keyboards and tests."""
+        if self._late.isActive():
+            self._rebuild()
         inner = self.widget()
         return list(inner.findChildren(QFrame, "possibleRow")) if inner else []
 
@@ -112,6 +125,7 @@ class PossibleList(QScrollArea):
         return columns + needed + BESIDE > self.viewport().width()
 
     def _rebuild(self) -> None:
+        self._late.stop()
         self._narrow = self._is_narrow()
         bar = self.verticalScrollBar().value()
         inner = QWidget()
