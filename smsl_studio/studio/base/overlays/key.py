@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Picture
-from smsl_studio.studio.base.paint.ink import Type
+from smsl_studio.studio.base.paint.ink import Type, draw_veil
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 
 ROW = 18
@@ -56,8 +56,9 @@ class Key(QWidget):
         return QSize(int(max(widths, default=0.0)) + 4, ROW * len(self._rows))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the rows against the right edge."""
+        """Paint the rows against the right edge, on a veil over the drawing."""
         painter = QPainter(self)
+        draw_veil(painter, self.rect(), self.tokens)
         for i, (code, words) in enumerate(self._rows):
             y = i * ROW + ROW / 2
             x = self.width() - self._words.width(words) - 2

@@ -15,6 +15,7 @@ from smsl_studio.studio.base.paint.ink import (
     Type,
     draw_barred,
     draw_sub_mark,
+    draw_veil,
     draw_warning,
     faded,
     pen,
@@ -67,9 +68,10 @@ class Legend(QWidget):
         return QSize(int(width) + 24, ROW * len(self._words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a mark and its words in each row."""
+        """Paint a mark and its words in each row, on a veil over the drawing."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        draw_veil(painter, self.rect(), self.tokens)
         for i, (kind, text) in enumerate(self._words):
             y = i * ROW + ROW / 2
             if kind == "guard":
@@ -116,7 +118,7 @@ class RunLegend(QWidget):
         """Paint a mark and its words in each row, on a veil over the drawing."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.fillRect(self.rect(), faded(self.tokens.canvas, 0.88))
+        draw_veil(painter, self.rect(), self.tokens)
         for i, text in enumerate(self.words):
             y = i * RUN_ROW + RUN_ROW / 2
             self._sign(painter, text, y)

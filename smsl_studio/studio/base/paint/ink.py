@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import (
     QBitmap,
     QBrush,
@@ -83,6 +83,11 @@ def faded(colour: QColor, alpha: float) -> QColor:
     found = QColor(colour)
     found.setAlphaF(alpha)
     return found
+
+
+def draw_veil(painter: QPainter, box: QRect, tokens: Tokens) -> None:
+    """Half hide the drawing behind words that float over it, so that both can be told apart."""
+    painter.fillRect(box, faded(tokens.canvas, 0.88))
 
 
 def pen(colour: QColor, width: float, dashes: tuple[float, ...] = ()) -> QPen:
