@@ -74,8 +74,17 @@ HEAD = """| bench | work | ours | side by side | ours as a multiple | promise |
 |---|---|---|---|---|---|"""
 
 
+def _help(names: list[str]) -> str:
+    """What the named benches do, or what can be asked for."""
+    docs = [importlib.import_module(f"benches.{name}").__doc__ or "" for name in names]
+    return "\n".join(docs) or f"{__doc__}\nBenches: {', '.join(BENCHES)}."
+
+
 def main(arguments: list[str]) -> int:
     """Measure, print, and write the page where asked; 2 for a bench that does not exist."""
+    if {"-h", "--help"} & set(arguments):
+        print(_help([name for name in arguments if name in BENCHES]))
+        return 0
     wanted = [name for name in arguments if not name.startswith("-")] or list(BENCHES)
     unknown = [name for name in wanted if name not in BENCHES]
     if unknown:
