@@ -133,3 +133,14 @@ def overview() -> str:
 def _sentence(name: str) -> str:
     words = COMMANDS[name].words
     return f"{words[:1].upper()}{words[1:]}."
+
+
+def add_picture(parser: ArgumentParser, required: bool) -> None:
+    """``-o OUT.svg|.png|.pdf``."""
+    parser.add_argument(
+        "-o",
+        "--output",
+        required=required,
+        metavar="OUT",
+        help="the picture to write: .svg, .png or .pdf",
+    )

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-from smsl_studio.blueprint.relocation import relocated
+from smsl_studio.blueprint.imported_files import KEY as IMPORTS
 from smsl_studio.cli.arguments import ArgumentParser
 from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
 from smsl_studio.cli.output import Output, note, note_losses
-from smsl_studio.errors import UsageError
-from smsl_studio.smsl.conversion import convert
+from smsl_studio.front.outputs import converted, form_of
 from smsl_studio.smsl.document import WORDS
 from smsl_studio.smsl.files import save_document
 from smsl_studio.smsl.forms import SUFFIXES
@@ -30,21 +28,14 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Write the blueprint in the form that the suffix names; UsageError where it names none."""
-    form = SUFFIXES.get(Path(options.output).suffix.lower())
-    if form is None:
-        raise UsageError(
-            f"the suffix of {options.output} names no written form",
-            advice=f"End it with {', '.join(SUFFIXES)}.",
-        )
+    form = form_of(options.output)
     blueprint = read_argument(options.file)
-    document = blueprint.document
-    moved = relocated(document, options.output)
-    converted = convert(moved, form, options.output)
+    made = converted(blueprint, options.output)
     note_losses(options.output)
-    save_document(converted.document, options.output, made_of=inputs_of(blueprint))
-    if left := converted.comments_left:
+    save_document(made.document, options.output, made_of=inputs_of(blueprint))
+    if left := made.comments_left:
         words = "1 comment was" if left == 1 else f"{left} comments were"
         note(f"{words} left behind: {WORDS[form]} has no place for comments.")
-    if moved is not document:
+    if made.document.values.get(IMPORTS) != blueprint.document.values.get(IMPORTS):
         note(f"_imports are named from the folder of {options.output}.")
     return 0

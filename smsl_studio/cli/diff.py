@@ -9,16 +9,15 @@ from __future__ import annotations
 import argparse
 import os
 
-from smsl_studio.blueprint.comparison import Change, Difference, compare
+from smsl_studio.blueprint.comparison import Change, Difference
 from smsl_studio.blueprint.comparison.signs import ADDED, REMOVED, sign_of
-from smsl_studio.cli.arguments import ArgumentParser, add_format
+from smsl_studio.cli.arguments import ArgumentParser, add_format, add_picture
 from smsl_studio.cli.blueprint_argument import inputs_of, read_argument
 from smsl_studio.cli.git_driver import by_git, show_for_git
 from smsl_studio.cli.output import Output
-from smsl_studio.cli.pictures import add_picture, draw_picture, picture_form
 from smsl_studio.errors import UsageError
+from smsl_studio.front.outputs import diff, drawn_difference, picture_form
 from smsl_studio.legible import one_line
-from smsl_studio.picture.aligned import as_drawn
 from smsl_studio.smsl.files import save_document
 
 
@@ -46,7 +45,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         raise UsageError("standard input cannot be both files", advice="Name one of them.")
     if options.output:
         picture_form(options.output)
-    difference = as_drawn(compare(read_argument(files[0]), read_argument(files[1])))
+    difference = diff(read_argument(files[0]), read_argument(files[1]))
     if options.output:
         _draw(difference, options.output)
     if options.format == "json":
@@ -79,13 +78,8 @@ def _told(sign: str, change: Change) -> str:
 
 
 def _draw(difference: Difference, output: str) -> None:
-    from smsl_studio.picture.colours import LIGHT
-    from smsl_studio.picture.compared import draw_difference
-
-    title = f"{difference.before.file} -> {difference.after.file}"
-    picture = draw_picture(draw_difference(difference), title, output, LIGHT)
     inputs = (*inputs_of(difference.before), *inputs_of(difference.after))
-    save_document(picture, output, made_of=inputs)
+    save_document(drawn_difference(difference, output), output, made_of=inputs)
 
 
 def _places(difference: Difference, change: Change) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import argparse
 
-from smsl_studio.blueprint.digests import digests
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import read_each
 from smsl_studio.cli.output import Output
+from smsl_studio.front.outputs import digest
 from smsl_studio.legible import one_line
 
 
@@ -24,11 +24,11 @@ def execute(options: argparse.Namespace, out: Output) -> int:
         if blueprint is None:
             status = 2
             continue
-        kinds = digests(blueprint).as_json()
+        kinds = digest(blueprint).as_json()
         found.append({"file": blueprint.file, **kinds})
         if options.format == "text":
-            for kind, digest in kinds.items():
-                out.line(f"{digest}  {kind:<9}  {one_line(blueprint.file)}")
+            for kind, value in kinds.items():
+                out.line(f"{value}  {kind:<9}  {one_line(blueprint.file)}")
     if options.format == "json":
         out.json({"files": found})
     return status

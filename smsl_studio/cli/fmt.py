@@ -9,10 +9,10 @@ from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.blueprint_argument import note_stand_in, read_argument
 from smsl_studio.cli.output import Output, note, note_losses, report
 from smsl_studio.errors import StudioError, UsageError
+from smsl_studio.front.outputs import tidy
 from smsl_studio.legible import one_line
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.files import document_of, read_content, save_document
-from smsl_studio.smsl.forms import form_named
 from smsl_studio.smsl.inputs import Seen
 
 STDIN = "-"
@@ -45,7 +45,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     for file in options.files:
         try:
             document, over = _read(file)
-            tidied = form_named(document.form).tidy(document)
+            tidied = tidy(document)
             changed = tidied.text != document.text
             if not options.check:
                 _write(document, tidied, over, out)

@@ -8,13 +8,12 @@ from typing import Any
 
 from smsl_studio.cli.arguments import ArgumentParser, add_format
 from smsl_studio.cli.output import Output
-from smsl_studio.errors import UsageError, did_you_mean
-from smsl_studio.host.plugin_offers import describe
+from smsl_studio.errors import UsageError
+from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
 from smsl_studio.legible import one_line
 from smsl_studio.library.loading import Plugin, PluginFault
 from smsl_studio.library.operation_library import FaultEntry
-from smsl_studio.library.permission import allow, forbid
-from smsl_studio.library.survey import FoundPlugin, survey
+from smsl_studio.library.survey import FoundPlugin
 
 VERBS = ("allow", "forbid")
 
@@ -41,8 +40,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
             f"plugins {options.verb} takes the name of a plugin",
             advice="smsl-studio plugins lists them.",
         )
-    found = _named(options.name)
-    done = (allow if options.verb == "allow" else forbid)(found)
+    done = (allow_plugin if options.verb == "allow" else forbid_plugin)(options.name)
     if options.format == "json":
         out.json(waiting_as_json(done))
         return 0
@@ -52,33 +50,13 @@ def execute(options: argparse.Namespace, out: Output) -> int:
     return 0
 
 
-def _named(name: str) -> FoundPlugin:
-    """The plugin that is called so, or stands there; UsageError where that is none, or several."""
-    every = [found for found in survey() if found.name]
-    fitting = [found for found in every if name in (found.name, found.location)]
-    if len(fitting) == 1:
-        return fitting[0]
-    if not fitting:
-        names = sorted({found.name for found in every})
-        near = did_you_mean(name, names)
-        raise UsageError(
-            f"there is no plugin {name!r}",
-            advice=near or f"There are {', '.join(names)}.",
-        )
-    places = ", ".join(found.location for found in fitting)
-    raise UsageError(
-        f"there are {len(fitting)} plugins {name!r}: {places}",
-        advice="Say which by its place instead of its name.",
-    )
-
-
 def _list(as_json: bool, out: Output) -> int:
-    loaded = describe()
+    loaded = plugins()
     if as_json:
-        plugins = [_as_json(plugin) for plugin in loaded.plugins]
-        plugins += [waiting_as_json(found) for found in loaded.waiting]
+        listed = [_as_json(plugin) for plugin in loaded.plugins]
+        listed += [waiting_as_json(found) for found in loaded.waiting]
         faults = [fault_as_json(fault) for fault in loaded.faults]
-        out.json({"plugins": plugins, "faults": faults})
+        out.json({"plugins": listed, "faults": faults})
         return 0
     for plugin in loaded.plugins:
         _print(plugin, out)

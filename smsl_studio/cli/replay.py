@@ -15,7 +15,8 @@ from smsl_studio.cli.blueprint_argument import STDIN
 from smsl_studio.cli.output import Output, note
 from smsl_studio.cli.story import line_of
 from smsl_studio.dispatch.supervision.table import COMMANDS
-from smsl_studio.errors import Place, ReadError, UsageError
+from smsl_studio.errors import Place, ReadError
+from smsl_studio.front.logs import check_page
 from smsl_studio.legible import json_text, one_line
 from smsl_studio.runlog.grammar.log_reader import (
     LogReader,
@@ -51,7 +52,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 def execute(options: argparse.Namespace, out: Output) -> int:
     """Print the events of a log, verify it, or write its account. 1: it does not verify."""
     if options.output is not None:
-        _check_output(options.output)
+        check_page(options.output)
     with _log(options.log) as (stream, file):
         if options.verify:
             return _verify(stream, file, options.format, out)
@@ -105,11 +106,6 @@ def _account(stream: BinaryIO, file: str, output: str) -> int:
     if run.doubt is not None:
         note(str(run.doubt))
     return 0
-
-
-def _check_output(output: str) -> None:
-    if Path(output).suffix.lower() not in (".html", ".htm"):
-        raise UsageError(f"{output!r} is no name of a page", advice="Let it end in .html.")
 
 
 @contextlib.contextmanager

@@ -11,8 +11,12 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from smsl_studio.front.hosts import worlds
     from smsl_studio.front.inputs import inspect, read, refusals
+    from smsl_studio.front.installed import allow_plugin, forbid_plugin, plugins
+    from smsl_studio.front.logs import account, replay, verify
+    from smsl_studio.front.outputs import convert, converted, diff, digest, fmt, render
+    from smsl_studio.front.request import RunRequest
     from smsl_studio.front.routes import plan_route
-    from smsl_studio.front.runs import Run, open_run, run
+    from smsl_studio.front.runs import Run, open_request, open_run, run, run_request
     from smsl_studio.front.script.lines import read_script
     from smsl_studio.front.single_edge import try_edge
     from smsl_studio.front.suitable_worlds import worlds_for
@@ -20,15 +24,30 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Run",
+    "RunRequest",
+    "account",
+    "allow_plugin",
+    "convert",
+    "converted",
+    "diff",
+    "digest",
+    "fmt",
+    "forbid_plugin",
     "inspect",
+    "open_request",
     "open_run",
     "plan_route",
+    "plugins",
     "read",
     "read_script",
     "refusals",
+    "render",
+    "replay",
     "run",
+    "run_request",
     "sweep",
     "try_edge",
+    "verify",
     "worlds",
     "worlds_for",
 ]
@@ -40,12 +59,27 @@ _HOMES = {
     "refusals": "inputs",
     "plan_route": "routes",
     "Run": "runs",
+    "RunRequest": "request",
+    "open_request": "runs",
+    "run_request": "runs",
     "run": "runs",
     "open_run": "runs",
     "worlds": "hosts",
     "worlds_for": "suitable_worlds",
     "sweep": "sweeps",
     "try_edge": "single_edge",
+    "account": "logs",
+    "replay": "logs",
+    "verify": "logs",
+    "convert": "outputs",
+    "converted": "outputs",
+    "diff": "outputs",
+    "digest": "outputs",
+    "fmt": "outputs",
+    "render": "outputs",
+    "allow_plugin": "installed",
+    "forbid_plugin": "installed",
+    "plugins": "installed",
 }
 
 

@@ -70,5 +70,9 @@ def known_world(
 
 
 def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
-    """The names of the worlds there are, ``table`` first; no plugin's code runs here."""
+    """The names of the worlds there are, ``table`` first; no plugin's code runs here.
+
+    >>> worlds()
+    ('table', 'hanoi')
+    """
     return describe(plugin_paths).worlds

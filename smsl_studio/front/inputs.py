@@ -15,7 +15,12 @@ START_RULES = ("R01", "R02", "R03", "R07", "R08")
 
 
 def read(path: str | os.PathLike[str]) -> Blueprint:
-    """The blueprint in a file; ReadError names file, line and column where there is none."""
+    """The blueprint in a file; ReadError names file, line and column where there is none.
+
+    >>> blueprint = read("hanoi.json")
+    >>> list(blueprint.branches), len(blueprint["SB1"].table)
+    (['SB1'], 27)
+    """
     return read_blueprint(read_document(path))
 
 
@@ -27,7 +32,11 @@ def read_bytes(raw: bytes, file: str) -> Blueprint:
 def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple[Finding, ...]:
     """What the rules have to say about a blueprint, in the order of the text.
 
+    ``rules`` are the numbers of those to be asked, such as ``"R15"``; all where none is named.
     UsageError for a rule that does not exist.
+
+    >>> [str(finding.place) for finding in inspect(read("hanoi.json"), ["R15"])]
+    ['hanoi.json:73:13', 'hanoi.json:100:13']
     """
     from smsl_studio.inspection.inspect import inspect as look
 
@@ -35,7 +44,11 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
 
 
 def refusals(blueprint: Blueprint) -> tuple[Finding, ...]:
-    """The findings for which a run is refused at its start, also in simulation."""
+    """The findings for which a run is refused at its start, also in simulation.
+
+    >>> refusals(read("hanoi.json"))
+    ()
+    """
     found = [f for f in inspect(blueprint, START_RULES) if f.severity is Severity.ERROR]
     same = {
         branch.name

@@ -35,6 +35,9 @@ class RunRequest:
     recorded in. ``by_hand`` runs choose no operation by themselves. ``attended`` says whether
     somebody is there who can end a hold; None: whoever answers its tasks. ``person`` names who
     supervises where no ``supervisor`` does. ``plugin_paths`` are searched before all other folders.
+
+    >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
+    (Address(branch='SB1', state='State_ccc', operation=''),)
     """
 
     blueprint: Blueprint

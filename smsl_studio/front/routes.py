@@ -26,6 +26,10 @@ def plan_route(
     sub-SBs is planned over joint configurations, so that its cost is that of what is really
     carried out; it lists the SB's own edges. AddressError for a name that does not exist;
     RunRefused where no run could stand in ``start``.
+
+    >>> route = plan_route(read("hanoi-corrected.json"), "State_aaa", "State_ccc")
+    >>> len(route.operations), route.cost
+    (7, 7.0)
     """
     if isinstance(where, StateBranch):
         first_name, last_name = _state_in(where, start), _state_in(where, goal)

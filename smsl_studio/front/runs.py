@@ -41,6 +41,9 @@ class Run:
 
     ``left`` are the acts of its script whose moment never came, ``unbound`` says which bindings do
     not fit, and where they are written.
+
+    >>> run(read("hfsm.json"), goal="SB1/State111").reason
+    'goal_reached'
     """
 
     reason: str
@@ -76,6 +79,14 @@ def open_run(
     over what the blueprint declares (see ``blueprint.levels``). AddressError and UsageError for
     what makes no sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
     ``spare`` (see ``make_ready``) has a child in waiting, so that the run begins at once.
+
+    >>> dispatcher = open_run(read("hanoi-2.json"), goal="State_cc", host="local")
+    >>> events = list(dispatcher.open())
+    >>> while not dispatcher.finished:
+    ...     events += dispatcher.tick()
+    >>> events[-1].reason
+    'goal_reached'
+    >>> dispatcher.close()
     """
     request = RunRequest(
         blueprint,
@@ -100,7 +111,12 @@ def open_run(
 def open_request(
     request: RunRequest, loaded: Loaded | None = None, spare: Spare | None = None
 ) -> Dispatcher:
-    """See ``open_run``; ``loaded`` are plugins that were found already."""
+    """A dispatcher for a run that is asked for by a ``RunRequest``; see ``open_run``.
+
+    ``loaded`` are plugins that were found already.
+
+    >>> open_request(RunRequest(read("hanoi-2.json"), host="local")).close()
+    """
     checked = request.checked()
     blueprint, chosen = checked.blueprint, Levels(checked.blueprint, checked.levels)
     _refuse_nonsense(blueprint)
@@ -153,6 +169,10 @@ def run(
     are heard that are elsewhere; with such sensors ``speed`` is at most 1. AddressError,
     UsageError, PluginError and WorldError for what does not exist, ReadError where the script
     injects what this world has not; whatever else goes wrong is the reason of the run.
+
+    >>> done = run(read("hanoi-corrected.json"), goal="State_ccc", seed=0)
+    >>> done.reason, done.events[-1].operations
+    ('goal_reached', 7)
     """
     request = RunRequest(
         blueprint,
@@ -181,7 +201,11 @@ def run_request(
     on_event: Callable[[Event], None] | None = None,
     stop_when: Callable[[], bool] | None = None,
 ) -> Run:
-    """See ``run``."""
+    """Run what a ``RunRequest`` asks for, headless to its end; see ``run``.
+
+    >>> run_request(RunRequest(read("hanoi-2.json"), goals=("State_cc",))).reason
+    'goal_reached'
+    """
     events: list[Event] = []
 
     def hear(event: Event) -> None:

@@ -44,6 +44,9 @@ def try_edge(
     ``loaded`` are plugins that were found already (see ``make_host``).
     WorldError for a world that does not exist or does not suit the blueprint, RunRefused where the
     SUB_SBS go round in a circle, or the blueprint is too large to run.
+
+    >>> try_edge(read("hanoi-2.json"), Address("SB1", "State_aa", "Op_1b")).passed
+    True
     """
     hierarchy = Hierarchy(blueprint)
     refuse_too_large(hierarchy)

@@ -27,6 +27,9 @@ def worlds_for(
 
     Worlds of plugins come first, in their order; ``table``, which runs anything, comes last.
     ``loaded`` spares looking for plugins again; no plugin's code runs here.
+
+    >>> worlds_for(read("hanoi.json")), worlds_for(read("hfsm.json"))
+    (('hanoi', 'table'), ('table',))
     """
     known = loaded if loaded is not None else describe(plugin_paths)
     names = [name for name in known.worlds if name != TABLE]

@@ -37,6 +37,10 @@ def sweep(
     many edges one waits for (see ``dispatch.route.effort``). RunRefused where there are more, or
     the SUB_SBS go round in a circle; WorldError for a world that does not exist or does not suit
     the blueprint.
+
+    >>> *edges, summary = sweep(read("hanoi-2.json"))
+    >>> summary.passed, summary.edges
+    (24, 24)
     """
     chosen = [blueprint[name] for name in dict.fromkeys(branches)] or list(blueprint)
     hierarchy = Hierarchy(blueprint)

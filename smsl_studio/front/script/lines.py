@@ -35,7 +35,12 @@ BY = "script"
 
 
 def read_script(path: Path, blueprint: Blueprint) -> Script:
-    """A script from a file; ReadError where it cannot be had or does not fit the blueprint."""
+    """A script from a file; ReadError where it cannot be had or does not fit the blueprint.
+
+    >>> script = read_script(Path("hanoi-pruned.jsonl"), read("hanoi-corrected.json"))
+    >>> [act.do for act in script.acts]
+    ['prune']
+    """
     try:
         raw = read_ordinary(path, LARGEST).raw
     except (OSError, ValueError) as error:

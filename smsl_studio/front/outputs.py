@@ -1,0 +1,191 @@
+"""What is made of a blueprint and written to a file: another form, its layout, a picture."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Sequence
+from pathlib import PurePath
+from typing import TYPE_CHECKING
+
+from smsl_studio.blueprint.comparison import Difference, compare
+from smsl_studio.blueprint.digests import Digests, digests
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.blueprint.reading import read_blueprint
+from smsl_studio.blueprint.relocation import relocated
+from smsl_studio.errors import UsageError, did_you_mean
+from smsl_studio.smsl.conversion import Converted
+from smsl_studio.smsl.conversion import convert as in_form
+from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.files import document_of, read_content, save_document
+from smsl_studio.smsl.forms import SUFFIXES, form_named
+
+if TYPE_CHECKING:
+    from smsl_studio.picture.colours import Colours
+    from smsl_studio.picture.panel import SvgPanel
+
+Name = str | os.PathLike[str]
+PICTURES = (".svg", ".png", ".pdf")
+THEMES = ("light", "dark")
+
+
+def digest(blueprint: Blueprint) -> Digests:
+    """The SHA-256 digests of a blueprint, by which two are told apart and which people sign.
+
+    ``behaviour`` covers states, operations and headers, ``meaning`` the annotations, ``closure``
+    both together with all that is imported. Spaces, order of keys and places are in none of them.
+
+    >>> digest(read("hanoi.json")).behaviour == digest(read("hanoi-corrected.json")).behaviour
+    False
+    """
+    return digests(blueprint)
+
+
+def diff(before: Blueprint, after: Blueprint) -> Difference:
+    """What changed in meaning between two blueprints; ``changes`` is empty where nothing did.
+
+    >>> for change in diff(read("hanoi.json"), read("hanoi-corrected.json")).changes:
+    ...     print(change.words)
+    The operation Op_1c of SB1/State_cbb is now called Op_1b.
+    The operation Op_2b of SB1/State_cbc is now called Op_2a.
+    """
+    from smsl_studio.picture.aligned import as_drawn
+
+    return as_drawn(compare(before, after))
+
+
+def converted(blueprint: Blueprint, output: Name) -> Converted:
+    """A blueprint in the written form that the suffix of ``output`` names; nothing is written.
+
+    ``document.text`` is the text, ``comments_left`` counts the comments that the form has no place
+    for. Imports are named from the folder of ``output``. UsageError for a suffix that names no
+    form, ConvertError with place and advice where something has no spelling there.
+
+    >>> converted(read("hanoi.json"), "hanoi.smsl").document.form
+    'smsl'
+    """
+    return in_form(relocated(blueprint.document, output), form_of(output), os.fspath(output))
+
+
+def form_of(output: Name) -> str:
+    """The written form that the suffix of a file names; UsageError where it names none."""
+    form = SUFFIXES.get(PurePath(output).suffix.lower())
+    if form is None:
+        raise UsageError(
+            f"the suffix of {os.fspath(output)} names no written form",
+            advice=f"End it with {', '.join(SUFFIXES)}.",
+        )
+    return form
+
+
+def convert(blueprint: Blueprint, output: Name) -> Converted:
+    """Write a blueprint in the form that the suffix of ``output`` names; see ``converted``.
+
+    SaveError where the file cannot be written, or is one that the blueprint was read from.
+
+    >>> convert(read("hfsm.json"), "hfsm.yaml").comments_left
+    0
+    >>> digest(read("hfsm.yaml")) == digest(read("hfsm.json"))
+    True
+    """
+    made = converted(blueprint, output)
+    save_document(made.document, output, made_of=_files(blueprint))
+    return made
+
+
+def fmt(file: Name, check: bool = False) -> bool:
+    """Write a file anew in the canonical layout; whether that changes it.
+
+    With ``check`` nothing is written. ReadError where the file holds no blueprint, SaveError where
+    it cannot be written.
+
+    >>> fmt("hfsm.json")
+    True
+    >>> fmt("hfsm.json", check=True)
+    False
+    """
+    content = read_content(file)
+    document = document_of(content, os.fspath(file))
+    read_blueprint(document)
+    tidied = tidy(document)
+    changed = tidied.text != document.text
+    if changed and not check:
+        save_document(tidied, file, content.seen)
+    return changed
+
+
+def tidy(document: Document) -> Document:
+    """A document in the canonical layout of its form; nothing is written."""
+    return form_named(document.form).tidy(document)
+
+
+def render(
+    blueprint: Blueprint, output: Name, branches: Collection[str] = (), theme: str = "light"
+) -> None:
+    """Draw State Branches (all where none is named) into an ``.svg``, ``.png`` or ``.pdf`` file.
+
+    No display is needed. ``theme`` is ``light`` or ``dark``. UsageError for another suffix or
+    theme, or where there is nothing to draw; AddressError for an SB that does not exist; SaveError.
+
+    >>> render(read("hfsm.json"), "hfsm.svg")
+    >>> Path("hfsm.svg").read_text("utf-8")[:4]
+    '<svg'
+    """
+    picture = drawn(blueprint, output, branches, theme)
+    save_document(picture, output, made_of=_files(blueprint))
+
+
+def drawn(
+    blueprint: Blueprint, output: Name, branches: Collection[str] = (), theme: str = "light"
+) -> bytes:
+    """The bytes that ``render`` writes."""
+    from smsl_studio.picture.colours import DARK, LIGHT
+    from smsl_studio.picture.svg import draw_blueprint
+
+    picture_form(output)
+    if theme not in THEMES:
+        raise UsageError(f"there is no theme {theme!r}", advice=did_you_mean(theme, THEMES))
+    chosen = [blueprint[name].name for name in branches or blueprint.branches]
+    if not chosen:
+        raise UsageError(
+            f"{blueprint.file} has no State Branch to draw", advice="Name another file."
+        )
+    colours = DARK if theme == "dark" else LIGHT
+    panels = draw_blueprint(blueprint, list(dict.fromkeys(chosen)), colours)
+    return picture_of(panels, blueprint.file, output, colours)
+
+
+def drawn_difference(difference: Difference, output: Name) -> bytes:
+    """A comparison as the bytes of a picture: what was added, removed and changed is marked."""
+    from smsl_studio.picture.colours import LIGHT
+    from smsl_studio.picture.compared import draw_difference
+
+    title = f"{difference.before.file} -> {difference.after.file}"
+    return picture_of(draw_difference(difference), title, output, LIGHT)
+
+
+def picture_form(output: Name) -> str:
+    """The suffix of a picture's file; UsageError for one that no picture has."""
+    suffix = PurePath(output).suffix.lower()
+    if suffix not in PICTURES:
+        raise UsageError(
+            f"{os.fspath(output)!r} is no name of a picture",
+            advice="Let it end in .svg, .png or .pdf.",
+        )
+    return suffix
+
+
+def picture_of(panels: Sequence[SvgPanel], title: str, output: Name, colours: Colours) -> bytes:
+    """The bytes of a picture for this file: panels one below another, or in a PDF one a page."""
+    from smsl_studio.picture.paper import as_pdf, as_png
+    from smsl_studio.picture.svg import as_svg, one_below_another
+
+    form = picture_form(output)
+    if form == ".pdf":
+        return as_pdf([as_svg(panel, title, colours) for panel in panels], title)
+    svg = as_svg(one_below_another(panels, colours), title, colours)
+    return as_png(svg, title) if form == ".png" else svg.encode("utf-8")
+
+
+def _files(blueprint: Blueprint) -> tuple[str, ...]:
+    """The files that a blueprint was read from, which no output may replace."""
+    return tuple(document.file for document in blueprint.documents)
