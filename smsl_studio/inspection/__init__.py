@@ -1,1 +1,2 @@
-"""Inspection: the findings about a blueprint before anything moves."""
+"""Inspection: findings about a blueprint, made before a run begins (paper, Regulated Workflow,
+Inspection: the inspector has the full view of the blueprint)."""

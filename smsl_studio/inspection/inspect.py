@@ -1,4 +1,7 @@
-"""Inspection: every rule over a blueprint, the findings in the order of the text."""
+"""Inspection: applies every rule to a blueprint and returns the findings in the order of the text.
+
+docs/inspection.md describes each rule.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ from smsl_studio.stop import heed
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A rule: its number, what it finds in a few words, and the function that looks."""
+    """A rule: its number, a few words about the fault that it finds, and its function."""
 
     id: str
     words: str
@@ -48,13 +51,14 @@ ALL = (
     Rule("R29", "an annotation not understood", writing.r29_annotations),
 )
 RULES: Mapping[str, str] = MappingProxyType({rule.id: rule.words for rule in ALL})
-"""The rules that are checked, by number, in a few words each."""
+"""The number of each rule and a few words about it."""
 
 
 def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple[Finding, ...]:
-    """What the rules have to say, in the order of the text; UsageError for an unknown rule.
+    """Return the findings of the rules about a blueprint, in the order of the text.
 
-    ``rules`` names the rules to check; all where it is None.
+    ``rules`` has the numbers of the rules to check, such as ``R15``. None means all rules. An
+    unknown number raises UsageError.
     """
     for name in rules or ():
         if name not in RULES:
@@ -72,7 +76,8 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
 
 
 def _order(blueprint: Blueprint, finding: Finding) -> tuple[object, ...]:
-    """The file itself first, then what it imports; in each from above to below."""
+    """The sort key: the blueprint's own file first, then imported files, each from top to
+    bottom."""
     place = finding.place
     at = (place.file != blueprint.file, place)
     return (*at, finding.rule, finding.address, finding.message)

@@ -1,4 +1,4 @@
-"""Repair: quick fixes that are made for the blueprint as it is when they are applied."""
+"""Repair: applies quick fixes. Each fix is looked up anew in the blueprint that it changes."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from smsl_studio.inspection.inspect import inspect
 from smsl_studio.inspection.rules.finding import Finding, Severity
 
 CERTAIN = ("R03", "R15")
-"""The rules with errors whose fix is certain."""
+"""The rules whose errors can have a fix that is certain (see ``Fix``)."""
 
 MOST = 50
-"""So many fixes are made at once; after each one the rules are looked at anew."""
+"""The largest number of fixes of one repair. The rules are checked again after each fix."""
 
 
 class Repair(NamedTuple):
-    """The result of several fixes: their findings, in order, and the blueprint after the last."""
+    """The result of several fixes: the mended findings in order, and the blueprint after them."""
 
     mended: tuple[Finding, ...]
     blueprint: Blueprint
 
 
 def certain_errors(findings: Iterable[Finding]) -> list[Finding]:
-    """The errors that a fix mends which is certain (see ``Fix``)."""
+    """Return the errors whose fix is certain (see ``Fix``)."""
     return [
         one
         for one in findings
@@ -34,10 +34,10 @@ def certain_errors(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def mend_errors(blueprint: Blueprint, told: Callable[[int], object] = lambda _: None) -> Repair:
-    """Mend the errors whose fix is certain, one after the other, ``MOST`` at most.
+    """Mend the errors whose fix is certain, one after the other, at most ``MOST`` of them.
 
-    Each fix is that of the blueprint which the last one left. One that is refused is left out.
-    After each one ``told`` gets their number so far.
+    Each fix is looked up in the blueprint that the fix before it returned. A fix that is refused
+    is left out. After each fix ``told`` is called with the number of fixes so far.
     """
     mended: list[Finding] = []
     seen: set[tuple[str, str, str]] = set()
@@ -57,10 +57,10 @@ def mend_errors(blueprint: Blueprint, told: Callable[[int], object] = lambda _: 
 
 
 def mend(blueprint: Blueprint, finding: Finding) -> Blueprint:
-    """Apply the fix of a finding as it is found in ``blueprint`` now.
+    """Apply the fix of a finding after looking the finding up in ``blueprint``.
 
-    EditRefused where it is found no longer, so that a fix that was made for what stood there
-    before cannot delete or rename something else.
+    A blueprint that does not have the finding any more raises EditRefused. So an outdated fix
+    cannot delete or rename the wrong element.
     """
     for one in inspect(blueprint, [finding.rule]):
         if _key(one) == _key(finding) and one.addresses == finding.addresses and one.fix:

@@ -1,4 +1,4 @@
-"""Which remarks of a rule are listed, and how many more there are."""
+"""Selection: the remarks of a rule that are listed as findings, and the number of the others."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from smsl_studio.inspection.rules.finding import (
 
 
 def listed(blueprint: Blueprint, remarks: Iterable[Remark]) -> Iterator[Finding]:
-    """The findings of one rule: the gravest first where not all can be listed.
+    """Yield the findings of one rule, at most ``LISTED`` places of each SB and at most
+    ``LISTED_IN_ALL`` places together.
 
-    At most ``LISTED`` places of an SB, and ``LISTED_IN_ALL`` of all of them; the last finding
-    says how many places are not listed. Severity decides who is left out, so that many notes
-    never hide an error.
+    The gravest remarks are listed first, so that many notes never hide an error. The last finding
+    says how many places are not listed.
     """
     shelves = {severity: _Shelf() for severity in Severity}
     for remark in remarks:
@@ -43,14 +43,16 @@ def listed(blueprint: Blueprint, remarks: Iterable[Remark]) -> Iterator[Finding]
 
 @dataclass
 class _Shelf:
-    """Remarks of one severity, and the number of places in each SB. Remarks that cannot be listed
-    any more are counted, but not kept."""
+    """The remarks of one severity, and the number of their places in each SB.
+
+    A remark beyond the limits is counted but not kept.
+    """
 
     kept: list[Remark] = field(default_factory=list)
     count: dict[str, int] = field(default_factory=dict)
 
     def put(self, remark: Remark) -> None:
-        """Count a remark, and keep it as long as it can still be listed."""
+        """Count a remark, and keep it if the limits leave room to list it."""
         branch = remark.address.branch
         before = self.count.get(branch, 0)
         self.count[branch] = before + 1 + len(remark.others)
@@ -61,7 +63,8 @@ class _Shelf:
 def _findings(
     blueprint: Blueprint, chosen: list[tuple[Remark, int]], shelves: Iterable[_Shelf]
 ) -> Iterator[Finding]:
-    """The chosen remarks as findings, each with so many further places."""
+    """Make findings of the chosen remarks. The number beside a remark is the number of further
+    places that are listed."""
     left: dict[str, int] = {}
     for shelf in shelves:
         for branch, count in shelf.count.items():
@@ -90,7 +93,7 @@ def _unlisted(count: int, where: str) -> str:
 
 
 def _finding(blueprint: Blueprint, remark: Remark, others: int) -> Finding:
-    """A remark with its place, its remedy, and so many of its further places."""
+    """Make a finding of a remark: with its place, its remedy and ``others`` further places."""
     address, spot = remark.address, remark.spot
     if spot is None:
         place = blueprint.place(address, *remark.below)

@@ -1,4 +1,4 @@
-"""Rules about what operations do to facts, seen over all edges of one name."""
+"""Rules about the effects of operations on facts: all edges of one name are compared (R15-R18)."""
 
 from __future__ import annotations
 
@@ -18,14 +18,15 @@ from smsl_studio.inspection.rules.words import fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE
 Effect = tuple[tuple[int, str], ...]
-"""(digit, new value) for each digit an edge changes."""
+"""(digit, new value) for each digit that an edge changes. Digits count from 0."""
 
 
 @dataclass(frozen=True, slots=True)
 class Mislabelled:
-    """An edge whose effect is the majority effect of other operations, absent from its state.
+    """An edge that bears the wrong operation's name (see ``mislabelled``).
 
-    ``others`` are the first of them, as many as are told; ``count`` is how many there are.
+    ``others`` has the first names of operations that may have been meant. ``count`` is the number
+    of all such operations.
     """
 
     edge: Operation
@@ -35,18 +36,18 @@ class Mislabelled:
 
 
 _TOLD = 5
-"""So many operations that may have been meant are told."""
+"""The largest number of operations in ``Mislabelled.others``."""
 
 
 def mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
-    """The edges of an SB that bear another operation's name.
+    """Return the edges of an SB that bear another operation's name, in the order of the states.
 
-    The effect of an edge is the set of (digit, new value) for the digits it changes; the majority
-    effect of an operation is the one held by more than half of its edges, else none. An edge is
-    mislabelled if its effect is not empty, its operation has another majority effect, and some
-    operation absent from its source state has exactly this effect as its majority.
+    The effect of an edge is the set of (digit, new value) for the digits that it changes. The
+    majority effect of an operation is the effect of more than half of its edges; there may be
+    none. An edge is mislabelled if its effect is not empty, its operation has another majority
+    effect, and an operation that is absent from its source state has exactly this majority effect.
 
-    Two rules ask for them: they are kept with the branch, which is frozen.
+    Two rules need the result, so it is kept with the branch, which is frozen.
     """
     kept: tuple[Mislabelled, ...] | None = branch.__dict__.get(_SLIPS)
     if kept is None:
@@ -81,7 +82,8 @@ def _mislabelled(branch: StateBranch) -> tuple[Mislabelled, ...]:
 
 
 def _effects(branch: StateBranch) -> Iterator[tuple[Operation, Effect]]:
-    """Every edge to a state of the SB with its effect, worked out once for two states."""
+    """Yield every edge to a state of the SB with its effect. The effect is computed once for each
+    pair of states."""
     known: dict[tuple[str, str], Effect] = {}
     for edge in branch.edges():
         if edge.target in branch.table:
@@ -100,7 +102,7 @@ def _majority(effects: list[Effect]) -> Effect | None:
 
 
 class _Absent:
-    """Which operations with a majority effect are absent from a state."""
+    """The operations that have a given majority effect and are absent from a given state."""
 
     def __init__(
         self,
@@ -113,7 +115,7 @@ class _Absent:
         self._found: dict[tuple[str, Effect], tuple[tuple[str, ...], int]] = {}
 
     def of(self, state: str, effect: Effect) -> tuple[tuple[str, ...], int]:
-        """The first of them, and how many there are."""
+        """Return the first names of these operations, at most ``_TOLD``, and their number."""
         key = state, effect
         if key not in self._found:
             operations, holders = self._branch.table[state], self._holders.get(effect, [])
@@ -127,7 +129,7 @@ class _Absent:
 
 
 def r15_mislabelled(blueprint: Blueprint) -> Iterator[Remark]:
-    """A mislabelled operation, and which one was meant."""
+    """R15: a mislabelled operation, with the operation that was probably meant."""
     for branch in blueprint:
         for slip in mislabelled(branch):
             yield Remark(
@@ -152,14 +154,14 @@ def _moves(branch: StateBranch, effect: Effect) -> str:
 
 
 _MANY = 12
-"""So many facts are told of one operation."""
+"""The largest number of facts that a message names for one operation."""
 
 
 def r16_conditional(blueprint: Blueprint) -> Iterator[Remark]:
-    """A conditional effect: an operation whose effect on a fact differs between its edges.
+    """R16: an operation whose effect on a fact differs between its edges.
 
-    Setting a fact to a value it has already is no difference. Opaque states have no facts that
-    could be told apart.
+    An edge may set a fact to the value that the fact already has: that is no difference. SBs whose
+    state names carry no facts (opaque SBs) are passed over.
     """
     for branch in blueprint:
         if branch.shape.opaque:
@@ -183,10 +185,10 @@ def r16_conditional(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _unsure(branch: StateBranch, own: list[tuple[Operation, Effect]]) -> str:
-    """The facts on which the edges of one operation have different effects, in words.
+    """Name the facts on which the edges of one operation have different effects.
 
-    Only the facts that some edge changes are looked at. An edge that leaves one at a value which
-    another one sets it to is no different.
+    Only facts that at least one edge changes are compared. An edge that leaves a fact at a value
+    counts as equal to an edge that sets the fact to this value.
     """
     changes: dict[int, dict[str, int]] = {}
     for _, effect in own:
@@ -209,13 +211,13 @@ def _leaves(
     digit: int,
     values: Collection[str],
 ) -> bool:
-    """Whether some edge leaves a fact at a value that no other one sets it to."""
+    """Whether an edge leaves the fact ``digit`` at a value that no edge sets it to."""
     facts = branch.facts
     return any(facts(edge.target)[digit] not in values for edge, _ in own)
 
 
 def r17_self_loops(blueprint: Blueprint) -> Iterator[Remark]:
-    """Self loops that are not marked as repeatable: one finding an SB."""
+    """R17: self loops that are not marked as repeatable. Each SB gets one finding."""
     for branch in blueprint:
         loops = [
             edge
@@ -246,7 +248,8 @@ def _mark_repeatable(blueprint: Blueprint, edges: Sequence[Operation]) -> Bluepr
 
 
 def r18_parallel(blueprint: Blueprint) -> Iterator[Remark]:
-    """Parallel operations between two states with no cost to choose by: one finding an SB."""
+    """R18: parallel operations between two states, without costs to choose by. Each SB gets one
+    finding."""
     for branch in blueprint:
         pairs = [pair for pair in _parallels(branch) if _without_cost(branch, pair)]
         if not pairs:

@@ -1,4 +1,4 @@
-"""Finding: what a rule has to say about one place, or about several of one cause."""
+"""Finding: the result of a rule at one place, or at several places that have one cause."""
 
 from __future__ import annotations
 
@@ -13,14 +13,16 @@ from smsl_studio.errors import Place
 from smsl_studio.smsl.document import Document
 
 LISTED = 100
-"""So many places of one SB a rule lists at most; the finding says how many more there are."""
+"""The largest number of places of one SB that a rule lists. A finding tells the number of the
+others."""
 
 LISTED_IN_ALL = 1000
-"""So many places a rule lists at most in all SBs together."""
+"""The largest number of places that a rule lists in all SBs together."""
 
 
 class Severity(Enum):
-    """E blocks approval, W needs a written disposition, I is a note."""
+    """E is an error and blocks approval. W is a warning and needs a written disposition. I is a
+    note."""
 
     ERROR = "E"
     WARNING = "W"
@@ -29,10 +31,10 @@ class Severity(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A quick fix: the words on its button, and the edit it makes (undoable as one step).
+    """A quick fix: the words on its button, and its edit, which is one step to undo.
 
-    ``certain`` says that it loses nothing that is written and that nothing else can be meant. A
-    fix that deletes or guesses is not: each of those is decided by a person.
+    A fix is ``certain`` if it loses nothing that is written and if there is no other possible
+    meaning. A fix that deletes or guesses is not certain; a person decides about it.
     """
 
     words: str
@@ -41,13 +43,13 @@ class Fix:
 
 
 class Remark(NamedTuple):
-    """What a rule says, before anybody has looked where it stands.
+    """The result of a rule, without its place in the text.
 
-    A rule may have very many of them, so that a remark is cheap to make: only those that are
-    listed become findings, with their places and fixes. It stands at the key of ``address``, at
-    the key ``below`` it (HEADER, INITIAL), or at the ``spot`` (a place, or a path in a document).
-    ``others`` are further addresses or places of the same cause. Advice and fix that take time to
-    work out are what the function ``remedy`` gives.
+    A rule may make very many remarks, so a remark is cheap. Only the remarks that are listed
+    become findings, with places and fixes. A remark belongs to the key of ``address``, to the key
+    ``below`` it (HEADER, INITIAL), or to the ``spot`` (a place, or a path in a document).
+    ``others`` are further addresses or places of the same cause. The function ``remedy`` returns
+    advice and fix where they take time to compute.
     """
 
     rule: str
@@ -71,9 +73,10 @@ class Spot(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One finding: rule, severity, where (address and place), a sentence, an advice, a fix.
+    """One finding: rule, severity, address, place in the text, a sentence, an advice, a fix.
 
-    ``others`` are further places of the same cause; ``more`` are not listed, only counted.
+    ``others`` are further places of the same cause. ``more`` is the number of places that are not
+    listed.
     """
 
     rule: str
@@ -88,17 +91,18 @@ class Finding:
 
     @property
     def addresses(self) -> tuple[Address, ...]:
-        """Every address that it is about, each once."""
+        """The addresses of the finding, each once."""
         return tuple(dict.fromkeys((self.address, *(spot.address for spot in self.others))))
 
     def places_in(self, file: str) -> tuple[Place, ...]:
-        """Every place in one file that it is about."""
+        """Return the places of the finding in one file."""
         places = (self.place, *(spot.place for spot in self.others))
         return tuple(place for place in places if place.file == file)
 
     @property
     def also(self) -> str:
-        """Where else, in words: ``also at 3:5, 7:5 and 12 more places``; or the empty text."""
+        """The further places in words, such as ``also at 3:5, 7:5 and 12 more places`` (line and
+        column). The text is empty if there are none."""
         shown = [f"{spot.place.line}:{spot.place.column}" for spot in self.others[:_SHOWN]]
         left = len(self.others) - len(shown) + self.more
         if left:
@@ -111,7 +115,8 @@ class Finding:
         return f"{self.place} {self.rule} {self.address}: {words}"
 
     def as_json(self) -> dict[str, Any]:
-        """The finding as the command line reports it; ``others`` where it has several places."""
+        """Return the finding as ``check --json`` writes it. ``others`` and ``more`` are present
+        only if the finding has several places."""
         found: dict[str, Any] = {
             "rule": self.rule,
             "severity": self.severity.value,
@@ -132,4 +137,4 @@ class Finding:
 
 
 _SHOWN = 5
-"""So many further places are told in words."""
+"""The largest number of further places that ``Finding.also`` names."""

@@ -1,4 +1,4 @@
-"""Rules about the HEADER, and about the facts that the names of states carry."""
+"""Rules about the HEADER, and about the facts in the names of states (R03 to R06)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 
 def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Remark]:
-    """INITIAL or ACTIVATING unknown; SB without states; NUM_STATES written and wrong."""
+    """R03: INITIAL or ACTIVATING is unknown, an SB has no states, or NUM_STATES is wrong."""
     for branch in blueprint:
         if not branch.table:
             yield Remark(
@@ -49,7 +49,7 @@ def r03_header_names_nothing(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _odd(branch: StateBranch, key: str, rule: str) -> Iterator[Remark]:
-    """A header key whose value is of the wrong kind; it counts as left out."""
+    """Report a header key whose value is of the wrong kind. Such a key counts as left out."""
     if key not in branch.header.odd:
         return
     found = branch.header.odd[key]
@@ -88,7 +88,7 @@ def _set(branch: StateBranch, key: str, value: str | int | None, words: str) -> 
 
 
 def r04_left_to_default(blueprint: Blueprint) -> Iterator[Remark]:
-    """INITIAL, ACTIVATING or NUM_FACTS left to the default; an unknown header key."""
+    """R04: INITIAL, ACTIVATING or NUM_FACTS is left to the default, or a header key is unknown."""
     for branch in blueprint:
         if branch.table:
             yield from _defaults(branch)
@@ -143,7 +143,7 @@ def _write_all(blueprint: Blueprint, branch: str, values: dict[str, str | int]) 
 
 
 def r05_fact_strings(blueprint: Blueprint) -> Iterator[Remark]:
-    """Fact strings of different length, or not divisible by NUM_FACTS."""
+    """R05: fact strings have different lengths, or NUM_FACTS does not divide them."""
     for branch in blueprint:
         yield from _odd(branch, "NUM_FACTS", "R05")
         shape = branch.shape
@@ -183,7 +183,8 @@ def _no_division(branch: StateBranch, written: int) -> Remark:
 
 
 def _odd_lengths(branch: StateBranch, written: int) -> Iterator[Remark]:
-    """The states that are unlike the others: one finding for all of one length."""
+    """Report the states whose fact string has another length than the rest. States of one length
+    share one finding."""
     misfits = set(branch.shape.misfits)
     fitting = next(name for name in branch.table if name not in misfits)
     common = len(fact_string(fitting, written))
@@ -203,8 +204,8 @@ def _odd_lengths(branch: StateBranch, written: int) -> Iterator[Remark]:
 
 
 def r06_equal_facts(blueprint: Blueprint) -> Iterator[Remark]:
-    """States of one SB with equal facts: no state check can tell them apart. One finding for all
-    that have the same."""
+    """R06: states of one SB have equal facts, so no state check (paper, Eq. 4) can distinguish
+    them. States with the same facts share one finding."""
     for branch in blueprint:
         seen: dict[tuple[str, ...], list[str]] = {}
         for state in branch.table:

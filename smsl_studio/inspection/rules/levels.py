@@ -1,4 +1,5 @@
-"""Rules about State Branches above and below each other."""
+"""Rules about base SBs and their sub-SBs (R07, R08, R13, R14; paper, Hierarchical State
+Representation)."""
 
 from __future__ import annotations
 
@@ -21,8 +22,8 @@ ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
 
 
 def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Remark]:
-    """SUB_SBS: unknown SB, digit out of range or of three values, two subs on one digit, one sub
-    twice in a list, one sub in two bases (a note)."""
+    """R07: faults of SUB_SBS: an unknown SB, a digit out of range or with three values, two
+    sub-SBs on one digit, one sub-SB twice in a list, one sub-SB in two bases (a note)."""
     owner: dict[str, str] = {}
     names = NearNames(blueprint.branches)
     for branch in blueprint:
@@ -42,7 +43,7 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Remark]:
                 )
             digits[sub] = digit
             if sub not in blueprint.branches:
-                remedy = partial(_instead, names, branch, sub, digit)
+                remedy = partial(_other_sub, names, branch, sub, digit)
                 words = f"the sub-SB {sub} is no SB of this file"
                 yield spots.remark(sub, words)._replace(remedy=remedy)
             yield from _digit(spots, sub, digit)
@@ -65,7 +66,7 @@ def r07_sub_sbs(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _no_digits(branch: StateBranch) -> Iterator[Remark]:
-    """SUB_SBS, or entries of it, that are of the wrong kind; they count as left out."""
+    """Report SUB_SBS or entries of it that are of the wrong kind. They count as left out."""
     advice = 'write SUB_SBS as {"SB2": 1}: the sub-SB and the digit it expands, counted from 0'
     at = (HEADER, "SUB_SBS")
     if "SUB_SBS" in branch.header.odd:
@@ -81,8 +82,10 @@ def _no_digits(branch: StateBranch) -> Iterator[Remark]:
         yield Remark("R07", ERROR, branch.address, words, advice, fix, below=where)
 
 
-def _instead(names: NearNames, branch: StateBranch, sub: str, digit: int) -> tuple[str, Fix | None]:
-    """What to do about a sub-SB that does not exist."""
+def _other_sub(
+    names: NearNames, branch: StateBranch, sub: str, digit: int
+) -> tuple[str, Fix | None]:
+    """Return the advice and the fix for a sub-SB that does not exist."""
     like = names.near(sub, {branch.name, *(one for one, _ in branch.header.sub_sbs)})
     if not like:
         return "add that SB, or detach it", _detach(branch, sub)
@@ -124,7 +127,8 @@ def _detach(branch: StateBranch, sub: str) -> Fix:
 
 
 class _Entries:
-    """Remarks at the entries of one SUB_SBS, at the last one where a sub-SB is written twice."""
+    """Makes remarks at the entries of one SUB_SBS. Where a sub-SB is written twice, the remark
+    stands at its last entry."""
 
     def __init__(self, branch: StateBranch) -> None:
         self.branch = branch
@@ -137,7 +141,7 @@ class _Entries:
         }
 
     def below(self, sub: str) -> tuple[str, ...]:
-        """The keys that lead to the entry."""
+        """Return the keys that lead from the SB to the entry of a sub-SB."""
         return (HEADER, "SUB_SBS", *([self._last[sub]] if sub in self._last else []), sub)
 
     def remark(
@@ -150,13 +154,13 @@ class _Entries:
         rule: str = "R07",
         severity: Severity = ERROR,
     ) -> Remark:
-        """A remark at the entry of a sub-SB."""
+        """Return a remark at the entry of a sub-SB."""
         address = self.branch.address
         return Remark(rule, severity, address, message, advice, fix, self.below(sub))
 
 
 def r08_cycles(blueprint: Blueprint) -> Iterator[Remark]:
-    """A cycle among SBs, or an import that fails."""
+    """R08: a cycle among SBs, or an import that fails."""
     for fault in blueprint.import_faults:
         yield Remark(
             "R08",
@@ -178,11 +182,12 @@ def r08_cycles(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 _SHOWN = 12
-"""So many SBs of a cycle are named."""
+"""The largest number of SBs of a cycle that a message names."""
 
 
 def _chain(cycle: tuple[str, ...]) -> str:
-    """A cycle from its first SB to the same; of a long one the middle is only counted."""
+    """Write a cycle, from its first SB back to this SB. The SBs in the middle of a long cycle are
+    only counted."""
     shown = list(cycle)
     if len(shown) > _SHOWN:
         half = _SHOWN // 2
@@ -191,7 +196,7 @@ def _chain(cycle: tuple[str, ...]) -> str:
 
 
 def r13_sub_cannot_serve(blueprint: Blueprint) -> Iterator[Remark]:
-    """A sub-SB that cannot bring its fact about, or cannot let it fall again."""
+    """R13: a sub-SB that cannot reach its ACTIVATING state, or cannot leave it again."""
     falls = _Falls(blueprint)
     for name in blueprint.bases:
         sub = blueprint.branches.get(name)
@@ -228,14 +233,14 @@ def _useless(sub: StateBranch, message: str, advice: str, key: str) -> Remark:
 
 
 class _Falls:
-    """The first base edge that lets the fact of a sub-SB fall and does not load it."""
+    """Finds the first base edge that turns the fact of a sub-SB off and is not marked as load."""
 
     def __init__(self, blueprint: Blueprint) -> None:
         self._blueprint = blueprint
         self._known: dict[str, dict[int, Operation]] = {}
 
     def of(self, sub: str) -> Operation | None:
-        """That edge in the first base that has one."""
+        """Return this edge of the first base that has one, or None."""
         for base, digit in self._blueprint.bases[sub]:
             if base not in self._known:
                 self._known[base] = dict(_first_falls(self._blueprint[base]))
@@ -245,7 +250,7 @@ class _Falls:
 
 
 def _first_falls(branch: StateBranch) -> Iterator[tuple[int, Operation]]:
-    """For each digit with a sub-SB the first edge that lets it fall."""
+    """Yield each digit with a sub-SB, with the first edge that turns it off."""
     left = {digit for digit in branch.subs if 0 <= digit < branch.num_facts}
     for edge, digits in _sub_changes(branch):
         for digit in left.intersection(digits):
@@ -255,7 +260,8 @@ def _first_falls(branch: StateBranch) -> Iterator[tuple[int, Operation]]:
 
 
 def _sub_changes(branch: StateBranch) -> Iterator[tuple[Operation, tuple[int, ...]]]:
-    """The edges that change digits with sub-SBs and do not load them, each with all it changes."""
+    """Yield the edges that change digits with sub-SBs and are not marked as load, each with all
+    digits that it changes."""
     known: dict[tuple[str, str], tuple[int, ...]] = {}
     for edge in branch.edges():
         if edge.target not in branch.table:
@@ -269,8 +275,8 @@ def _sub_changes(branch: StateBranch) -> Iterator[tuple[Operation, tuple[int, ..
 
 
 def r14_mixed(blueprint: Blueprint) -> Iterator[Remark]:
-    """Base edges that change a sub-SB's fact together with others; bases of one sub-SB whose
-    INITIAL states cannot hold together."""
+    """R14: base edges that change the fact of a sub-SB together with other facts, and bases of one
+    sub-SB whose INITIAL states contradict each other."""
     yield from _disagreeing(blueprint)
     for branch in blueprint:
         if not branch.subs:

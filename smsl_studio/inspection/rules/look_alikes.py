@@ -1,4 +1,4 @@
-"""The rule about names that look alike: one finding for all that differ in the same characters."""
+"""R09: names that look alike. Names that differ in the same characters share one finding."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ _CASE, _LOOKS = "case", "characters that look alike"
 
 
 def r09_look_alikes(blueprint: Blueprint) -> Iterator[Remark]:
-    """Names that differ only by case or by characters that look alike.
+    """R09: names that differ only by case or by characters that look alike.
 
-    States and operations that differ by the case of a fact value are none: a chess board has
-    blocks ``a`` and ``A``, and ``move-a-to-A`` is not ``move-A-to-a``.
+    States and operations may differ by the case of a fact value: a chess board has blocks ``a``
+    and ``A``, and ``move-a-to-A`` is another operation than ``move-A-to-a``.
     """
     yield from _alike(((name, Address(name)) for name in blueprint.branches), "SB", _never)
     for branch in blueprint:
@@ -46,7 +46,8 @@ class _Cause:
 def _alike(
     names: Iterable[tuple[str, Address]], what: str, meant: Callable[[str, str], bool]
 ) -> Iterator[Remark]:
-    """The look-alikes among some names; ``meant`` says of two that differ by case that they may."""
+    """Report the look-alikes among some names. ``meant`` decides whether two names may differ by
+    case only."""
     by_case: dict[str, str] = {}
     by_look: dict[str, str] = {}
     causes: dict[tuple[str, object], _Cause] = {}
@@ -72,7 +73,7 @@ def _alike(
 
 
 def _difference(name: str, other: str) -> object:
-    """In which characters two names differ."""
+    """A key for the characters in which two names differ: equal for equal differences."""
     if len(name) != len(other):
         return len(name) - len(other)
     return frozenset(frozenset(pair) for pair in zip(name, other, strict=True) if len({*pair}) > 1)
@@ -87,7 +88,7 @@ _PIECES = re.compile(r"[^\W\d_]+|\d+|[\W_]+")
 
 
 class _Values:
-    """The fact values of an SB, where names speak of them."""
+    """The fact values of an SB, to find them in names."""
 
     def __init__(self, branch: StateBranch) -> None:
         self._branch = branch
@@ -122,14 +123,14 @@ class _Values:
 
 
 def _carries_facts(branch: StateBranch) -> bool:
-    """Whether the states of an SB have facts, and not only names that happen to be equally long."""
+    """Whether the state names of an SB carry facts. Names of equal length alone do not show it."""
     shape = branch.shape
     if shape.opaque or not shape.width or shape.written is not None:
         return not shape.opaque
     return all(fact_string(name, None) != name for name in branch.table)
 
 
-# The Latin letter first, then what looks like it: digits, Cyrillic, Greek.
+# Each text has a Latin letter first, then digits, Cyrillic and Greek letters that look like it.
 _SAME = (
     *("O0ОΟ", "oоο", "l1IІΙ|", "iі", "aа", "cс", "eе", "pр", "xх", "yу", "sѕ", "jј", "vν"),
     *("AАΑ", "BВΒ", "CС", "EЕΕ", "HНΗ", "KКΚ", "MМΜ", "NΝ", "PРΡ", "TТΤ", "XХΧ", "YУΥ", "ZΖ"),
@@ -138,5 +139,5 @@ _LOOK = {ord(char): same[0] for same in _SAME for char in same}
 
 
 def _look(name: str) -> str:
-    """The name with one character in the place of all those that look like it."""
+    """Return the name with each character replaced by the first of its look-alikes."""
     return unicodedata.normalize("NFKC", name).translate(_LOOK)

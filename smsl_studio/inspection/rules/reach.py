@@ -1,6 +1,6 @@
-"""Rules about reachability: unreachable states, traps, dead ends.
+"""Rules about reachability: unreachable states, traps, dead ends (R10 to R12).
 
-Where one operation is missing, many states may be cut off: those that hang together are one
+One missing operation may cut off many states. States that are connected to each other share one
 finding.
 """
 
@@ -19,8 +19,11 @@ ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
 
 def r10_unreachable(blueprint: Blueprint) -> Iterator[Remark]:
-    """States INITIAL cannot reach; a warning for those that hold a declared failure value, because
-    such states are entered from outside."""
+    """R10: states that cannot be reached from INITIAL.
+
+    A state with a declared failure value gets only a warning, because no operation leads there on
+    purpose (paper, Failure Mode Handling).
+    """
     for branch in blueprint:
         if branch.initial not in branch.table:
             continue
@@ -31,20 +34,20 @@ def r10_unreachable(blueprint: Blueprint) -> Iterator[Remark]:
             failed = [state for state in part if _is_failure(branch, state)]
             if failed:
                 why = f"{words}; it holds a failure value, so it is entered from outside"
-                first, more = _of(branch, failed)
+                first, more = _addresses(branch, failed)
                 yield Remark("R10", WARNING, first, why, _LEAD_HERE, others=more)
             others = [state for state in part if state not in set(failed)] if failed else part
             if others:
                 fix = None if failed or branch.activating in part else _deletion(branch, part)
-                first, more = _of(branch, others)
+                first, more = _addresses(branch, others)
                 yield Remark("R10", ERROR, first, words, _LEAD_HERE, fix, others=more)
 
 
 _LEAD_HERE = "add an operation that leads here, or delete the state"
 
 
-def _of(branch: StateBranch, states: Sequence[str]) -> tuple[Address, list[Address]]:
-    """The first of some states, and the others."""
+def _addresses(branch: StateBranch, states: Sequence[str]) -> tuple[Address, list[Address]]:
+    """Return the address of the first state, and the addresses of the others."""
     first, *others = (Address(branch.name, state) for state in states)
     return first, others
 
@@ -58,20 +61,20 @@ def _is_failure(branch: StateBranch, state: str) -> bool:
 
 
 def _deletion(branch: StateBranch, states: Sequence[str]) -> Fix:
-    """Delete states that hang together, so that none becomes a dead end."""
+    """Return a fix that deletes connected states together, so that none becomes a dead end."""
     addresses = tuple(Address(branch.name, state) for state in states)
     words = f"Delete {states[0]}" if len(states) == 1 else f"Delete {len(states):,} states"
     return Fix(words, partial(delete, addresses=addresses))
 
 
 def r11_traps(blueprint: Blueprint) -> Iterator[Remark]:
-    """A trap: reachable, and no path to ACTIVATING. A state that nothing leaves is R12's."""
+    """R11: reachable states without a path to ACTIVATING. R12 reports states without operations."""
     for branch in blueprint:
         if not {branch.initial, branch.activating} <= branch.table.keys():
             continue
         found = traps(branch, branch.initial, branch.activating)
         for part in connected(branch, [state for state in found if branch.table[state]]):
-            first, more = _of(branch, part)
+            first, more = _addresses(branch, part)
             yield Remark(
                 "R11",
                 ERROR,
@@ -83,7 +86,7 @@ def r11_traps(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def r12_dead_ends(blueprint: Blueprint) -> Iterator[Remark]:
-    """A dead end that is not ACTIVATING."""
+    """R12: a state without operations that is not ACTIVATING."""
     for branch in blueprint:
         for state in dead_ends(branch):
             if state != branch.activating:

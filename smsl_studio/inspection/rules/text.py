@@ -1,4 +1,4 @@
-"""Rules about what is written: doubled keys, unknown targets, annotations."""
+"""Rules about the written text: doubled keys, unknown targets, annotations (R01, R02, R29)."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
 
 def r01_doubled_key(blueprint: Blueprint) -> Iterator[Remark]:
-    """A key written twice: the last one wins, and a reader of the text may see the first."""
+    """R01: a key is written twice. The last one counts, but a reader may see only the first."""
     for document in blueprint.documents:
         for path, (first, *others) in document.duplicates():
             fix = None
-            # A place that does not count is not the one that the path leads to.
+            # The path leads to the place that counts. A fix is offered only if that is the last.
             if others[-1] == document.place(path):
                 keep = partial(keep_last, path=path, file=document.file)
                 fix = Fix("Keep the last one", keep)
@@ -43,14 +43,14 @@ def r01_doubled_key(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _address(path: tuple[str, ...]) -> Address:
-    """The SB, state or operation that a path of keys lies in."""
+    """Return the address of the SB, state or operation that contains a path of keys."""
     if len(path) > 1 and (path[1] == HEADER or path[1].startswith("_")):
         return Address(path[0])
     return Address(*path[: 2 if len(path) > 2 and path[2].startswith("_") else 3])
 
 
 def r02_unknown_target(blueprint: Blueprint) -> Iterator[Remark]:
-    """A target that is no state of the SB: one finding for all that leads there."""
+    """R02: a target is no state of the SB. All operations to the same target share one finding."""
     for branch in blueprint:
         if not numbers_of(branch).dangles:
             continue
@@ -66,14 +66,14 @@ def r02_unknown_target(blueprint: Blueprint) -> Iterator[Remark]:
                 addresses[0],
                 f"leads to {target}, which is no state of {branch.name}",
                 others=addresses[1:],
-                remedy=partial(_lead_elsewhere, states, target, tuple(addresses)),
+                remedy=partial(_near_target, states, target, tuple(addresses)),
             )
 
 
-def _lead_elsewhere(
+def _near_target(
     states: NearNames, target: str, addresses: tuple[Address, ...]
 ) -> tuple[str, Fix | None]:
-    """What to do about operations that lead to a state that does not exist."""
+    """Return the advice and the fix for operations that lead to a state that does not exist."""
     like = states.near(target)
     if not like:
         return "add that state, or lead it to another", None
@@ -83,7 +83,7 @@ def _lead_elsewhere(
 
 
 def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
-    """Annotations that do not fit their kind, or speak of what is not there."""
+    """R29: annotations that do not fit their kind, or that name an element that does not exist."""
     for document in blueprint.documents:
         yield from _odd_hazards(blueprint, document)
         yield from _odd_levels(blueprint, document)
@@ -114,7 +114,7 @@ def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
 
 
 def _strangers(blueprint: Blueprint, branch: StateBranch) -> Iterator[Remark]:
-    """Entries whose key names nothing in the SB, and ``requires`` of unknown facts."""
+    """Report entries whose key names no element of the SB, and ``requires`` of unknown facts."""
     notes, home = branch.notes, blueprint.home(branch.name)
     for digit in notes.facts:
         if digit >= branch.num_facts:

@@ -1,4 +1,4 @@
-"""Words the rules share: near names, lists, numbers."""
+"""Words that the rules share: similar names, lists, numbers."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from smsl_studio.blueprint.model import StateBranch
 from smsl_studio.errors import nearest
 
 _MANY = 400
-"""Above so many known names only some that begin alike are compared, to stay quick."""
+"""The largest number of names that are all compared. Of more names only those that begin alike
+are compared, to stay quick."""
 
 
 class NearNames:
-    """Names that are known, to find the one that was meant by another."""
+    """Known names, to find the one that a misspelled name probably means."""
 
     def __init__(self, known: Iterable[str]) -> None:
         self._known = list(known)
@@ -25,7 +26,8 @@ class NearNames:
         return sorted(self._known)
 
     def near(self, name: str, without: Container[str] = ()) -> str:
-        """The known name most like ``name`` and not ``without``, or the empty text."""
+        """Return the known name that is most similar to ``name`` and not in ``without``. The text
+        is empty if no name is similar."""
         names: Iterable[str] = self._known
         if len(self._known) > _MANY:
             half = name[: max(1, len(name) // 2)]
@@ -39,7 +41,7 @@ class NearNames:
 
 
 def listed(words: Iterable[str], last: str = "and") -> str:
-    """``a``, ``a and b``, ``a, b and c``."""
+    """Join words: ``a``, ``a and b``, ``a, b and c``."""
     items = list(words)
     if len(items) < 2:
         return "".join(items)
@@ -47,7 +49,7 @@ def listed(words: Iterable[str], last: str = "and") -> str:
 
 
 def some(words: Iterable[str], most: int = 3, last: str = "and") -> str:
-    """The first few of many: ``a, b, c and 4 more``."""
+    """Join the first ``most`` words and count the rest: ``a, b, c and 4 more``."""
     items = list(words)
     if len(items) <= most + 1:
         return listed(items, last)
@@ -55,11 +57,12 @@ def some(words: Iterable[str], most: int = 3, last: str = "and") -> str:
 
 
 def counted(number: int, word: str) -> str:
-    """``1 state``, ``2 states``."""
+    """Return a number with its noun: ``1 state``, ``2 states``."""
     return f"{number} {word}" if number == 1 else f"{number} {word}s"
 
 
 def fact_words(branch: StateBranch, digit: int) -> str:
-    """The fact's plain name, or ``fact 1`` (counted from 1) where none is given."""
+    """Return the name of a fact, or ``fact 1`` if it has none. ``digit`` counts from 0, the words
+    count from 1."""
     note = branch.fact_note(digit)
     return note.name if note and note.name else f"fact {digit + 1}"
