@@ -13,7 +13,7 @@ import numpy as np
 
 from smsl_studio.picture.curves import LineStyle
 from smsl_studio.picture.geometry import Geometry
-from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, spacing_of
+from smsl_studio.picture.levels import COMPACT_SIZE, FULL_SIZE, Level, rest_mark, spacing_of
 from smsl_studio.picture.picture import Chip, Face, Picture
 from smsl_studio.picture.shape import Floats, Point
 from smsl_studio.picture.words import elided, mono_width, width
@@ -174,18 +174,24 @@ def compact_width(face: Face) -> float:
 
 
 def chip_places(face: Face, room: float) -> list[tuple[float, float]]:
-    """Left and width of each chip about the middle of its node; what has no room is left out."""
-    widths: list[float] = []
-    whole = -GAP
-    for chip in face.chips:
-        wide = chip_width(chip)
-        if whole + GAP + wide > room - 12.0:
-            break
-        widths.append(wide)
-        whole += GAP + wide
-    x = -whole / 2 if widths else 0.0
+    """Left and width of each chip about the middle of its node, from the first digit on.
+
+    Where not all fit there is room behind the last for a mark that counts the rest.
+    """
+    widths = [chip_width(chip) + GAP for chip in face.chips]
+    shown = len(widths)
+    while shown and _row(widths, shown) > room - 12.0:
+        shown -= 1
+    x = -_row(widths, shown) / 2
     places = []
-    for wide in widths:
-        places.append((x, wide))
-        x += wide + GAP
+    for wide in widths[:shown]:
+        places.append((x, wide - GAP))
+        x += wide
     return places
+
+
+def _row(widths: list[float], shown: int) -> float:
+    """The width of the first chips, and of the mark that counts the rest."""
+    rest = len(widths) - shown
+    mark = mono_width(rest_mark(rest), CHIP_TEXT) + GAP if rest else 0.0
+    return sum(widths[:shown]) + mark - GAP

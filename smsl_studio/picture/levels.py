@@ -116,3 +116,8 @@ def _near_pairs(at: Floats) -> tuple[Ints, Ints]:
             first.append(order[step:])
             second.append(order[:-step])
     return np.concatenate(first), np.concatenate(second)
+
+
+def rest_mark(rest: int) -> str:
+    """The text behind the last fact of a node that has no room for all: how many more there are."""
+    return f"+{rest}"

@@ -9,6 +9,7 @@ from smsl_studio.picture.colours import Colours
 from smsl_studio.picture.figure import (
     CHIP,
     CHIP_TEXT,
+    GAP,
     LABEL,
     LONGEST_LABEL,
     NAME,
@@ -16,11 +17,11 @@ from smsl_studio.picture.figure import (
     Figure,
     chip_places,
 )
-from smsl_studio.picture.levels import FULL_SIZE, Level
+from smsl_studio.picture.levels import FULL_SIZE, Level, rest_mark
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.picture.signs import DASHES, inks, sign_at
 from smsl_studio.picture.strokes import box, circle, mono_text, number, polygon, polyline, text
-from smsl_studio.picture.words import elided
+from smsl_studio.picture.words import elided, mono_width
 
 
 def draw_node(figure: Figure, state: int, colours: Colours, sign: str = "") -> Iterator[str]:
@@ -86,8 +87,15 @@ def _words(face: Face, wide: float, colours: Colours) -> Iterator[str]:
     yield text((0.0, baseline), name, NAME, colours["tx"], 600)
     if not face.chips and face.title:
         yield text((0.0, 15.0), elided(face.title, LABEL, wide - 16.0), LABEL, colours["tx2"])
-    for chip, (left, across) in zip(face.chips, chip_places(face, wide), strict=False):
+    places = chip_places(face, wide)
+    for chip, (left, across) in zip(face.chips, places, strict=False):
         yield from _chip(chip, left, across, colours)
+    if rest := len(face.chips) - len(places):
+        mark = rest_mark(rest)
+        half = mono_width(mark, CHIP_TEXT) / 2
+        middle = places[-1][0] + places[-1][1] + GAP + half if places else 0.0
+        y = 27.0 - FULL_SIZE[1] / 2 + CHIP / 2 + 4.2
+        yield mono_text((middle, y), mark, CHIP_TEXT, colours["tx2"], 500)
 
 
 def _chip(chip: Chip, left: float, across: float, colours: Colours) -> Iterator[str]:

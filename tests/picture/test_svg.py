@@ -163,3 +163,12 @@ def test_a_difference_is_marked_by_sign_and_form_on_both_sides() -> None:
     assert LIGHT["bad"] not in svg
     same = as_svg(one_below_another(draw_difference(compare(before, before))), "same")
     assert "No difference." in words_of(same)
+
+
+def test_facts_for_which_a_node_has_no_room_are_counted() -> None:
+    name = "State_" + "10" * 12
+    document = parse_json(f'{{"S": {{"{name}": {{}}}}}}', "many.json")
+    shown = words_of(svg_of(read_blueprint(document)))
+    facts = [word for word in shown if word in ("0", "1")]
+    assert f"+{24 - len(facts)}" in shown
+    assert len(facts) > 8

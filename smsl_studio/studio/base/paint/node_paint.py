@@ -11,7 +11,7 @@ from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from smsl_studio.legible import plain_text
-from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE
+from smsl_studio.picture.levels import COMPACT_MAX, COMPACT_SIZE, FULL_MAX, FULL_SIZE, rest_mark
 from smsl_studio.picture.picture import Chip, Face
 from smsl_studio.studio.base.paint.change_signs import change_colours, change_dashes, draw_change
 from smsl_studio.studio.base.paint.ink import (
@@ -82,16 +82,27 @@ def chip_width(chip: Chip, ink: Ink) -> float:
 
 
 def chip_places(face: Face, ink: Ink, width: float) -> list[QRectF]:
-    """Where the chips of a full node stand; those that do not fit are left out."""
-    widths = [chip_width(c, ink) for c in face.chips]
-    while widths and sum(widths) + GAP * (len(widths) - 1) > width - 12.0:
-        widths.pop()
-    x = -(sum(widths) + GAP * (len(widths) - 1)) / 2 if widths else 0.0
+    """Where the chips of a full node stand, from the first digit on.
+
+    Where not all fit there is room behind the last for a mark that counts the rest.
+    """
+    widths = [chip_width(chip, ink) + GAP for chip in face.chips]
+    shown = len(widths)
+    while shown and _row(widths, shown, ink) > width - 12.0:
+        shown -= 1
+    x = -_row(widths, shown, ink) / 2
     places = []
-    for w in widths:
-        places.append(QRectF(x, CHIP_TOP - FULL_SIZE[1] / 2, w, CHIP))
-        x += w + GAP
+    for wide in widths[:shown]:
+        places.append(QRectF(x, CHIP_TOP - FULL_SIZE[1] / 2, wide - GAP, CHIP))
+        x += wide
     return places
+
+
+def _row(widths: list[float], shown: int, ink: Ink) -> float:
+    """The width of the first chips, and of the mark that counts the rest."""
+    rest = len(widths) - shown
+    mark = ink.chip.width(rest_mark(rest)) + GAP if rest else 0.0
+    return sum(widths[:shown]) + mark - GAP
 
 
 def paint_node(
@@ -221,8 +232,16 @@ def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook,
         soft = tokens.onacc if look.active else tokens.tx2
         ink.label.draw(painter, 0.0, 13.0, ink.label.elided(face.title, width - 16.0), soft)
     sensed = dict(look.facts)
-    for digit, place in enumerate(chip_places(face, ink, width)):
+    places = chip_places(face, ink, width)
+    for digit, place in enumerate(places):
         paint_chip(painter, face.chips[digit], place, sensed.get(digit, ""), look.active, ink)
+    if rest := len(face.chips) - len(places):
+        mark = rest_mark(rest)
+        across = ink.chip.width(mark)
+        left = places[-1].right() + GAP if places else -across / 2
+        soft = tokens.onacc if look.active else tokens.tx2
+        y = CHIP_TOP - FULL_SIZE[1] / 2 + CHIP / 2
+        ink.chip.draw(painter, left + across / 2, y, mark, soft)
 
 
 def paint_chip(
