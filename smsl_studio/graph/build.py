@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import accumulate, chain, repeat
+from itertools import accumulate, chain, islice, repeat
 from typing import cast
 
 from smsl_studio.blueprint.model import StateBranch, Table
@@ -48,6 +48,11 @@ class BranchGraph:
     def edges_out(self, state: int) -> range:
         """The numbers of the edges that leave a state."""
         return range(self.starts[state], self.starts[state + 1])
+
+    @cached_property
+    def all_edges_out(self) -> list[range]:
+        """For each state the numbers of the edges that leave it."""
+        return list(map(range, self.starts, islice(self.starts, 1, None)))
 
     @cached_property
     def sources(self) -> list[int]:

@@ -6,20 +6,18 @@ Costs are counted exactly (as decimal fractions), so that 0.1 + 0.2 and 0.3 are 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
-from heapq import heappop, heappush
 from math import isinf, isnan, lcm
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.graph.both_ends import lightest
 from smsl_studio.graph.build import BranchGraph, graph_of
 
 Cost = Callable[[str, str], float]
-Weight = tuple[int, int]
-"""Cost in units of the scale, and number of operations."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,77 +47,41 @@ def cheapest(
     graph = graph_of(branch)
     first, last = graph.number(start), graph.number(goal)
     prices = _prices(branch, graph, avoid, cost)
-    best = _to_goal(graph, first, last, prices)
-    if first not in best:
+    edges = lightest(graph, first, last, prices.weights, prices.never)
+    if edges is None:
         return None
-    edges = list(_walk(graph, first, best, prices))
+    units = sum(prices.weights[edge] for edge in edges) // prices.unit
     return Route(
         operations=tuple(
             Address(branch.name, graph.names[graph.sources[e]], graph.operations[e]) for e in edges
         ),
         states=(start, *(graph.names[graph.targets[e]] for e in edges)),
-        cost=float(Fraction(best[first][0], prices.scale)),
+        cost=float(Fraction(units, prices.scale)),
     )
 
 
 @dataclass(frozen=True, slots=True)
 class _Prices:
-    """Per edge whether it may be used and its cost in whole units; how many units make 1."""
+    """What each edge weighs: its cost in whole units of the cost and 1 for the edge itself, so that
+    the cost counts first and the number of operations next.
 
-    usable: list[bool]
-    units: list[int]
+    ``unit`` is the weight of one unit, ``scale`` how many units make a cost of 1. An edge that may
+    not be used weighs ``never``, which is more than any way weighs.
+    """
+
+    weights: list[int]
+    unit: int
     scale: int
-
-
-def _to_goal(graph: BranchGraph, start: int, goal: int, prices: _Prices) -> dict[int, Weight]:
-    """The least weight from each state to the goal, worked out until the start is settled."""
-    best: dict[int, Weight] = {goal: (0, 0)}
-    settled: set[int] = set()
-    queue: list[tuple[int, int, int]] = [(0, 0, goal)]
-    while queue:
-        cost, count, state = heappop(queue)
-        if state in settled:
-            continue
-        settled.add(state)
-        if state == start:
-            break
-        for edge in graph.edges_in[state]:
-            if not prices.usable[edge]:
-                continue
-            source = graph.sources[edge]
-            weight = (cost + prices.units[edge], count + 1)
-            if source not in best or weight < best[source]:
-                best[source] = weight
-                heappush(queue, (*weight, source))
-    return best
-
-
-def _walk(
-    graph: BranchGraph, state: int, best: dict[int, Weight], prices: _Prices
-) -> Iterator[int]:
-    """The edges of the best route. Names are unique within a state, so the smallest one that keeps
-    the weight leads to the smallest sequence; the count falls at each step, so it ends."""
-    while best[state][1]:
-        cost, count = best[state]
-        edge = min(
-            (
-                edge
-                for edge in graph.edges_out(state)
-                if prices.usable[edge]
-                and best.get(graph.targets[edge]) == (cost - prices.units[edge], count - 1)
-            ),
-            key=lambda e: graph.operations[e],
-        )
-        yield edge
-        state = graph.targets[edge]
+    never: int
 
 
 def _prices(
     branch: StateBranch, graph: BranchGraph, avoid: Collection[Address], cost: Cost | None
 ) -> _Prices:
-    usable = _usable(graph, avoid)
+    unit = len(graph) + 1
+    closed = _closed(graph, avoid)
     if cost is None and "_operations" not in branch.fields:
-        return _Prices(usable, [1] * len(graph.targets), 1)
+        return _weighed([1] * len(graph.targets), closed, unit, 1)
     price = cost or branch.cost
     costs = [
         float(price(graph.names[source], operation))
@@ -131,26 +93,35 @@ def _prices(
             where = Address(graph.branch, graph.names[graph.sources[edge]], graph.operations[edge])
             raise ValueError(f"the cost of {where} is {value}; a cost is 0 or more")
         if isinf(value):
-            usable[edge] = False
+            closed.add(edge)
         elif value not in exact:
             exact[value] = Fraction(Decimal(repr(value)))
     scale = 1
     for fraction in exact.values():
         scale = lcm(scale, fraction.denominator)
     units = {value: int(fraction * scale) for value, fraction in exact.items()}
-    return _Prices(usable, [units.get(value, 0) for value in costs], scale)
+    return _weighed([units.get(value, 0) for value in costs], closed, unit, scale)
 
 
-def _usable(graph: BranchGraph, avoid: Collection[Address]) -> list[bool]:
-    usable = [True] * len(graph.targets)
+def _weighed(units: list[int], closed: Collection[int], unit: int, scale: int) -> _Prices:
+    """The weights of edges that cost so many units; those that are ``closed`` are never used."""
+    never = (max(units, default=0) + 1) * unit * unit
+    weights = [cost * unit + 1 for cost in units]
+    for edge in closed:
+        weights[edge] = never
+    return _Prices(weights, unit, scale, never)
+
+
+def _closed(graph: BranchGraph, avoid: Collection[Address]) -> set[int]:
+    """The edges that ``avoid`` takes out."""
+    closed: set[int] = set()
     for address in avoid:
         state = graph.index.get(address.state)
         if address.branch != graph.branch or state is None:
             continue
-        for edge in graph.edges_out(state):
-            if not address.operation or graph.operations[edge] == address.operation:
-                usable[edge] = False
         if not address.operation:
-            for edge in graph.edges_in[state]:
-                usable[edge] = False
-    return usable
+            closed.update(graph.edges_out(state), graph.edges_in[state])
+        else:
+            here = graph.edges_out(state)
+            closed.update(e for e in here if graph.operations[e] == address.operation)
+    return closed
