@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import chain
+from itertools import chain, compress
+from operator import is_not
 from typing import Any, cast
 
 from smsl_studio.blueprint.elements import EMPTY, Header
@@ -97,18 +98,23 @@ def _read(
         if len(branches) == MAX_BRANCHES:
             wrong.append(((name,), "one of fewer State Branches", value))
             break
-        if former and name in former.branches and former.home(name).values.get(name) is value:
-            branches[name] = former.branches[name]
+        before = former.branches.get(name) if former else None
+        if before and former and former.home(name).values.get(name) is value:
+            branches[name] = before
         elif not _is_name(name):
             wrong.append(((name,), "a name", value))
         elif type(value) is dict:
-            branches[name] = _branch(name, value, wrong)
+            branches[name] = _branch(name, value, wrong, before.table if before else EMPTY)
         else:
             wrong.append(((name,), "a State Branch", value))
     return branches, wrong
 
 
-def _branch(name: str, value: dict[str, Json], wrong: list[Wrong]) -> StateBranch:
+def _branch(
+    name: str, value: dict[str, Json], wrong: list[Wrong], known: Mapping[str, Json]
+) -> StateBranch:
+    """The SB in a value; the very operations that ``known`` has for a state are those of a state
+    that was read before."""
     table: dict[str, Mapping[str, str]] = dict(value)
     fields = {key: table.pop(key) for key in value if key[:1] == "_"}
     written = table.pop(HEADER, None)
@@ -117,7 +123,11 @@ def _branch(name: str, value: dict[str, Json], wrong: list[Wrong]) -> StateBranc
         header = _header(written)
     elif HEADER in value:
         wrong.append(((name, HEADER), "a HEADER", written))
-    if _is_plain(table):
+    others: Mapping[str, Json] = table
+    if known:
+        new = map(is_not, table.values(), map(known.get, table))
+        others = dict(compress(table.items(), new))
+    if _is_plain(others):
         return StateBranch(name, table, header, fields)
     state_fields: dict[str, dict[str, Json]] = {}
     states = {}

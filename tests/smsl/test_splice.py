@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 from typing import Any
 
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from smsl_studio.smsl.json_form import parse_json
+from smsl_studio.smsl.json_form.spans import LONG, JsonSpans
 from smsl_studio.smsl.splice import keep_winner, reconcile
 from tests.smsl.texts import VALUES, written
 
@@ -197,3 +199,50 @@ def test_keeping_the_winner_keeps_the_values_and_their_order() -> None:
     assert kept.duplicates() == ()
     with pytest.raises(KeyError):
         keep_winner(before, ("A", "gone"))
+
+
+def long_values(count: int) -> dict[str, dict[str, Json]]:
+    states = {f"s{n}": {"go": f"s{(n + 1) % count}", "back": f"s{n - 1}"} for n in range(count)}
+    places = {f"s{n}": [n, 0] for n in range(count)}
+    return {"SB1": {"HEADER": {"INITIAL": "s0"}, **states, "_layout": places}, "SB2": {"a": {}}}
+
+
+def edited(values: dict[str, dict[str, Json]], chance: random.Random) -> dict[str, dict[str, Json]]:
+    """The values with one state renamed, added, deleted, placed, or in another place."""
+    branch = dict(values["SB1"])
+    states = [key for key in branch if key not in ("HEADER", "_layout")]
+    chosen, fresh = chance.choice(states), f"n{chance.randrange(10**9)}"
+    kind = chance.randrange(5)
+    if kind == 0:
+        branch = {fresh if key == chosen else key: value for key, value in branch.items()}
+        for key in chance.sample([*branch][1:-1], 3):
+            branch[key] = {**branch[key], "go": fresh}
+    elif kind == 1:
+        branch[fresh] = {"go": chosen}
+        branch["_layout"] = {**branch["_layout"], fresh: [1, 2]}
+    elif kind == 2:
+        del branch[chosen]
+        branch["_layout"] = {k: v for k, v in branch["_layout"].items() if k != chosen}
+    elif kind == 3:
+        branch["_layout"] = {**branch["_layout"], chosen: [chance.randrange(99), 1]}
+    else:
+        items = [item for item in branch.items() if item[0] != chosen]
+        items.insert(chance.randrange(1, len(items)), (chosen, branch[chosen]))
+        branch = dict(items)
+    return {**values, "SB1": branch}
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_where_things_stand_is_known_after_each_edit_of_a_long_text(seed: int) -> None:
+    chance = random.Random(seed)
+    document = parse_json(written(long_values(LONG + 20), seed), "f.json")
+    document.members(("SB1", "_layout"))
+    for _ in range(12):
+        document = reconcile(document, edited(dict(document.values), chance))
+        again = parse_json(document.text, "f.json")
+        assert json.dumps(again.values) == json.dumps(document.values)
+        assert isinstance(document.spans, JsonSpans)
+        known = document.spans.long_rows
+        assert known.keys() >= {("SB1",), ("SB1", "_layout")}
+        for path in ((), *known):
+            assert document.members(path) == again.members(path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from smsl_studio.smsl.document import Document
-from smsl_studio.smsl.json_form.spans import JsonSpans
+from smsl_studio.smsl.json_form.spans import JsonSpans, scan_container
 
 _UNIT = "    "
 
@@ -18,7 +18,7 @@ def tidy(document: Document) -> Document:
     """
     tidier = _JsonTidier(document)
     bom = "\ufeff" if document.text.startswith("\ufeff") else ""
-    text = bom + tidier.container(tidier.spans.root, "") + document.newline
+    text = bom + tidier.container(JsonSpans(document.text).root, "") + document.newline
     return document if text == document.text else replace(document, text=text)
 
 
@@ -26,12 +26,11 @@ class _JsonTidier:
     def __init__(self, document: Document) -> None:
         self._text = document.text
         self._newline = document.newline
-        self.spans = JsonSpans(document.text)
 
     def container(self, start: int, indent: str) -> str:
         """The object or list that opens at ``start``, on a line that is indented so."""
         text = self._text
-        members = self.spans.scan(start)
+        members = tuple(scan_container(text, start))
         left, right = ("{", "}") if text[start] == "{" else ("[", "]")
         if not members:
             return left + right

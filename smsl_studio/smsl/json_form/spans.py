@@ -8,8 +8,11 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
+from itertools import accumulate, count, islice
+from types import MappingProxyType
+from typing import NamedTuple
 
 from smsl_studio.smsl.document import Member, Path
 
@@ -25,58 +28,157 @@ def skip_space(text: str, at: int) -> int:
     return match.end() if match else at
 
 
-class JsonSpans:
-    """The spans of one valid JSON text, object by object as they are asked for."""
+class Part(NamedTuple):
+    """One member as four lengths: what stands before its key, the key, what stands between key and
+    value, the value."""
 
-    def __init__(self, text: str) -> None:
+    before: int
+    key: int
+    middle: int
+    value: int
+
+
+LONG = 64
+"""A row with fewer members is found anew in a moment, so it is not handed on to the next text."""
+
+
+class MemberRow:
+    """The members of one object or list by their lengths, so that it holds wherever that stands.
+
+    It is never changed: a text that was spliced has another one for what was changed in it.
+    """
+
+    def __init__(self, keys: list[str], parts: list[Part], lengths: list[int]) -> None:
+        self.keys, self.parts, self.lengths = keys, parts, lengths
+
+    @classmethod
+    def of(cls, members: Iterable[Member], start: int) -> MemberRow:
+        """The row of the members in what opens at ``start``."""
+        keys, parts, lengths, at = [], [], [], start + 1
+        for key, key_start, key_end, value_start, value_end in members:
+            keys.append(key)
+            parts.append(
+                Part(key_start - at, key_end - key_start, value_start - key_end,
+                     value_end - value_start)
+            )  # fmt: skip
+            lengths.append(value_end - at)
+            at = value_end
+        return cls(keys, parts, lengths)
+
+    def __len__(self) -> int:
+        return len(self.keys)
+
+    @property
+    def is_long(self) -> bool:
+        """Whether it is worth keeping for the next text."""
+        return len(self.keys) >= LONG
+
+    @cached_property
+    def _offsets(self) -> list[int]:
+        """For each member where the one before it ends, from the opening bracket on; at last where
+        the last one ends."""
+        return list(accumulate(self.lengths, initial=1))
+
+    @cached_property
+    def _last(self) -> dict[str, int]:
+        """The index of each key; of a doubled one that of the last."""
+        return dict(zip(self.keys, count(), strict=False))
+
+    def index(self, key: str) -> int:
+        """The index of the last member of this key; KeyError where there is none."""
+        return self._last[key]
+
+    def end(self, start: int) -> int:
+        """The offset behind the last member, or behind the bracket that opens at ``start``."""
+        return start + self._offsets[-1]
+
+    def member(self, index: int, start: int) -> Member:
+        """One member of what opens at ``start``."""
+        before, key, middle, value = self.parts[index]
+        at = start + self._offsets[index] + before
+        value_start = at + key + middle
+        return Member(self.keys[index], at, at + key, value_start, value_start + value)
+
+    def members(self, start: int) -> tuple[Member, ...]:
+        """All members of what opens at ``start``."""
+        return tuple(self.member(index, start) for index in range(len(self.keys)))
+
+
+NO_ROWS: Mapping[Path, MemberRow] = MappingProxyType({})
+
+
+class JsonSpans:
+    """The spans of one valid JSON text, object by object as they are asked for.
+
+    ``rows`` are those that are known already, by their paths.
+    """
+
+    def __init__(self, text: str, rows: Mapping[Path, MemberRow] = NO_ROWS) -> None:
         self._text = text
-        self._scanned: dict[int, tuple[Member, ...]] = {}
-        self._latest: dict[int, dict[str, Member]] = {}
+        self._rows = dict(rows)
+        self._starts: dict[Path, int] = {}
 
     @cached_property
     def root(self) -> int:
         """The offset at which the file's object opens."""
         return skip_space(self._text, 1 if self._text.startswith("\ufeff") else 0)
 
+    @property
+    def long_rows(self) -> dict[Path, MemberRow]:
+        """The long rows that are known so far, by their paths."""
+        return {path: row for path, row in self._rows.items() if row.is_long}
+
     def members(self, path: Path) -> tuple[Member, ...]:
         """See ``Spans``."""
-        start = self.root
-        for key in path:
-            start = self._last(start, key).value_start
-        return self.scan(start)
+        start = self._start(path)
+        return self.row(path, start).members(start)
 
     def doubles(self) -> Iterator[tuple[Path, tuple[int, ...]]]:
         """See ``Spans``."""
         return self._doubles((), self.root)
 
-    def scan(self, start: int) -> tuple[Member, ...]:
-        """The members of the object or list that opens at offset ``start``, doubles included.
+    def row(self, path: Path, start: int) -> MemberRow:
+        """The row of the object or list at ``path``, which opens at offset ``start``.
 
         The elements of a list are members whose key is their index and takes no room. KeyError
         where neither opens.
         """
-        if start not in self._scanned:
-            self._scanned[start] = tuple(scan_container(self._text, start))
-        return self._scanned[start]
+        found = self._rows.get(path)
+        if found is None:
+            found = self._rows[path] = MemberRow.of(scan_container(self._text, start), start)
+        return found
 
-    def end_of(self, start: int) -> int:
-        """The offset behind the object or list that opens at ``start``."""
-        members = self.scan(start)
-        return skip_space(self._text, members[-1].value_end if members else start + 1) + 1
+    def first(self, path: Path, start: int, most: int) -> list[Member]:
+        """The first members of what opens at ``start``, ``most`` of them at most."""
+        row = self._rows.get(path)
+        if row is None:
+            return list(islice(scan_container(self._text, start), most))
+        return [row.member(index, start) for index in range(min(most, len(row)))]
 
-    def _last(self, start: int, key: str) -> Member:
-        if start not in self._latest:
-            self._latest[start] = {member.key: member for member in self.scan(start)}
-        return self._latest[start][key]
+    def end_of(self, row: MemberRow, start: int) -> int:
+        """The offset behind the object or list with this row that opens at ``start``."""
+        return skip_space(self._text, row.end(start)) + 1
+
+    def _start(self, path: Path) -> int:
+        if not path:
+            return self.root
+        start = self._starts.get(path)
+        if start is None:
+            above = path[:-1]
+            at = self._start(above)
+            row = self.row(above, at)
+            start = self._starts[path] = row.member(row.index(path[-1]), at).value_start
+        return start
 
     def _doubles(self, path: Path, start: int) -> Iterator[tuple[Path, tuple[int, ...]]]:
+        members = tuple(scan_container(self._text, start))
         places: dict[str, list[int]] = {}
-        for member in self.scan(start):
+        for member in members:
             places.setdefault(member.key, []).append(member.key_start)
         for key, found in places.items():
             if len(found) > 1:
                 yield (*path, key), tuple(found)
-        for member in self.scan(start):
+        for member in members:
             if self._text[member.value_start] in "{[":
                 yield from self._doubles((*path, member.key), member.value_start)
 

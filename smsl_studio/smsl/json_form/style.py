@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.json_form.spans import JsonSpans
 
 Json = Any
@@ -59,40 +59,49 @@ def _wrapped(marks: str, items: list[str], style: JsonStyle, indent: str, broken
     return left + start + ("," + start).join(items) + style.newline + indent + right
 
 
-def style_of(document: Document) -> JsonStyle:
+def style_of(document: Document, spans: JsonSpans) -> JsonStyle:
     """The style a text is written in, learnt from its first objects."""
-    spans = JsonSpans(document.text)
-    members = spans.members(())
-    if not members:
-        return JsonStyle(newline=document.newline)
-    text, first = document.text, members[0]
-    lead = text[spans.root + 1 : first.key_start]
+    text, newline = document.text, document.newline
+    lines = _First(text, newline, spans, ((), spans.root))
+    if not lines.members:
+        return JsonStyle(newline=newline)
+    first = lines.members[0]
     colon = text[first.key_end : first.value_start]
     if "\n" in colon or "\r" in colon:
         colon = ": "
     comma = ", " if colon.endswith(" ") else ","
-    if document.newline not in lead:
-        return JsonStyle(document.newline, "", colon, comma, 0)
-    unit = lead.rpartition(document.newline)[2]
-    return JsonStyle(document.newline, unit, colon, comma, _inline_from(document, spans))
+    if not lines.broken:
+        return JsonStyle(newline, "", colon, comma, 0)
+    unit = lines.lead.rpartition(newline)[2]
+    return JsonStyle(newline, unit, colon, comma, lines.inline_from())
 
 
-def _inline_from(document: Document, spans: JsonSpans) -> int:
-    """The depth from which the objects of a text stand on one line."""
-    text, starts = document.text, [spans.root]
-    for depth in range(1, 5):
-        inner = [
-            member.value_start
-            for start in starts
-            for member in spans.scan(start)[:_SAMPLED]
-            if text[member.value_start] == "{"
+class _First:
+    """The first members of one object of a text."""
+
+    def __init__(self, text: str, newline: str, spans: JsonSpans, at: tuple[Path, int]) -> None:
+        self._text, self._newline, self._spans = text, newline, spans
+        self._path, start = at
+        self.members = spans.first(self._path, start, _SAMPLED)
+        self.lead = text[start + 1 : self.members[0].key_start] if self.members else ""
+        self.broken = newline in self.lead
+        """Whether it begins its members on a new line."""
+
+    def inner(self) -> list[_First]:
+        """The same of the objects in it that are not empty."""
+        places = [
+            ((*self._path, one.key), one.value_start)
+            for one in self.members
+            if self._text[one.value_start] == "{"
         ]
-        starts = [start for start in inner if spans.scan(start)]
-        if starts and not any(_broken(document, spans, start) for start in starts):
-            return depth
-    return 99
+        found = [_First(self._text, self._newline, self._spans, place) for place in places]
+        return [one for one in found if one.members]
 
-
-def _broken(document: Document, spans: JsonSpans, start: int) -> bool:
-    """Whether the object at ``start`` begins its members on a new line."""
-    return document.newline in document.text[start : spans.scan(start)[0].key_start]
+    def inline_from(self) -> int:
+        """The depth from which the objects of the text stand on one line, if this is its root."""
+        layer = [self]
+        for depth in range(1, 5):
+            layer = [inner for one in layer for inner in one.inner()]
+            if layer and not any(one.broken for one in layer):
+                return depth
+        return 99

@@ -1,0 +1,365 @@
+"""One object or list of a JSON text with other values: which pieces of the text give way to what.
+
+Members that stay as they are cost nothing: the rows of keys are compared as a whole (see
+``stretches``), and only where they differ members are taken apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from smsl_studio.smsl.document import Document, Member, Path
+from smsl_studio.smsl.document.arrangement import Placed, aligned, arranged, permuted, survivors
+from smsl_studio.smsl.document.likeness import same
+from smsl_studio.smsl.document.stretches import Stretch, differing, stretches, whole
+from smsl_studio.smsl.json_form.spans import JsonSpans, MemberRow, Part, skip_space
+from smsl_studio.smsl.json_form.style import JsonStyle, render, scalar, style_of
+
+Json = Any
+Values = dict[str, Json]
+
+
+class Piece(NamedTuple):
+    """What stands between two offsets of a text gives way to another text."""
+
+    start: int
+    end: int
+    text: str
+
+
+class Written(NamedTuple):
+    """Values as they stand in the text afterwards, and what has to be changed in it, in order."""
+
+    values: Json
+    pieces: list[Piece]
+
+
+def spliced(text: str, pieces: Iterable[Piece], start: int = 0, end: int | None = None) -> str:
+    """The text between two offsets with all that gives way in it."""
+    found: list[str] = []
+    for piece in pieces:
+        found += (text[start : piece.start], piece.text)
+        start = piece.end
+    return "".join([*found, text[start : len(text) if end is None else end]])
+
+
+class Splicer:
+    """Gives the objects of one document other values. Paths are those of the former values."""
+
+    def __init__(self, document: Document, style: JsonStyle | None = None) -> None:
+        spans = document.spans
+        assert isinstance(spans, JsonSpans)
+        self.text, self.newline, self.spans = document.text, document.newline, spans
+        self._document, self._given = document, style
+        self._rows: dict[Path, MemberRow] = {}
+        self._moved: dict[Path, str | None] = {}
+
+    @cached_property
+    def style(self) -> JsonStyle:
+        """The layout of what is new."""
+        return self._given or style_of(self._document, self.spans)
+
+    def change(
+        self, path: Path, member: Member, old: Json, new: Json, indent: str
+    ) -> Written | None:
+        """Give the member at ``path`` another value; None where it is the same.
+
+        ``indent`` is that of the line on which its key stands.
+        """
+        if same(old, new):
+            return None
+        if isinstance(old, dict) and isinstance(new, dict):
+            return self.container(path, member.value_start, old, new)
+        if isinstance(old, list) and isinstance(new, list):
+            # A list is written as an object whose keys are the places of its old elements.
+            before = {str(index): value for index, value in enumerate(old)}
+            after = dict(zip(aligned(old, new), new, strict=True))
+            pieces = self.container(path, member.value_start, before, after).pieces
+        else:
+            text = render(new, self.style, indent, len(path))
+            pieces = [Piece(member.value_start, member.value_end, text)]
+        self.move(path, None)
+        return Written(new, pieces)
+
+    def container(self, path: Path, start: int, old: Values, new: Values) -> Written:
+        """The object (or list) at ``path``, which opens at ``start``, with other values."""
+        container = _Container(self, path, start, old, new)
+        values = container.written()
+        self._rows[path] = container.row_after()
+        return Written(values, container.pieces)
+
+    def move(self, path: Path, key: str | None) -> None:
+        """The member at ``path`` has another key; None: whatever was known below it is not any
+        more."""
+        self._moved[path] = key
+
+    def rows_after(self) -> dict[Path, MemberRow]:
+        """The long rows that are known of the new text."""
+        known = {**self.spans.long_rows, **self._rows}
+        found = ((self._after(path), row) for path, row in known.items() if row.is_long)
+        return {path: row for path, row in found if path is not None}
+
+    def _after(self, path: Path) -> Path | None:
+        """A path as it is afterwards; None where that is not known."""
+        now: list[str] = []
+        for depth, key in enumerate(path, start=1):
+            moved = self._moved.get(path[:depth], key)
+            if moved is None:
+                return None
+            now.append(moved)
+        return tuple(now)
+
+
+@dataclass(slots=True)
+class _Slot:
+    """One member of the object that is being written: an old one, or a new one (no member)."""
+
+    key: str
+    member: Member | None
+    gap: str | None = None
+    """What stands between this slot and the next."""
+    wins: bool = True
+
+
+class _Container:
+    """An object or list that gets other values. ``pieces`` are what has to be changed for it."""
+
+    def __init__(self, splicer: Splicer, path: Path, start: int, old: Values, new: Values) -> None:
+        self.pieces: list[Piece] = []
+        self._splicer, self._path, self._start = splicer, path, start
+        self._text, self._old, self._new = splicer.text, old, new
+        self._row = splicer.spans.row(path, start)
+        self._parts, self._lengths = list(self._row.parts), list(self._row.lengths)
+        self._arranged: list[tuple[Stretch, list[str], list[Part]]] = []
+        self._values: Values = {}
+        """The values that are not the very objects of the new ones."""
+        self._header = "HEADER" if len(path) == 1 else ""
+        self._free = len(path) == 2 and path[1] == "HEADER"
+        """Whether the order of its keys means nothing, so that they stay in that of the text."""
+
+    def written(self) -> Values:
+        """Find what has to be changed; the values as they stand in the text afterwards."""
+        old, new, keys, wanted = self._old, self._new, self._row.keys, list(self._new)
+        if keys != list(old) or (self._free and keys != wanted):
+            parts = [whole(keys, wanted)]
+        else:
+            parts = stretches(keys, wanted, self._header)
+        before, after = list(old.values()), list(new.values())
+        at = to = 0
+        for part in (*parts, Stretch(len(keys), len(keys), len(wanted), len(wanted))):
+            for offset in differing(before[at : part.begin], after[to : part.first]):
+                self._change(at + offset, before[at + offset], after[to + offset])
+            if part.begin < part.end or part.first < part.last:
+                self._arrange(part, wanted[part.first : part.last])
+            at, to = part.end, part.last
+        order = self._order()
+        if order == wanted:
+            return {**new, **self._values}
+        return {key: self._values.get(key, new[key]) for key in order}
+
+    def row_after(self) -> MemberRow:
+        """Its members as they stand in the text afterwards."""
+        if not self.pieces:
+            return self._row
+        for part, _, parts in reversed(self._arranged):
+            self._parts[part.begin : part.end] = parts
+            self._lengths[part.begin : part.end] = map(sum, parts)
+        return MemberRow(self._order(), self._parts, self._lengths)
+
+    def _order(self) -> list[str]:
+        """Its keys in the order of the text afterwards."""
+        if not self._arranged:
+            return self._row.keys
+        keys = list(self._row.keys)
+        for part, inside, _ in reversed(self._arranged):
+            keys[part.begin : part.end] = inside
+        return keys
+
+    # one member ---------------------------------------------------------------------------------
+
+    def _change(self, index: int, old: Json, new: Json) -> None:
+        """Give a member that stays where it is another value."""
+        key, member = self._row.keys[index], self._row.member(index, self._start)
+        changed = self._splicer.change((*self._path, key), member, old, new, self._indent)
+        if changed is None:
+            self._values[key] = old
+            return
+        self._values[key] = changed.values
+        self.pieces += changed.pieces
+        growth = sum(len(text) - (end - start) for start, end, text in changed.pieces)
+        self._resize(index, value=self._parts[index].value + growth)
+
+    def _resize(self, index: int, **lengths: int) -> None:
+        """Note other lengths of a member."""
+        part = self._parts[index] = self._parts[index]._replace(**lengths)
+        self._lengths[index] = sum(part)
+
+    # several members ----------------------------------------------------------------------------
+
+    def _arrange(self, part: Stretch, wanted: list[str]) -> None:
+        """Put other members, or the same in another order, in the place of some."""
+        row, gap = self._row, self._gap
+        members = [row.member(index, self._start) for index in range(part.begin, part.end)]
+        following = row.member(part.end, self._start) if part.end < len(row) else None
+        new = {key: self._new[key] for key in wanted}
+        kept = survivors({one.key: self._old[one.key] for one in members}, new, self._header)
+        for member in members:
+            if kept.get(member.key) != member.key:
+                self._splicer.move((*self._path, member.key), kept.get(member.key))
+        slots = self._slots(members, kept, following)
+        if [slot.key for slot in slots] != wanted:
+            if not self._free:
+                slots = _permuted(slots, permuted([s.key for s in slots], new, self._header))
+            slots = _filled(slots, arranged([slot.key for slot in slots], new, self._header), gap)
+        back = {now: was for was, now in kept.items()}
+        pieces: list[str] = []
+        parts: list[Part] = []
+        before = row.parts[part.begin].before if part.begin < len(row) else len(self._lead)
+        for index, slot in enumerate(slots):
+            key, middle = self._key(slot, back)
+            former = self._old.get(back.get(slot.key, ""))
+            value = self._value(slot, former, new[slot.key])
+            parts.append(Part(before, len(key), len(middle), len(value)))
+            ends = index + 1 == len(slots) and following is None
+            behind = "" if ends else slot.gap or gap
+            pieces += (key, middle, value, behind)
+            before = len(behind)
+        self._arranged.append((part, [slot.key for slot in slots], parts))
+        if following is not None:
+            self._resize(part.end, before=before)
+        if members:
+            # An object that gets empty loses what stood before its first member.
+            start = members[0].key_start if slots or following else self._start + 1
+            end = following.key_start if following else members[-1].value_end
+            self.pieces.append(Piece(start, end, "".join(pieces)))
+        elif slots:
+            start, end = self._start + 1, self._end
+            self.pieces.append(Piece(start, end, "".join([self._lead, *pieces, self._trail])))
+
+    def _slots(
+        self, members: list[Member], kept: Mapping[str, str], following: Member | None
+    ) -> list[_Slot]:
+        last = {member.key: index for index, member in enumerate(members)}
+        behind = following.key_start if following else None
+        ends = [*(member.key_start for member in members), behind][1:]
+        return [
+            _Slot(
+                kept[member.key],
+                member,
+                None if end is None else self._text[member.value_end : end],
+                last[member.key] == index,
+            )
+            for index, (member, end) in enumerate(zip(members, ends, strict=True))
+            if member.key in kept
+        ]
+
+    def _key(self, slot: _Slot, back: Mapping[str, str]) -> tuple[str, str]:
+        """The key of a slot, and what stands between it and the value."""
+        member, text = slot.member, self._text
+        if text[self._start] == "[":
+            return "", ""
+        if member is None:
+            return scalar(slot.key), self._splicer.style.colon
+        middle = text[member.key_end : member.value_start]
+        if back[slot.key] != slot.key:
+            return scalar(slot.key), middle
+        return text[member.key_start : member.key_end], middle
+
+    def _value(self, slot: _Slot, former: Json, value: Json) -> str:
+        """The text of the value of a slot; ``former`` is what it held."""
+        member = slot.member
+        if member is None:
+            return render(value, self._splicer.style, self._indent, len(self._path) + 1)
+        path, changed = (*self._path, member.key), None
+        if slot.wins:
+            changed = self._splicer.change(path, member, former, value, self._indent)
+            self._values[slot.key] = former if changed is None else changed.values
+        if changed is None:
+            return self._text[member.value_start : member.value_end]
+        return spliced(self._text, changed.pieces, member.value_start, member.value_end)
+
+    # what stands around members -----------------------------------------------------------------
+
+    @cached_property
+    def _end(self) -> int:
+        """The offset of its closing bracket."""
+        return self._splicer.spans.end_of(self._row, self._start) - 1
+
+    @cached_property
+    def _inside(self) -> str:
+        """All that stands in it, where it has no members."""
+        return self._text[self._start + 1 : self._end]
+
+    @cached_property
+    def _broken(self) -> bool:
+        """Whether members begin a line, where it has none yet."""
+        inline_from = self._splicer.style.inline_from
+        opens = self._text[self._start] == "{"
+        return self._splicer.newline in self._inside or (len(self._path) < inline_from and opens)
+
+    @cached_property
+    def _lead(self) -> str:
+        """What stands before the first member."""
+        if len(self._row):
+            return self._text[self._start + 1 : self._row.member(0, self._start).key_start]
+        if self._broken:
+            return self._splicer.newline + self._line_indent + self._splicer.style.unit
+        return self._inside[:1]
+
+    @cached_property
+    def _trail(self) -> str:
+        """What stands behind the last member, where it has none yet."""
+        newline = self._splicer.newline
+        if self._broken:
+            return self._inside if newline in self._inside else newline + self._line_indent
+        return self._inside[:1]
+
+    @cached_property
+    def _gap(self) -> str:
+        """What stands between two new members."""
+        count, newline = len(self._row), self._splicer.newline
+        if count > 1:
+            last = self._row.member(count - 1, self._start).key_start
+            return self._text[last - self._row.parts[-1].before : last]
+        broken = newline in self._lead if count else self._broken
+        return "," + self._lead if broken else self._splicer.style.comma
+
+    @cached_property
+    def _indent(self) -> str:
+        """The white space that the line of a member begins with."""
+        newline = self._splicer.newline
+        if newline in self._lead:
+            return self._lead.rpartition(newline)[2]
+        return self._line_indent
+
+    @cached_property
+    def _line_indent(self) -> str:
+        """The white space that the line on which it opens begins with."""
+        newline = self._splicer.newline
+        start = self._text.rfind(newline, 0, self._start) + len(newline)
+        if start < len(newline):
+            return ""
+        return self._text[start : skip_space(self._text, start)]
+
+
+def _permuted(slots: list[_Slot], contents: list[int]) -> list[_Slot]:
+    """The slots with the contents of others; the gaps stay where they are."""
+    return [
+        _Slot(slots[content].key, slots[content].member, slot.gap, slots[content].wins)
+        for slot, content in zip(slots, contents, strict=True)
+    ]
+
+
+def _filled(slots: list[_Slot], row: list[Placed], gap: str) -> list[_Slot]:
+    """The slots in their row, with new ones that take the gap of the one they are near."""
+    return [
+        slots[placed.slot]
+        if placed.slot is not None
+        else _Slot(
+            placed.key, None, (slots[placed.near].gap if placed.near is not None else None) or gap
+        )
+        for placed in row
+    ]
