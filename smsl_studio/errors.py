@@ -20,13 +20,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
-from difflib import SequenceMatcher, get_close_matches
 from itertools import islice
+from typing import NamedTuple
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class Place:
+class Place(NamedTuple):
     """A point in a file; lines and columns count from 1, columns in characters."""
 
     file: str
@@ -51,8 +49,7 @@ class StudioError(Exception):
         return f"{where}{self.sentence}"
 
 
-@dataclass(frozen=True, slots=True)
-class TextFix:
+class TextFix(NamedTuple):
     """A repair of a text: words for its button, and what stands between two offsets after it."""
 
     words: str
@@ -166,6 +163,7 @@ def nearest(name: str, known: Iterable[str]) -> str:
     """
     if len(name) > _LONGEST:
         return ""
+    from difflib import SequenceMatcher, get_close_matches  # needed only where a name is wrong
 
     def alike(other: str) -> tuple[float, int]:
         """How like a known name is: the ratio of ``difflib``, then the equal characters."""

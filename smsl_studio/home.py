@@ -23,6 +23,11 @@ def user_folder() -> Path:
     return Path(os.environ.get("XDG_CONFIG_HOME") or home / ".config") / "smsl-studio"
 
 
+def saving_folder() -> Path:
+    """Where the records of this user's saves of several files are kept; it need not exist."""
+    return user_folder().absolute() / "saving"
+
+
 def expanded(text: str) -> Path:
     """A folder as written, ``~`` resolved; kept as it is for a user nobody knows."""
     return Path(os.path.expanduser(text))  # noqa: PTH111 -- that of Path raises

@@ -18,7 +18,6 @@ Data itself (a file that is converted, the value in a field) is never changed.
 
 from __future__ import annotations
 
-from html import escape
 from itertools import accumulate, takewhile
 from unicodedata import category
 
@@ -78,7 +77,8 @@ def whole_text(text: str) -> str:
 
 def markup(text: str) -> str:
     """A text for an element of HTML, XML or SVG, or for an attribute in double quotes."""
-    return escape(whole_text(text), quote=False).replace('"', "&quot;")
+    escaped = whole_text(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return escaped.replace('"', "&quot;")
 
 
 def json_text(text: str) -> str:

@@ -8,14 +8,12 @@ Notes are plain values. pydantic checks them; it is loaded only when there is a 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar
 
 from annotated_types import Ge, Gt, Le
 
-from smsl_studio.blueprint.address import note_key
 from smsl_studio.blueprint.continuum import LEVELS
 
 if TYPE_CHECKING:
@@ -114,74 +112,11 @@ class Hazard(_Note):
     facts: dict[str, str]
 
 
-@dataclass(frozen=True)
-class Notes:
-    """The annotations of one SB, and what in them could not be understood.
-
-    ``written`` has, for each entry of ``operations``, the words that stand in it.
-    """
-
-    facts: Mapping[int, FactNote] = field(default_factory=dict)
-    states: Mapping[str, StateNote] = field(default_factory=dict)
-    operations: Mapping[str, OperationNote] = field(default_factory=dict)
-    layout: Mapping[str, tuple[float, float]] = field(default_factory=dict)
-    faults: tuple[tuple[tuple[str, ...], str], ...] = ()
-    written: Mapping[str, frozenset[str]] = field(default_factory=dict)
-
-    def operation(self, state: str, operation: str) -> OperationNote:
-        """The note of one edge: the one of its name, overridden by the one of the edge."""
-        key = note_key(operation, state)
-        common, own = self.operations.get(note_key(operation)), self.operations.get(key)
-        if common is None or own is None:
-            return own or common or PLAIN
-        return replace(common, **{word: getattr(own, word) for word in self.written[key]})
-
-
 PLAIN = OperationNote()
+"""The note of an operation of which nothing is said."""
 
 FAR = 1e7
 """Pixels. A position must be nearer than this to the middle in both directions."""
-
-
-def read_notes(fields: Mapping[str, Json]) -> Notes:
-    """The typed annotations in an SB's ``_`` fields; faults carry the path and the reason."""
-    faults: list[tuple[tuple[str, ...], str]] = []
-
-    def table(key: str) -> dict[str, Json]:
-        """The map under ``key``, empty where there is none; a fault where it is no map."""
-        raw = fields.get(key, {})
-        if isinstance(raw, dict):
-            return raw
-        faults.append(((key,), f"{key} must be a map"))
-        return {}
-
-    facts: dict[int, FactNote] = {}
-    for digit, raw in table("_facts").items():
-        fact = _validated(FactNote, raw, ("_facts", digit), faults)
-        if fact is not None and digit.isdecimal() and digit.isascii():
-            facts[int(digit)] = fact
-        elif fact is not None:
-            faults.append((("_facts", digit), f"{digit!r} is no digit of a fact"))
-    states: dict[str, StateNote] = {}
-    for name, raw in table("_states").items():
-        state = _validated(StateNote, raw, ("_states", name), faults)
-        if state is not None:
-            states[name] = state
-    operations: dict[str, OperationNote] = {}
-    written: dict[str, frozenset[str]] = {}
-    for name, raw in table("_operations").items():
-        path = ("_operations", name)
-        operation, words = _with_words(OperationNote, raw, path, faults)
-        if operation is not None:
-            operations[name], written[name] = operation, words
-    layout: dict[str, tuple[float, float]] = {}
-    for name, at in table("_layout").items():
-        point = point_of(at)
-        if point is not None:
-            layout[name] = point
-        else:
-            faults.append((("_layout", name), "a position is [x, y]"))
-    return Notes(facts, states, operations, layout, tuple(faults), written)
 
 
 def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, ...], str], ...]]:
@@ -189,7 +124,7 @@ def read_hazards(raw: Json) -> tuple[tuple[Hazard, ...], tuple[tuple[tuple[str, 
     faults: list[tuple[tuple[str, ...], str]] = []
     if not isinstance(raw, list):
         return (), ((("_hazards",), "_hazards must be a list"),) if raw is not None else ()
-    notes = [_validated(Hazard, item, ("_hazards",), faults) for item in raw]
+    notes = [validated(Hazard, item, ("_hazards",), faults) for item in raw]
     return tuple(note for note in notes if note is not None), tuple(faults)
 
 
@@ -215,14 +150,14 @@ def point_of(at: Json) -> tuple[float, float] | None:
     return float(at[0]), float(at[1])
 
 
-def _validated(
+def validated(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> NoteT | None:
     """The note in ``raw``; a word that does not fit is a fault, and the others still count."""
-    return _with_words(model, raw, path, faults)[0]
+    return with_words(model, raw, path, faults)[0]
 
 
-def _with_words(
+def with_words(
     model: type[NoteT], raw: Json, path: tuple[str, ...], faults: list[Any]
 ) -> tuple[NoteT | None, frozenset[str]]:
     """The note in ``raw`` and which of its words fit; no note where a required word is missing."""
@@ -241,7 +176,7 @@ def _with_words(
     fitting = {} if not isinstance(raw, dict) else {k: v for k, v in raw.items() if k not in odd}
     if not fitting or len(fitting) == len(raw):
         return None, frozenset()
-    return _with_words(model, fitting, path, [])
+    return with_words(model, fitting, path, [])
 
 
 @lru_cache(maxsize=8)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import compress, count
 from operator import ne
+from typing import NamedTuple
 
 
 def fact_string(name: str, num_facts: int | None) -> str:
@@ -27,8 +27,7 @@ def changed_digits(before: Sequence[str], after: Sequence[str]) -> tuple[int, ..
     return () if before == after else tuple(compress(count(), map(ne, before, after)))
 
 
-@dataclass(frozen=True, slots=True)
-class FactShape:
+class FactShape(NamedTuple):
     """How the states of one SB carry their facts.
 
     ``width`` is the number of characters of one fact; ``opaque`` says that the names cannot be

@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING, Any, Protocol
 from smsl_studio.blueprint.continuum import DEFAULTS
 
 if TYPE_CHECKING:
-    from smsl_studio.blueprint.annotations import FactNote, Notes, OperationNote
+    from smsl_studio.blueprint.annotations import FactNote, OperationNote
     from smsl_studio.blueprint.elements import Header
     from smsl_studio.blueprint.facts import FactShape
+    from smsl_studio.blueprint.notes import Notes
     from smsl_studio.smsl.document import Document
 
 Json = Any

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import chain
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING, Any
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.elements import EMPTY, Header, Operation, State
 from smsl_studio.blueprint.facts import FactShape, shape_of
-from smsl_studio.blueprint.meaning import blueprint_meaning, branch_meaning
+from smsl_studio.blueprint.notes import NO_NOTES, Notes, read_notes
 from smsl_studio.blueprint.resolution import resolved
 from smsl_studio.errors import AddressError, Place, did_you_mean
 
 if TYPE_CHECKING:
-    from smsl_studio.blueprint.annotations import FactNote, Hazard, Notes, OperationNote, StateNote
+    from smsl_studio.blueprint.annotations import FactNote, Hazard, OperationNote, StateNote
     from smsl_studio.blueprint.imported_files import Imports
     from smsl_studio.smsl.document import Document
 
@@ -150,9 +150,7 @@ class StateBranch:
     def notes(self) -> Notes:
         """The typed annotations of this SB."""
         if not any(k in self.fields for k in ("_facts", "_states", "_operations", "_layout")):
-            return _no_notes()
-        from smsl_studio.blueprint.annotations import read_notes
-
+            return NO_NOTES
         return read_notes(self.fields)
 
     def fact_name(self, digit: int) -> str:
@@ -203,6 +201,8 @@ class StateBranch:
     @cached_property
     def meaning(self) -> Json:
         """This SB as plain values, defaults made explicit, layout and comments left out."""
+        from smsl_studio.blueprint.meaning import branch_meaning
+
         return branch_meaning(self)
 
     def __eq__(self, other: object) -> bool:
@@ -342,6 +342,8 @@ class Blueprint:
     @cached_property
     def meaning(self) -> Json:
         """Everything a digest signs, as plain values; the order of SBs counts."""
+        from smsl_studio.blueprint.meaning import blueprint_meaning
+
         return blueprint_meaning(self)
 
     @cached_property
@@ -357,11 +359,3 @@ class Blueprint:
         return bool(self.meaning == other.meaning)
 
     __hash__ = None  # type: ignore[assignment]
-
-
-@cache
-def _no_notes() -> Notes:
-    """The notes of an SB without annotations; all such SBs share one value."""
-    from smsl_studio.blueprint.annotations import Notes
-
-    return Notes()

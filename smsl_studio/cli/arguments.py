@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import dataclass
-from typing import IO, NoReturn
+from functools import partial
+from typing import IO, NamedTuple, NoReturn
 
 from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError
@@ -13,8 +13,12 @@ MOST_DIGITS = 100
 """A seed has no more digits than this."""
 
 
-@dataclass(frozen=True, slots=True)
-class CliCommand:
+_NARROW = partial(argparse.HelpFormatter, width=80)
+"""What arguments are tried with when they are added. Nothing is shown then, so the terminal is not
+asked for its width, for which ``shutil`` would be loaded."""
+
+
+class CliCommand(NamedTuple):
     """A command: the file it lives in, and what it does in one line."""
 
     module: str
@@ -43,13 +47,21 @@ class ArgumentParser(argparse.ArgumentParser):
 
     def __init__(self, name: str, out: Output) -> None:
         super().__init__(
-            prog=f"smsl-studio {name}", description=_sentence(name), allow_abbrev=False
+            prog=f"smsl-studio {name}",
+            description=_sentence(name),
+            allow_abbrev=False,
+            formatter_class=_NARROW,
         )
         self._out = out
 
     def error(self, message: str) -> NoReturn:
         """Raise the UsageError for wrong arguments, in place of ending the process."""
         raise UsageError(message, advice=f"{self.prog} --help says what it takes.")
+
+    def format_help(self) -> str:
+        """The help, as wide as the terminal."""
+        self.formatter_class = argparse.HelpFormatter
+        return super().format_help()
 
     def print_help(self, file: IO[str] | None = None) -> None:  # type: ignore[override]
         """Print the help to standard output, whatever ``file`` says."""

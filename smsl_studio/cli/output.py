@@ -13,7 +13,6 @@ from typing import Any, TextIO
 
 from smsl_studio.errors import ReadError, SaveError, StudioError
 from smsl_studio.legible import json_text, one_line
-from smsl_studio.smsl.traits import losses
 from smsl_studio.stop import BrokenOff
 
 _RED, _GREEN, _YELLOW, _PLAIN = "\x1b[31m", "\x1b[32m", "\x1b[33m", "\x1b[0m"
@@ -89,6 +88,8 @@ def note(text: str) -> None:
 
 def note_losses(file: str) -> None:
     """Tell before a file is replaced what it loses by that: its owner, rights, further names."""
+    from smsl_studio.smsl.traits import losses
+
     with contextlib.suppress(OSError):  # where it cannot be tried, the save itself will say why
         lost = losses(Path(os.path.realpath(file)))
         if lost:

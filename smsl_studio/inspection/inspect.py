@@ -6,9 +6,9 @@ docs/inspection.md describes each rule.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 from types import MappingProxyType
+from typing import NamedTuple
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import UsageError, did_you_mean
@@ -20,8 +20,7 @@ from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.stop import heed
 
 
-@dataclass(frozen=True, slots=True)
-class Rule:
+class Rule(NamedTuple):
     """A rule: its number, a few words about the fault that it finds, and its function."""
 
     id: str

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
@@ -41,15 +41,15 @@ def listed(blueprint: Blueprint, remarks: Iterable[Remark]) -> Iterator[Finding]
     yield from _findings(blueprint, chosen, shelves.values())
 
 
-@dataclass
 class _Shelf:
     """The remarks of one severity, and the number of their places in each SB.
 
     A remark beyond the limits is counted but not kept.
     """
 
-    kept: list[Remark] = field(default_factory=list)
-    count: dict[str, int] = field(default_factory=dict)
+    def __init__(self) -> None:
+        self.kept: list[Remark] = []
+        self.count: dict[str, int] = {}
 
     def put(self, remark: Remark) -> None:
         """Count a remark, and keep it if the limits leave room to list it."""

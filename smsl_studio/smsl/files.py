@@ -4,22 +4,24 @@ from __future__ import annotations
 
 import os
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
 
 from smsl_studio.errors import Place, ReadError, SaveError
-from smsl_studio.smsl.disk import settle
+from smsl_studio.home import saving_folder
 from smsl_studio.smsl.document import Document, decode
 from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.forms import form_named, form_of
 from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.smsl.inputs import NOTHING, Seen, read_ordinary
-from smsl_studio.smsl.outputs import Inputs, refuse_inputs, replace_file
-from smsl_studio.smsl.pending_saves import pending_at
+
+if TYPE_CHECKING:
+    from smsl_studio.smsl.outputs import Inputs
+    from smsl_studio.smsl.pending_saves import PendingFile
 
 
-@dataclass(frozen=True)
-class Content:
+class Content(NamedTuple):
     """What a file holds: the ``raw`` bytes that count, and what was ``seen`` at its path.
 
     These are the same bytes, but where a save of several files has not come to its end: then the
@@ -69,7 +71,7 @@ def content_of(path: str | os.PathLike[str], inside: str = "") -> Content:
     """
     real = Path(path if inside else os.path.realpath(path))
     for _ in range(2):
-        pending = pending_at(real) if real.name else None
+        pending = _pending_at(real) if real.name else None
         seen = NOTHING
         with suppress(*((FileNotFoundError,) if pending else ())):
             seen = read_ordinary(path, LARGEST_FILE, inside)
@@ -80,6 +82,18 @@ def content_of(path: str | os.PathLike[str], inside: str = "") -> Content:
         return Content(seen.raw, seen)
     file, raw = pending
     return Content(raw, seen, str(file.part))
+
+
+def _pending_at(real: Path) -> tuple[PendingFile, bytes] | None:
+    """See ``pending_saves``; nearly always no save of this user waits for its end."""
+    try:
+        if not os.path.lexists(saving_folder()):
+            return None
+    except OSError:  # nobody knows in which folder this program runs
+        return None
+    from smsl_studio.smsl.pending_saves import pending_at
+
+    return pending_at(real)
 
 
 def parse_bytes(raw: bytes, file: str) -> Document:
@@ -127,6 +141,10 @@ def save_document(
     now, FileChanged. ``made_of`` are the files that an output was made of: UsageError where
     ``path`` leads to one of them.
     """
+    # Most commands only read.
+    from smsl_studio.smsl.disk import settle
+    from smsl_studio.smsl.outputs import refuse_inputs, replace_file
+
     shown = os.fspath(path)
     try:
         # What is put under the name from here on is not followed any more.

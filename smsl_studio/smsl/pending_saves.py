@@ -20,8 +20,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from smsl_studio.home import is_private, user_folder
-from smsl_studio.smsl.disk import short
+from smsl_studio.home import is_private, saving_folder
 from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import open_ordinary, read_ordinary
 
@@ -78,6 +77,8 @@ class PendingFile:
         return None
 
     def _beside(self, ending: str) -> Path:
+        from smsl_studio.smsl.disk import short  # nearly always there is no such save
+
         name = f".{short(self.target.name)}.{self.token}-{self.index}.{ending}"
         return self.target.with_name(name)
 
@@ -108,11 +109,6 @@ class PendingSave:
         """What its record says."""
         files = [[str(one.target), one.before, one.after] for one in self.files]
         return json.dumps({"smsl-studio": "saving", "files": files}).encode("ascii")
-
-
-def saving_folder() -> Path:
-    """Where the records of this user's saves are kept; it need not exist."""
-    return user_folder().absolute() / "saving"
 
 
 def digest_of_bytes(raw: bytes) -> str:

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import NoReturn
 
 from smsl_studio.errors import FileChanged, SaveError
+from smsl_studio.home import saving_folder
 from smsl_studio.smsl.disk import held, settle, write_new
 from smsl_studio.smsl.document import Document
 from smsl_studio.smsl.document.limits import LARGEST_FILE
@@ -33,7 +34,6 @@ from smsl_studio.smsl.pending_saves import (
     digest_of_bytes,
     is_safe,
     pending_saves,
-    saving_folder,
 )
 from smsl_studio.smsl.traits import traits_of
 from smsl_studio.smsl.unfinished import FRESH, bring_back, clear, clear_up, end, finish, keep

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
-from smsl_studio.home import is_own
+from smsl_studio.home import is_own, saving_folder
 from smsl_studio.smsl.disk import held, settle, write_new
 from smsl_studio.smsl.pending_saves import (
     DRAFT,
@@ -18,7 +18,6 @@ from smsl_studio.smsl.pending_saves import (
     PendingSave,
     pending_at,
     pending_saves,
-    saving_folder,
 )
 from smsl_studio.smsl.traits import Traits
 

@@ -9,9 +9,10 @@ from typing import Any
 import pytest
 
 from smsl_studio.blueprint.address import Address, fact_text, note_key, split_fact
-from smsl_studio.blueprint.annotations import Notes, read_hazards, read_notes
+from smsl_studio.blueprint.annotations import read_hazards
 from smsl_studio.blueprint.meaning import hazards_meaning
 from smsl_studio.blueprint.model import StateBranch
+from smsl_studio.blueprint.notes import Notes, read_notes
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.smsl.json_form import parse_json
 

@@ -127,6 +127,25 @@ def test_an_import_loads_only_what_it_needs(code: str, unwanted: tuple[str, ...]
     assert (done.stdout.strip(), done.stderr) == ("[]", "")
 
 
+def test_a_check_loads_neither_what_annotations_need_nor_what_edits_do() -> None:
+    unwanted = (
+        *("pydantic", "annotated_types", "difflib", "html", "shutil"),
+        *(f"smsl_studio.{name}" for name in ("blueprint.annotations", "blueprint.editing.draft")),
+        *(f"smsl_studio.smsl.{name}" for name in ("disk", "outputs", "pending_saves")),
+    )
+    told = f"""
+import sys
+before = set(sys.modules)
+from smsl_studio.__main__ import main
+status = main(sys.argv[1:])
+print(sorted(set({unwanted!r}) & set(sys.modules) - before), file=sys.stderr)
+sys.exit(status)
+"""
+    done = python(told, "check", sample("hanoi-corrected.json"))
+    assert done.returncode == 0, done.stderr
+    assert done.stderr.splitlines()[-1] == "[]"
+
+
 @pytest.mark.parametrize(
     "arguments",
     [("check", sample("hfsm.json")), ("run", sample("hfsm.json"), "--world", "table")],

@@ -19,9 +19,9 @@ from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
 
+from smsl_studio.home import saving_folder
 from smsl_studio.smsl.files import read_document
 from smsl_studio.smsl.json_form import parse_json, write_json
-from smsl_studio.smsl.pending_saves import saving_folder
 from smsl_studio.smsl.together import save_together
 from smsl_studio.smsl.unfinished import FRESH, finish_saves
 

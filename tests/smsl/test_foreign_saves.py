@@ -16,8 +16,9 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.errors import SaveError
+from smsl_studio.home import saving_folder
 from smsl_studio.smsl.files import read_document
-from smsl_studio.smsl.pending_saves import PendingSave, pending_saves, saving_folder
+from smsl_studio.smsl.pending_saves import PendingSave, pending_saves
 from smsl_studio.smsl.together import save_together
 from smsl_studio.smsl.unfinished import finish, finish_saves, interrupted_saves, undo
 from tests.smsl.killed import TEXTS, left_in, save, targets

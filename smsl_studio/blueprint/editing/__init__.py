@@ -2,6 +2,8 @@
 
 Each refuses (EditRefused: a sentence and an advice) what would leave nonsense, and then nothing
 has changed. ``after.document`` always agrees with the meaning of ``after``.
+
+Each is loaded when it is first asked for, so that what only offers edits starts quickly.
 """
 
 from __future__ import annotations
@@ -9,29 +11,28 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from smsl_studio.blueprint.editing.additions import add_branch, add_operation, add_state
-from smsl_studio.blueprint.editing.deletion import delete
-from smsl_studio.blueprint.editing.headers import (
-    attach_sub,
-    detach_sub,
-    keep_activating,
-    set_header,
-)
-from smsl_studio.blueprint.editing.moves import reorder, retarget
-from smsl_studio.blueprint.editing.notes import (
-    change_notes,
-    keep_last,
-    set_hazards,
-    set_layout,
-    set_note,
-)
-from smsl_studio.blueprint.editing.renames import rename
-
 if TYPE_CHECKING:
+    from smsl_studio.blueprint.editing.additions import add_branch, add_operation, add_state
+    from smsl_studio.blueprint.editing.deletion import delete
     from smsl_studio.blueprint.editing.excerpts import cut, excerpt
+    from smsl_studio.blueprint.editing.headers import (
+        attach_sub,
+        detach_sub,
+        keep_activating,
+        set_header,
+    )
     from smsl_studio.blueprint.editing.imports import set_imports
     from smsl_studio.blueprint.editing.levels import set_levels
+    from smsl_studio.blueprint.editing.moves import reorder, retarget
+    from smsl_studio.blueprint.editing.notes import (
+        change_notes,
+        keep_last,
+        set_hazards,
+        set_layout,
+        set_note,
+    )
     from smsl_studio.blueprint.editing.pasted_text import duplicate, paste
+    from smsl_studio.blueprint.editing.renames import rename
 
 __all__ = [
     "add_branch",
@@ -58,18 +59,33 @@ __all__ = [
     "set_note",
 ]
 
-# No rule offers these as a fix: they are loaded when somebody asks, so that `check` starts quickly.
-_ASKED_FOR = {
+_HOMES = {
+    "add_branch": "additions",
+    "add_operation": "additions",
+    "add_state": "additions",
+    "attach_sub": "headers",
+    "change_notes": "notes",
     "cut": "excerpts",
+    "delete": "deletion",
+    "detach_sub": "headers",
     "duplicate": "pasted_text",
     "excerpt": "excerpts",
+    "keep_activating": "headers",
+    "keep_last": "notes",
     "paste": "pasted_text",
+    "rename": "renames",
+    "reorder": "moves",
+    "retarget": "moves",
+    "set_hazards": "notes",
+    "set_header": "headers",
     "set_imports": "imports",
+    "set_layout": "notes",
     "set_levels": "levels",
+    "set_note": "notes",
 }
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _ASKED_FOR:
+    if name not in _HOMES:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(f"{__name__}.{_ASKED_FOR[name]}"), name)
+    return getattr(import_module(f"{__name__}.{_HOMES[name]}"), name)

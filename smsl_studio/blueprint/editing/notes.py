@@ -8,10 +8,11 @@ from functools import cached_property
 from typing import Any
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.annotations import FAR, read_hazards, read_notes
+from smsl_studio.blueprint.annotations import FAR, read_hazards
 from smsl_studio.blueprint.editing.draft import Draft, branch_of, document_named
 from smsl_studio.blueprint.meaning import word_for_word
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.blueprint.notes import read_notes
 from smsl_studio.blueprint.revision import revised
 from smsl_studio.errors import EditRefused, did_you_mean
 from smsl_studio.smsl.splice import keep_winner

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import islice
 
+from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import note_key
-from smsl_studio.blueprint.editing import change_notes, rename
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 from smsl_studio.inspection.rules.words import fact_words, listed, some
 
 ERROR, NOTE = Severity.ERROR, Severity.NOTE
@@ -144,8 +144,8 @@ def r15_mislabelled(blueprint: Blueprint) -> Iterator[Remark]:
 def _renaming(slip: Mislabelled) -> tuple[str, Fix]:
     meant, left = slip.others[0], slip.count - len(slip.others)
     names = (*slip.others, f"{left:,} more") if left else slip.others
-    edit = partial(rename, address=slip.edge.address, new_name=meant)
-    fix = Fix(f"Rename to {meant}", edit, certain=slip.count == 1)
+    rename = edit("rename", address=slip.edge.address, new_name=meant)
+    fix = Fix(f"Rename to {meant}", rename, certain=slip.count == 1)
     return f"did you mean {listed(names, 'or')}?", fix
 
 
@@ -244,7 +244,7 @@ _REPEATABLE = {"repeatable": True}
 
 def _mark_repeatable(blueprint: Blueprint, edges: Sequence[Operation]) -> Blueprint:
     keys = ((edge.branch, note_key(edge.name, edge.source)) for edge in edges)
-    return change_notes(blueprint, "_operations", dict.fromkeys(keys, _REPEATABLE))
+    return editing.change_notes(blueprint, "_operations", dict.fromkeys(keys, _REPEATABLE))
 
 
 def r18_parallel(blueprint: Blueprint) -> Iterator[Remark]:

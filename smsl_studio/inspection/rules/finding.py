@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import partial
 from typing import Any, NamedTuple
 
+from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import Place
@@ -40,6 +42,19 @@ class Fix:
     words: str
     apply: Callable[[Blueprint], Blueprint] = field(compare=False)
     certain: bool = False
+
+
+def edit(name: str, **arguments: Any) -> Callable[[Blueprint], Blueprint]:
+    """The edit of that name of ``blueprint.editing`` with these arguments, for a ``Fix``.
+
+    It is loaded when it is applied: most findings are only read.
+    """
+    return partial(_edited, name, arguments)
+
+
+def _edited(name: str, arguments: dict[str, Any], blueprint: Blueprint) -> Blueprint:
+    edited: Blueprint = getattr(editing, name)(blueprint, **arguments)
+    return edited
 
 
 class Remark(NamedTuple):

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 
+from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing import set_header
 from smsl_studio.blueprint.facts import fact_string
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.reading import HEADER, KNOWN
 from smsl_studio.blueprint.wrong_kinds import kind_of
-from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 from smsl_studio.inspection.rules.words import NearNames, counted, listed, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
@@ -84,7 +84,7 @@ def _unknown_state(branch: StateBranch, key: str, state: str) -> Remark:
 
 
 def _set(branch: StateBranch, key: str, value: str | int | None, words: str) -> Fix:
-    return Fix(words, partial(set_header, branch=branch.name, key=key, value=value))
+    return Fix(words, edit("set_header", branch=branch.name, key=key, value=value))
 
 
 def r04_left_to_default(blueprint: Blueprint) -> Iterator[Remark]:
@@ -138,7 +138,7 @@ def _defaults(branch: StateBranch) -> Iterator[Remark]:
 
 def _write_all(blueprint: Blueprint, branch: str, values: dict[str, str | int]) -> Blueprint:
     for key, value in values.items():
-        blueprint = set_header(blueprint, branch, key, value)
+        blueprint = editing.set_header(blueprint, branch, key, value)
     return blueprint
 
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
+from smsl_studio.blueprint import editing
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing import attach_sub, detach_sub
 from smsl_studio.blueprint.elements import Operation
 from smsl_studio.blueprint.facts import changed_digits
 from smsl_studio.blueprint.model import Blueprint, StateBranch
@@ -15,7 +15,7 @@ from smsl_studio.blueprint.reading import HEADER, sub_entries
 from smsl_studio.blueprint.wrong_kinds import kind_of
 from smsl_studio.graph.hierarchy import cycles
 from smsl_studio.graph.shape import reachable
-from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 from smsl_studio.inspection.rules.words import NearNames, fact_words, some
 
 ERROR, WARNING, NOTE = Severity.ERROR, Severity.WARNING, Severity.NOTE
@@ -97,7 +97,7 @@ def _other_sub(
 
 
 def _swap(blueprint: Blueprint, base: str, sub: str, digit: int, other: str) -> Blueprint:
-    return attach_sub(detach_sub(blueprint, base, sub), base, digit, other)
+    return editing.attach_sub(editing.detach_sub(blueprint, base, sub), base, digit, other)
 
 
 def _digit(spots: _Entries, sub: str, digit: int) -> Iterator[Remark]:
@@ -123,7 +123,7 @@ def _digit(spots: _Entries, sub: str, digit: int) -> Iterator[Remark]:
 
 
 def _detach(branch: StateBranch, sub: str) -> Fix:
-    return Fix(f"Detach {sub}", partial(detach_sub, base=branch.name, sub=sub))
+    return Fix(f"Detach {sub}", edit("detach_sub", base=branch.name, sub=sub))
 
 
 class _Entries:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.facts import fact_string
@@ -34,13 +33,12 @@ def r09_look_alikes(blueprint: Blueprint) -> Iterator[Remark]:
         yield from _alike(first.items(), "operation", values.part)
 
 
-@dataclass
 class _Cause:
     """Names that differ from others in the same characters."""
 
-    name: str
-    other: str
-    places: list[Address] = field(default_factory=list)
+    def __init__(self, name: str, other: str) -> None:
+        self.name, self.other = name, other
+        self.places: list[Address] = []
 
 
 def _alike(

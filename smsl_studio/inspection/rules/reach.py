@@ -7,13 +7,11 @@ finding.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.editing import delete
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.graph.shape import connected, dead_ends, reachable, traps
-from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 
 ERROR, WARNING = Severity.ERROR, Severity.WARNING
 
@@ -64,7 +62,7 @@ def _deletion(branch: StateBranch, states: Sequence[str]) -> Fix:
     """Return a fix that deletes connected states together, so that none becomes a dead end."""
     addresses = tuple(Address(branch.name, state) for state in states)
     words = f"Delete {states[0]}" if len(states) == 1 else f"Delete {len(states):,} states"
-    return Fix(words, partial(delete, addresses=addresses))
+    return Fix(words, edit("delete", addresses=addresses))
 
 
 def r11_traps(blueprint: Blueprint) -> Iterator[Remark]:

@@ -6,13 +6,10 @@ from collections.abc import Iterator
 from functools import partial
 
 from smsl_studio.blueprint.address import Address, note_key, split_fact
-from smsl_studio.blueprint.annotations import read_hazards, read_levels
-from smsl_studio.blueprint.editing import keep_last, retarget
-from smsl_studio.blueprint.levels import fault_of
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.numbers import numbers_of
 from smsl_studio.blueprint.reading import HEADER
-from smsl_studio.inspection.rules.finding import Fix, Remark, Severity
+from smsl_studio.inspection.rules.finding import Fix, Remark, Severity, edit
 from smsl_studio.inspection.rules.words import NearNames
 from smsl_studio.smsl.document import Document
 
@@ -26,7 +23,7 @@ def r01_doubled_key(blueprint: Blueprint) -> Iterator[Remark]:
             fix = None
             # The path leads to the place that counts. A fix is offered only if that is the last.
             if others[-1] == document.place(path):
-                keep = partial(keep_last, path=path, file=document.file)
+                keep = edit("keep_last", path=path, file=document.file)
                 fix = Fix("Keep the last one", keep)
             often = "twice" if len(others) == 1 else f"{len(others) + 1:,} times"
             where = f"first at line {first.line}, column {first.column}"
@@ -78,7 +75,7 @@ def _near_target(
     if not like:
         return "add that state, or lead it to another", None
     which = "it" if len(addresses) == 1 else f"all {len(addresses):,}"
-    fix = Fix(f"Lead {which} to {like}", partial(retarget, address=addresses, target=like))
+    fix = Fix(f"Lead {which} to {like}", edit("retarget", address=addresses, target=like))
     return f"did you mean {like}?", fix
 
 
@@ -95,7 +92,11 @@ def r29_annotations(blueprint: Blueprint) -> Iterator[Remark]:
 
 
 def _odd_hazards(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
-    for path, reason in read_hazards(document.values.get("_hazards"))[1]:
+    if "_hazards" not in document.values:
+        return
+    from smsl_studio.blueprint.annotations import read_hazards
+
+    for path, reason in read_hazards(document.values["_hazards"])[1]:
         yield _note(document, path, f"a hazard is not understood: {reason}")
     for hazard in blueprint.hazards_of(document):
         for text in hazard.facts:
@@ -105,7 +106,12 @@ def _odd_hazards(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
 
 
 def _odd_levels(blueprint: Blueprint, document: Document) -> Iterator[Remark]:
-    for path, reason in read_levels(document.values.get("_levels"))[1]:
+    if "_levels" not in document.values:
+        return
+    from smsl_studio.blueprint.annotations import read_levels
+    from smsl_studio.blueprint.levels import fault_of
+
+    for path, reason in read_levels(document.values["_levels"])[1]:
         yield _note(document, path, f"{path[-1]} is not understood: {reason}")
     for key, level in blueprint.levels_of(document).items():
         fault = fault_of(blueprint, key, level)

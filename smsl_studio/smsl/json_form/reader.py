@@ -16,7 +16,6 @@ from smsl_studio.smsl.json_form.characters import ESCAPED_HALF, half_pair
 from smsl_studio.smsl.json_form.count import beyond_budget
 from smsl_studio.smsl.json_form.quick import LONG, quick_values
 from smsl_studio.smsl.json_form.spans import STRING, JsonSpans
-from smsl_studio.smsl.json_form.style import CANONICAL, render
 
 if TYPE_CHECKING:
     from smsl_studio.smsl.document.comments import Comments
@@ -58,6 +57,8 @@ def write(values: Mapping[str, Any], comments: Comments | None = None) -> str:
 
     JSON has no comments: those that are given are left behind.
     """
+    from smsl_studio.smsl.json_form.style import CANONICAL, render
+
     return render(dict(values), CANONICAL, "", 0) + "\n"
 
 

@@ -1,0 +1,102 @@
+"""All annotations of one SB together, read from its ``_`` fields.
+
+The kinds of notes, and what checks them, are ``annotations``, which is loaded only where an SB has
+a note.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from smsl_studio.blueprint.address import note_key
+
+if TYPE_CHECKING:
+    from smsl_studio.blueprint.annotations import FactNote, OperationNote, StateNote
+
+Json = Any
+
+
+@dataclass(frozen=True)
+class Notes:
+    """The annotations of one SB, and what in them could not be understood.
+
+    ``written`` has, for each entry of ``operations``, the words that stand in it.
+    """
+
+    facts: Mapping[int, FactNote] = field(default_factory=dict)
+    states: Mapping[str, StateNote] = field(default_factory=dict)
+    operations: Mapping[str, OperationNote] = field(default_factory=dict)
+    layout: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    faults: tuple[tuple[tuple[str, ...], str], ...] = ()
+    written: Mapping[str, frozenset[str]] = field(default_factory=dict)
+
+    def operation(self, state: str, operation: str) -> OperationNote:
+        """The note of one edge: the one of its name, overridden by the one of the edge."""
+        key = note_key(operation, state)
+        common, own = self.operations.get(note_key(operation)), self.operations.get(key)
+        if common is None or own is None:
+            return own or common or _plain()
+        return replace(common, **{word: getattr(own, word) for word in self.written[key]})
+
+
+def read_notes(fields: Mapping[str, Json]) -> Notes:
+    """The typed annotations in an SB's ``_`` fields; faults carry the path and the reason."""
+    from smsl_studio.blueprint.annotations import (
+        FactNote,
+        OperationNote,
+        StateNote,
+        point_of,
+        validated,
+        with_words,
+    )
+
+    faults: list[tuple[tuple[str, ...], str]] = []
+
+    def table(key: str) -> dict[str, Json]:
+        """The map under ``key``, empty where there is none; a fault where it is no map."""
+        raw = fields.get(key, {})
+        if isinstance(raw, dict):
+            return raw
+        faults.append(((key,), f"{key} must be a map"))
+        return {}
+
+    facts: dict[int, FactNote] = {}
+    for digit, raw in table("_facts").items():
+        fact = validated(FactNote, raw, ("_facts", digit), faults)
+        if fact is not None and digit.isdecimal() and digit.isascii():
+            facts[int(digit)] = fact
+        elif fact is not None:
+            faults.append((("_facts", digit), f"{digit!r} is no digit of a fact"))
+    states: dict[str, StateNote] = {}
+    for name, raw in table("_states").items():
+        state = validated(StateNote, raw, ("_states", name), faults)
+        if state is not None:
+            states[name] = state
+    operations: dict[str, OperationNote] = {}
+    written: dict[str, frozenset[str]] = {}
+    for name, raw in table("_operations").items():
+        path = ("_operations", name)
+        operation, words = with_words(OperationNote, raw, path, faults)
+        if operation is not None:
+            operations[name], written[name] = operation, words
+    layout: dict[str, tuple[float, float]] = {}
+    for name, at in table("_layout").items():
+        point = point_of(at)
+        if point is not None:
+            layout[name] = point
+        else:
+            faults.append((("_layout", name), "a position is [x, y]"))
+    return Notes(facts, states, operations, layout, tuple(faults), written)
+
+
+NO_NOTES = Notes()
+"""The notes of an SB without annotations."""
+
+
+def _plain() -> OperationNote:
+    """The note of an operation of which nothing is said."""
+    from smsl_studio.blueprint.annotations import PLAIN
+
+    return PLAIN
