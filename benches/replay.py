@@ -44,13 +44,13 @@ def long_run(count: int = EVENTS) -> tuple[Event, ...]:
 
 def rows() -> Iterator[Row]:
     events = long_run()
-    retelling = Playback(events)
+    playback = Playback(events)
     yield Row(f"fold {EVENTS:,} events, with snapshots", median_ms(lambda: Playback(events), 3))
     chance, slowest = Random(1), 0.0
     for _ in range(JUMPS):
         at = chance.randrange(EVENTS)
         began = time.perf_counter()
-        retelling.at(at)
+        playback.at(at)
         slowest = max(slowest, time.perf_counter() - began)
     yield Row(f"the slowest of {JUMPS} jumps in them", slowest * 1e3, bound="50 ms")
     with TemporaryDirectory() as folder:

@@ -90,7 +90,7 @@ def _run(seat: Seat) -> None:
     run = seat.window.run_pane.run
     seat.window.set_mode("run")
     seat.window.run_pane.play()
-    _until(lambda: run.story.finished is not None)
+    _until(lambda: run.story.moment.finished is not None)
     assert run.phase == "goal_reached", run.phase
     run.close()
     seat.window.run_pane.show_drawing()

@@ -24,7 +24,7 @@ from smsl_studio.dispatch.drive.supervisor import Supervisor
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.execution.trouble import Trouble
 from smsl_studio.dispatch.route.course import Course
-from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, phase_at_end, stand
+from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, stand
 from smsl_studio.dispatch.supervision.departure import leave
 from smsl_studio.dispatch.supervision.obedience import obey, refuse
 from smsl_studio.dispatch.supervision.row import Command, in_order
@@ -33,6 +33,7 @@ from smsl_studio.errors import HostError, RunRefused
 from smsl_studio.host.protocol import Host, OpenedWorld
 from smsl_studio.runlog.ends import BROKEN_OFF, UNBEGUN
 from smsl_studio.runlog.events import Event, Held, RunFinished
+from smsl_studio.runlog.phase import phase_at_end
 from smsl_studio.stop import BrokenOff, Stopped, restartable
 
 NOWHERE: Mapping[str, str] = MappingProxyType({})
@@ -214,9 +215,9 @@ class Dispatcher(Commands):
 
     @property
     def phase(self) -> str:
-        """The run state, one of ``run_state.RUN_STATES``; when it is over, the last one."""
+        """The run state, one of ``runlog.phase.RUN_STATES``; when it is over, the last one."""
         if self._ended is not None:
-            return phase_at_end(self._ended)
+            return phase_at_end(self._ended.reason)
         return self._driver.phase if self._driver else "idle"
 
     # what is seen -------------------------------------------------------------------------------

@@ -19,18 +19,6 @@ from smsl_studio.stop import BrokenOff, Stopped
 
 Answer = TypeVar("Answer")
 
-_ENDS = {
-    "goal_reached": "done",
-    "no_route": "no_route",
-    "stopped": "stopped",
-    "refused": "idle",
-}
-
-
-def phase_at_end(ended: RunFinished) -> str:
-    """The run state in which a run ended."""
-    return _ENDS.get(ended.reason, "fault_hold")
-
 
 class Standing(NamedTuple):
     """Where a run stands: the time (s), where every SB is believed, the facts as they are sensed,

@@ -11,12 +11,16 @@ from itertools import islice
 from typing import Any
 
 from smsl_studio.legible import markup
-from smsl_studio.picture.account_words import AccountLine, Causes, told, vanished
+from smsl_studio.picture.account_people import worded
+from smsl_studio.picture.account_words import AccountLine, told, vanished
 from smsl_studio.picture.colours import DARK, LIGHT, Colours
 from smsl_studio.picture.words import FAMILY, MONO_FAMILY
+from smsl_studio.runlog.causes import Causes
+from smsl_studio.runlog.changes import moment_after
 from smsl_studio.runlog.command_word import CommandWords
-from smsl_studio.runlog.events import Event, RoutePlanned, RunFinished, RunStarted
+from smsl_studio.runlog.events import Event, RoutePlanned
 from smsl_studio.runlog.grammar.log_reader import LoggedRun
+from smsl_studio.runlog.moment import RunMoment
 from smsl_studio.runlog.names import HeaderNames
 
 Json = Any
@@ -70,19 +74,20 @@ def _page(run: LoggedRun, commands: CommandWords) -> Iterator[str]:
     yield f"<title>{markup(title)}</title>"
     yield f"<style>{_style()}</style></head><body><main>"
     yield f"<h1>{markup(title)}</h1>"
-    yield from _outcome(run)
+    end = moment_after(run.events)
+    yield from _outcome(run, end)
     yield from _pairs("What was asked for", _header(run.header))
     yield from _pairs("Digests (SHA-256)", _named(run.header.get("digests")), code=True)
     yield from _pairs("Versions", _named(run.header.get("versions")))
     names = HeaderNames.of_header(run.header.get("names"))
     yield from _routes(run.events, names)
-    yield from _events(run.events, names, commands)
+    yield from _events(run.events, end, names, commands)
     yield "<footer>Made by SMSL Studio from the run's log. Not a medical device.</footer>"
     yield "</main></body></html>"
 
 
-def _outcome(run: LoggedRun) -> Iterator[str]:
-    end = next((one for one in reversed(run.events) if isinstance(one, RunFinished)), None)
+def _outcome(run: LoggedRun, moment: RunMoment) -> Iterator[str]:
+    end = moment.finished
     good = end is not None and end.reason == "goal_reached"
     yield f'<section class="outcome {"good" if good else "bad"}">'
     if end is None:
@@ -126,15 +131,17 @@ def _routes(events: tuple[Event, ...], names: HeaderNames) -> Iterator[str]:
         yield "<p>Further routes are left out here; the log has them.</p>"
 
 
-def _events(events: tuple[Event, ...], names: HeaderNames, commands: CommandWords) -> Iterator[str]:
+def _events(
+    events: tuple[Event, ...], end: RunMoment, names: HeaderNames, commands: CommandWords
+) -> Iterator[str]:
     yield "<h2>What happened</h2>"
     yield "<table><thead><tr><th>Seconds</th><th>Kind</th><th>What</th><th>By</th></tr></thead>"
     yield "<tbody>"
-    by = next((one.world for one in events if isinstance(one, RunStarted)), "")
-    causes = Causes(commands)
+    causes = Causes(commands, end.asked)
     for event in islice(events, MOST):
         cause = causes.of(event)
-        yield _row(event.t, told(causes.worded(event, names), commands, by, cause, names))
+        one = worded(event, end.asked, names)
+        yield _row(event.t, told(one, commands, end.world, cause, names))
     yield "</tbody></table>" + vanished(len(events) - MOST, "event")
 
 

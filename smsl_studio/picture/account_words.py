@@ -9,10 +9,9 @@ from typing import Any
 
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.picture import account_regulation as regulating
-from smsl_studio.picture.account_people import TaskAnswers
 from smsl_studio.picture.account_regulation import LONGEST, listed, states
 from smsl_studio.runlog import events as run
-from smsl_studio.runlog.command_word import CommandWord, CommandWords
+from smsl_studio.runlog.command_word import CommandWords
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.names import NAMELESS, HeaderNames
 
@@ -85,47 +84,6 @@ def told(
     else:
         words = _WORDS.get(type(event), _plainly)(named)
     return AccountLine(kind, words, cause or _by(event, kind, world), _is_bad(event))
-
-
-class Causes:
-    """Who commanded what events tell of: a command stands before its effects, at the same time."""
-
-    def __init__(self, commands: CommandWords) -> None:
-        self._words = _explaining(commands)
-        self._time = 0.0
-        self._by: dict[str, str] = {}
-        self._answers = TaskAnswers()
-
-    def worded(self, event: Event, names: HeaderNames) -> Event:
-        """The same event with the questions of its tasks and the words of values."""
-        return self._answers.worded(event, names)
-
-    def of(self, event: Event) -> str:
-        """Whose command or answer an event is due to; the empty text where it is to none."""
-        self._answers.see(event)
-        people = self._answers.by(event)
-        if people:
-            return people
-        if event.t != self._time:
-            self._time, self._by = event.t, {}
-        if isinstance(event, run.Commanded):
-            if not event.refused:
-                self._by[event.command] = event.by
-            return event.by
-        found = (self._by[word] for word in self._words.get(event.event, ()) if word in self._by)
-        return next(found, "")
-
-
-def _explaining(commands: CommandWords) -> Mapping[str, tuple[str, ...]]:
-    """The commands that explain each event, first those that it must follow."""
-    found: dict[str, list[CommandWord]] = {}
-    for one in commands.values():
-        for event in one.explains:
-            found.setdefault(event, []).append(one)
-    return {
-        event: tuple(one.word for one in sorted(some, key=lambda one: one.owes != event))
-        for event, some in found.items()
-    }
 
 
 def vanished(more: int, what: str) -> str:

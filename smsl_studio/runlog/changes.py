@@ -10,27 +10,37 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.fold import RunFold
-from smsl_studio.runlog.retold import Entered, Retold, Sensed
+from smsl_studio.runlog.moment import Entered, RunMoment, Sensed
 
 
 def take(fold: RunFold, event: Event) -> None:
     """Apply one more event to the state of the run."""
+    fold.index += 1
+    fold.time = max(fold.time, event.t)
     change = _CHANGES.get(type(event))
     if change is not None:
         change(fold, event)
-    fold.index += 1
-    fold.time = max(fold.time, event.t)
 
 
-def after(before: Retold, event: Event) -> Retold:
+def after(before: RunMoment, event: Event) -> RunMoment:
     """The state of the run after one more event."""
     fold = RunFold.of(before)
     take(fold, event)
-    return fold.retold()
+    return fold.moment()
 
 
-def _clear(fold: RunFold) -> None:
-    """Clear what is being carried out."""
+def moment_after(events: Iterable[Event]) -> RunMoment:
+    """How the run stood after these events, the first ones of it."""
+    fold = RunFold()
+    for event in events:
+        take(fold, event)
+    return fold.moment()
+
+
+def _clear(fold: RunFold, t: float, good: bool = False) -> None:
+    """Clear what is being carried out; ``good``: it was wanted so."""
+    if fold.history is not None:
+        fold.history.end_all(fold.index, t, good)
     fold.started, fold.own, fold.stack = {}, {}, []
     fold.running, fold.running_since = "", None
 
@@ -41,11 +51,13 @@ def _enter(fold: RunFold, t: float, states: Mapping[str, str], by: Iterable[str]
     fold.configuration.update(states)
     for branch in states:
         fold.entered[branch] = Entered(t, how.get(branch, ""))
+    if fold.history is not None:
+        fold.history.enter(fold.index, t, states)
 
 
 def _run_started(fold: RunFold, event: run.RunStarted) -> None:
     _enter(fold, event.t, event.start, ())
-    fold.goals, fold.begun = event.goals, True
+    fold.world, fold.goals, fold.begun = event.world, event.goals, True
 
 
 def _route_planned(fold: RunFold, event: run.RoutePlanned) -> None:
@@ -60,15 +72,18 @@ def _operation_started(fold: RunFold, event: run.OperationStarted) -> None:
         fold.own[event.address] = None
         fold.stack.append(event.address)
     fold.running, fold.running_since = event.address, event.t
-    fold.held, fold.check = None, None
+    fold.held = None
+    if fold.history is not None:
+        fold.history.begin(fold.index, event.t, event.address, event.function)
 
 
 def _operation_ended(fold: RunFold, event: run.OperationEnded) -> None:
     fold.own.pop(event.address, None)
+    if fold.history is not None and event.outcome != "returned":
+        fold.history.end(fold.index, event.t, event.address, good=False)
 
 
 def _state_checked(fold: RunFold, event: run.StateChecked) -> None:
-    fold.check = event
     _next(fold, event.t)
 
 
@@ -81,13 +96,15 @@ def _next(fold: RunFold, t: float) -> None:
 
 
 def _committed(fold: RunFold, event: run.Committed) -> None:
+    if fold.history is not None:
+        fold.history.commit(fold.index, event.t, event.operations)
     _enter(fold, event.t, event.configuration, event.operations)
     for address in event.operations:
         fold.started.pop(address, None)
     if fold.started:
         _next(fold, event.t)
     else:
-        _clear(fold)
+        _clear(fold, event.t)
         fold.once = False
     fold.operations += len(event.operations)
 
@@ -95,32 +112,35 @@ def _committed(fold: RunFold, event: run.Committed) -> None:
 def _relocalised(fold: RunFold, event: run.Relocalised) -> None:
     here = fold.configuration
     _enter(fold, event.t, {b: s for b, s in event.configuration.items() if here.get(b) != s}, ())
-    _fail(fold)
+    _fail(fold, event.t)
     fold.held, fold.candidates = None, ()
 
 
-def _fail(fold: RunFold) -> None:
+def _fail(fold: RunFold, t: float) -> None:
     """End what is carried out; a single operation that was asked for is done."""
     fold.once = fold.once and not fold.started
-    _clear(fold)
+    _clear(fold, t)
 
 
 def _mismatch(fold: RunFold, event: run.Mismatch) -> None:
-    _fail(fold)
+    _fail(fold, event.t)
     fold.candidates = event.candidates
 
 
 def _held(fold: RunFold, event: run.Held) -> None:
-    _clear(fold)
+    _clear(fold, event.t)
     fold.held, fold.once, fold.paused = event, False, False
 
 
 def _fact_changed(fold: RunFold, event: run.FactChanged) -> None:
-    fold.facts[event.branch, event.digit] = Sensed(event.value, event.reason, event.t)
+    key = event.branch, event.digit
+    fold.facts[key] = Sensed(event.value, event.reason, event.t)
+    if fold.history is not None:
+        fold.history.sense(event.t, key, event.value)
 
 
 def _risky(fold: RunFold, event: run.OperationRisky) -> None:
-    _fail(fold)
+    _fail(fold, event.t)
     fold.risky[event.address] = event.reason
 
 
@@ -162,15 +182,15 @@ def _resumed(fold: RunFold, event: run.Resumed) -> None:
     fold.held = None
 
 
-def _latch(fold: RunFold) -> None:
+def _latch(fold: RunFold, t: float) -> None:
     """Clear what was going on and what was asked for, because neither goes on by itself."""
-    _clear(fold)
+    _clear(fold, t)
     fold.held, fold.paused, fold.frozen, fold.once = None, False, False, False
     fold.tasks = {}
 
 
 def _stopped(fold: RunFold, event: run.RunStopped) -> None:
-    _latch(fold)
+    _latch(fold, event.t)
     fold.stopped, fold.taken_over = event.by, ""
 
 
@@ -179,7 +199,7 @@ def _reset(fold: RunFold, event: run.RunReset) -> None:
 
 
 def _taken_over(fold: RunFold, event: run.TakenOver) -> None:
-    _latch(fold)
+    _latch(fold, event.t)
     fold.taken_over = event.by
 
 
@@ -188,7 +208,7 @@ def _given_back(fold: RunFold, event: run.GivenBack) -> None:
 
 
 def _task_opened(fold: RunFold, event: run.TaskOpened) -> None:
-    fold.tasks[event.task] = event
+    fold.tasks[event.task] = fold.asked[event.task] = event
 
 
 def _task_closed(fold: RunFold, event: run.TaskClosed) -> None:
@@ -196,18 +216,16 @@ def _task_closed(fold: RunFold, event: run.TaskClosed) -> None:
 
 
 def _disturbed(fold: RunFold, event: run.Disturbed) -> None:
-    if event.kind == "none":
-        fold.disturbed.pop(event.target, None)
-    else:
-        fold.disturbed[event.target] = event.kind
-
-
-def _fault_injected(fold: RunFold, event: run.FaultInjected) -> None:
-    fold.faults.append(event.fault)
+    for sensor in event.sensors:
+        kinds = fold.disturbed.get(sensor, ())
+        if event.kind == "none":
+            fold.disturbed.pop(sensor, None)
+        elif event.kind not in kinds:
+            fold.disturbed[sensor] = (*kinds, event.kind)
 
 
 def _finished(fold: RunFold, event: run.RunFinished) -> None:
-    _clear(fold)
+    _clear(fold, event.t, good=event.reason == "goal_reached")
     fold.finished = event
 
 
@@ -236,7 +254,6 @@ _CHANGES: Mapping[type[Event], Callable[[RunFold, Any], None]] = MappingProxyTyp
         run.TaskOpened: _task_opened,
         run.TaskClosed: _task_closed,
         run.Disturbed: _disturbed,
-        run.FaultInjected: _fault_injected,
         run.RunFinished: _finished,
     }
 )

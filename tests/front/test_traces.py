@@ -17,7 +17,7 @@ from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.runlog.grammar.log_reader import read_log
-from smsl_studio.runlog.retold import Retold
+from smsl_studio.runlog.moment import RunMoment
 from smsl_studio.studio.running.runner import FASTEST, Runner
 from tests.front.any_run import AnyRun, any_run
 
@@ -96,7 +96,7 @@ def test_any_run_can_be_retold_from_its_events(number: int) -> None:
     """After every tick the events alone say how the run stands."""
     run = any_run(number)
     dispatcher = front.open_run(run.blueprint, host="local", attended=True, **run.asked)
-    acting, told = ScriptPlayer(run.script), Retold()
+    acting, told = ScriptPlayer(run.script), RunMoment()
     happened = dispatcher.open()
     while True:
         acting.hear(happened)

@@ -13,7 +13,8 @@ from hypothesis import strategies as st
 
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.picture import account as page
-from smsl_studio.picture.account_words import Causes, told
+from smsl_studio.picture.account_words import told
+from smsl_studio.runlog.causes import Causes
 from smsl_studio.runlog.events import (
     Commanded,
     Committed,
@@ -276,7 +277,7 @@ def test_every_event_of_a_run_has_words_of_its_own(event: Event) -> None:
 
 
 def test_who_did_it_and_what_is_bad() -> None:
-    causes = Causes(COMMANDS)
+    causes = Causes(COMMANDS, {})
     events = (
         Commanded(t=1.0, command="prune", by="L. Brandt", address="a", reason="no"),
         OperationPruned(t=1.0, address="a", reason="no"),

@@ -11,12 +11,12 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.runlog.changes import after
 from smsl_studio.runlog.events import Event, FactChanged, RoutePlanned, RunStarted
+from smsl_studio.runlog.moment import RunMoment
 from smsl_studio.runlog.playback import EVERY, Playback
-from smsl_studio.runlog.retold import Retold
 from smsl_studio.shipped import samples_dir
 
 
-def _assert_alike(told: Retold, dispatcher: Dispatcher) -> None:
+def _assert_alike(told: RunMoment, dispatcher: Dispatcher) -> None:
     status = dispatcher.status
     assert told.configuration == status.configuration
     if status.running is not None:
@@ -38,7 +38,7 @@ def _retold(
 ) -> tuple[Event, ...]:
     """Run to the end; after each tick the events alone must say how the run stands."""
     events: list[Event] = []
-    told = Retold(by_hand=by_hand)
+    told = RunMoment(by_hand=by_hand)
     try:
         ticks = 0
         happened = dispatcher.open()
@@ -138,30 +138,30 @@ def test_a_run_of_many_facts_is_told_in_the_time_of_its_events() -> None:
     many = 3000
     facts = [FactChanged(t=float(n), branch="SB", digit=n, value="1") for n in range(many)]
     route = RoutePlanned(t=0.0, goal="SB/A", operations=tuple("abc" * many), cost=1.0)
-    retelling = Playback([route, *facts])
-    copied = sum(len(one.facts) + len(one.route) for one in retelling._snapshots)
+    playback = Playback([route, *facts])
+    copied = sum(len(one.facts) + len(one.route) for one in playback._snapshots)
     assert copied < 4 * (many + len(route.operations))
     for index in (0, 1, 2, 64, 65, 1777, many, many + 1):
-        assert len(retelling.at(index).facts) == max(index - 1, 0)
+        assert len(playback.at(index).facts) == max(index - 1, 0)
 
 
 def test_any_moment_is_the_same_from_a_snapshot_and_from_the_start() -> None:
     facts = [FactChanged(t=n / 10, branch="SB1", digit=n % 3, value=str(n)) for n in range(1000)]
     start = RunStarted(t=0.0, world="table", seed=0, start={"SB1": "A"}, goals=())
-    retelling = Playback([start, *facts])
-    told = Retold()
-    assert retelling.at(0) == told
-    for index, event in enumerate(retelling.events, 1):
+    playback = Playback([start, *facts])
+    told = RunMoment()
+    assert playback.at(0) == told
+    for index, event in enumerate(playback.events, 1):
         told = after(told, event)
         if index % 97 == 0 or index % EVERY in (0, 1):
-            assert retelling.at(index) == told
-    assert retelling.at(10**9) == told
+            assert playback.at(index) == told
+    assert playback.at(10**9) == told
 
 
 def test_moments_are_found_by_time() -> None:
     facts = [FactChanged(t=t, branch="SB1", digit=0, value="x") for t in (1.0, 2.0, 2.0, 3.0)]
-    retelling = Playback(facts)
-    found = [retelling.index_at(t) for t in (0.5, 1.0, 2.0, 2.5, 9.0)]
+    playback = Playback(facts)
+    found = [playback.index_at(t) for t in (0.5, 1.0, 2.0, 2.5, 9.0)]
     assert found == [0, 1, 3, 3, 4]
-    assert (retelling.time_of(0), retelling.time_of(3), retelling.end) == (0.0, 2.0, 3.0)
+    assert (playback.time_of(0), playback.time_of(3), playback.end) == (0.0, 2.0, 3.0)
     assert Playback(()).end == 0.0

@@ -44,7 +44,7 @@ class AtReplay:
         self.bar = person.window.replaying.transport
 
     def active(self) -> dict[str, str]:
-        return dict(self.replay.told.configuration)
+        return dict(self.replay.story.moment.configuration)
 
     def lit(self) -> str | None:
         return self.pane.canvas.canvas.marks.active
@@ -85,10 +85,10 @@ def test_a_run_of_the_window_is_opened_again_and_jumped_about_in(sit: Sit, home:
     assert at.active()["SB1"] == "State100"
     assert at.lit() == "State100"
     run.person.press(Key.Key_F10)
-    assert at.replay.told.started
+    assert at.replay.story.moment.started
     run.person.press(Key.Key_F10, [Qt.KeyboardModifier.ShiftModifier])
     assert at.active()["SB1"] == "State100"
-    assert not at.replay.told.started
+    assert not at.replay.story.moment.started
     at.click_scrubber(0.999)
     assert at.replay.phase == "goal_reached"
     assert at.active() == run.active()
@@ -145,11 +145,11 @@ def test_keys_in_the_list_of_events_go_where_they_lead(sit: Sit, tmp_path: Path)
     person.window.open_path(_recorded(tmp_path))
     at = AtReplay(person)
     at.click_event("became true")
-    here = at.replay.told.index
+    here = at.replay.story.moment.index
     QTest.keyClick(at.pane.events, Key.Key_Up)
-    assert at.replay.told.index == here - 1
+    assert at.replay.story.moment.index == here - 1
     QTest.keyClick(at.pane.events, Key.Key_Home)
-    assert at.replay.told.index == 1
+    assert at.replay.story.moment.index == 1
     assert "The run begins" in at.event()
 
 

@@ -48,11 +48,11 @@ def test_step_carries_out_one_operation_and_time_stands_still(sit: Sit) -> None:
     assert run.phase == "Paused"
     assert run.active() == {"SB1": "State100", "SB2": "State0"}
     assert run.pane.canvas.canvas.marks.next_states == {"State111"}
-    before = run.pane.run.story.time
+    before = run.pane.run.time
     person.click(run.pane.transport.step)
     run.until_phase("Paused")
     person.qtbot.waitUntil(lambda: run.active()["SB1"] == "State111")
-    assert run.pane.run.story.time > before
+    assert run.pane.run.time > before
     person.press(Key.Key_F5)
     run.until_phase("Goal reached")
 

@@ -77,8 +77,8 @@ class Driver:
 
     @property
     def phase(self) -> str:
-        """What the run does now, in one word, such as "paused"; see ``RunState.phase``."""
-        return self.state.phase(self.carrier is not None, asking=self.desk.busy)
+        """What the run does now, in one word, such as "paused"; see ``RunMode``."""
+        return self.state.phase_while(self.carrier is not None, self.desk.busy)
 
     # one tick -----------------------------------------------------------------------------------
 
@@ -88,7 +88,7 @@ class Driver:
         if carrier is not None and not (asking or self.state.frozen):
             self._carry(carrier)  # whatever the run state: what is on its way goes on
             return
-        phase = self.state.phase(carrier is not None, asking)
+        phase = self.state.phase_while(carrier is not None, asking)
         if phase == "paused":
             self.run.emit(*self.run.senses.listen())
             return

@@ -1,4 +1,4 @@
-"""The run state: who lets the run move now, the plan, a person, or nobody."""
+"""The run state of a live run, and what commands and holds make of it."""
 
 from __future__ import annotations
 
@@ -6,31 +6,16 @@ from collections.abc import Mapping
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import FactKey
-from smsl_studio.dispatch.execution.trouble import NO_ROUTE, Hold
-
-RUN_STATES = (
-    "idle",
-    "ready",
-    "running",
-    "paused",
-    "waiting",
-    "no_route",
-    "taken_over",
-    "fault_hold",
-    "stopped",
-    "done",
-)
+from smsl_studio.dispatch.execution.trouble import Hold
+from smsl_studio.runlog.phase import RunMode
 
 
-class RunState:
-    """What a run state is made of.
+class RunState(RunMode):
+    """What a run state is made of, and how it becomes another.
 
-    ``by_hand``: it waits to be asked. ``paused``: a person paused it. ``pausing``: it will be
-    paused when the running operation has ended. ``once``: one operation, then wait again.
-    ``frozen``: paused in the middle of a joint step. ``held``: why it cannot go on by itself.
-    ``taken_over``, ``stopped``: who did it. ``offered``: the configuration that giving back
-    found. ``touched``: the facts that a stop may have left anywhere. ``too_late``: the edge for
-    which a veto came too late.
+    ``pausing``: it will be paused when the running operation has ended. ``offered``: the
+    configuration that giving back found. ``touched``: the facts that a stop may have left anywhere.
+    ``too_late``: the edge for which a veto came too late.
     """
 
     def __init__(self, by_hand: bool) -> None:
@@ -42,27 +27,6 @@ class RunState:
         self.touched: tuple[FactKey, ...] = ()
         self.too_late: Address | None = None
         self.full_map = False
-
-    def phase(self, carrying: bool, asking: bool = False) -> str:
-        """One of ``RUN_STATES`` between ``ready`` and ``stopped``; ``asking``: people are asked."""
-        if self.stopped:
-            return "stopped"
-        if self.taken_over:
-            return "taken_over"
-        if asking or carrying:
-            if self.frozen:
-                return "paused"
-            return "waiting" if asking else "running"
-        if self.held is not None:
-            return "no_route" if self.held.kind == NO_ROUTE else "fault_hold"
-        if self.paused or self.frozen:
-            return "paused"
-        return "ready" if self.by_hand and not self.once else "running"
-
-    @property
-    def by(self) -> str:
-        """Who has stopped it or taken it over."""
-        return self.stopped or self.taken_over
 
     # pausing and going on -----------------------------------------------------------------------
 

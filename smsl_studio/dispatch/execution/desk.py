@@ -16,6 +16,7 @@ from smsl_studio.dispatch.people.board import (
 )
 from smsl_studio.dispatch.people.task import Task
 from smsl_studio.runlog.events import Event, TaskAnswered, TaskClosed
+from smsl_studio.runlog.moment import waiting_words
 
 NOBODY = "nobody is there to answer"
 Then = Callable[[tuple[Closed, ...]], None]
@@ -57,11 +58,7 @@ class Desk:
     @property
     def sentence(self) -> str:
         """What the run waits for, for people; empty where it does not."""
-        open_ones = self._board.tasks
-        if not open_ones:
-            return ""
-        more = f" (and {len(open_ones) - 1} more)" if len(open_ones) > 1 else ""
-        return f"Waiting for an answer{more}: {open_ones[0].question}"
+        return waiting_words([task.question for task in self._board.tasks])
 
     @property
     def nobody(self) -> str:

@@ -171,6 +171,9 @@ class LiveRun:
         """SBs take the states that became true together with these edges."""
         self.configuration.update(committed)
         now = self.time
+        for name in committed:
+            self.since[name] = now
+            self.previous.pop(name, None)
         for edge in edges:
             self.operations += 1
             self.since[edge.branch], self.previous[edge.branch] = now, edge.address

@@ -15,8 +15,9 @@ from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.route.planner import holds
 from smsl_studio.errors import PlanningError
 from smsl_studio.runlog.events import Mismatch, OperationRisky, Relocalised
+from smsl_studio.runlog.phase import NO_ROUTE
 
-HELD, NO_ROUTE = "held", "no_route"
+HELD = "held"
 GUARD_LOST = "guard_lost"
 """A critical fact, or one that a running operation requires, is false or unknown."""
 GOAL_UNCONFIRMED = "goal_unconfirmed"
@@ -25,7 +26,7 @@ GOAL_UNCONFIRMED = "goal_unconfirmed"
 
 @dataclass(frozen=True)
 class Hold:
-    """Why a run cannot go on by itself; ``kind`` is one of the words above.
+    """Why a run cannot go on by itself; ``kind`` is one of the words above, or ``no_route``.
 
     ``blocking`` are the edges that stand in the way, ``skipped`` the vetoed ones that a run
     without a route has skipped.

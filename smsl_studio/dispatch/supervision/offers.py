@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.execution.status import Offer
-from smsl_studio.dispatch.execution.trouble import NO_ROUTE
 from smsl_studio.dispatch.supervision.table import COMMANDS
+from smsl_studio.runlog.phase import NO_ROUTE
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.drive.driver import Driver

@@ -9,7 +9,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.host.protocol import SensorInfo
-from smsl_studio.studio.running.story import Span, Story
+from smsl_studio.runlog.history import RunHistory, Span, Story
 from smsl_studio.studio.running.view import expected_duration, short_name
 
 
@@ -44,13 +44,13 @@ def lanes(
 ) -> tuple[Lane, ...]:
     """The rows of the timeline: states of each SB, operations, then facts."""
     words = {(sensor.branch, sensor.digit): sensor.words for sensor in sensors}
-    several = len(blueprint) > 1
+    several, ended = len(blueprint) > 1, story.moment.finished is not None
     soon = _soon(blueprint, status, story)
-    found = []
+    history, found = story.history, []
     for branch in blueprint:
-        if branch.name in story.states:
+        if branch.name in history.states:
             coming = soon[1:] if status.running and status.running.branch == branch.name else ()
-            blocks = (*_states(branch, story), *coming)
+            blocks = (*_states(branch, history.states[branch.name], ended), *coming)
         elif branch.name in status.configuration:
             # Until people have said what holds, the start is believed and nobody has confirmed it.
             name = short_name(branch, status.configuration[branch.name])
@@ -59,10 +59,10 @@ def lanes(
             continue
         found.append(Lane(branch.name if several else "State", "state", blocks))
     if found:
-        found += _operations(story, status.running, soon[:1])
+        found += _operations(history, status.running, soon[:1])
     for branch in blueprint:
         for digit in range(branch.num_facts if branch.table else 0):
-            spans = story.facts.get((branch.name, digit))
+            spans = history.facts.get((branch.name, digit))
             if spans:
                 name = branch.fact_name(digit)
                 label = f"{branch.name} {name}" if several else name
@@ -86,18 +86,19 @@ def _soon(blueprint: Blueprint, status: DispatchStatus, story: Story) -> tuple[B
     )
 
 
-def _states(branch: StateBranch, story: Story) -> Iterator[Block]:
-    ended = story.finished is not None
-    for span in story.states[branch.name]:
+def _states(branch: StateBranch, spans: Sequence[Span], ended: bool) -> Iterator[Block]:
+    for span in spans:
         look = "now" if span.end is None and not ended else "past"
         yield Block(span.start, span.end, short_name(branch, span.words), look)
 
 
-def _operations(story: Story, running: Address | None, soon: tuple[Block, ...]) -> Iterator[Lane]:
+def _operations(
+    history: RunHistory, running: Address | None, soon: tuple[Block, ...]
+) -> Iterator[Lane]:
     """The operations, in as many rows as are under way at the same time; ``soon`` is the rest of
     the running one, and stands behind it."""
     rows: list[list[Span]] = [[]]
-    for span in story.operations:
+    for span in history.operations:
         free = (row for row in rows if not row or _is_over(row[-1], span.start))
         row = next(free, None)
         if row is None:

@@ -31,9 +31,10 @@ from smsl_studio.host.spare import Spare
 from smsl_studio.library.loading import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
+from smsl_studio.runlog.history import Story
 from smsl_studio.runlog.log import RunLog
+from smsl_studio.runlog.playback import RunObserver
 from smsl_studio.studio.running.runner import Runner
-from smsl_studio.studio.running.story import Story
 from smsl_studio.world.protocol import Shape
 
 PLANNING = "the way is being planned"
@@ -86,7 +87,7 @@ class RunSession(QObject, Commands):
         super().__init__(parent)
         self.blueprint: Blueprint | None = None
         self.status: DispatchStatus | None = None
-        self.story = Story()
+        self._told = RunObserver()
         self.shapes: tuple[Shape, ...] = ()
         self.sensors: tuple[SensorInfo, ...] = ()
         self.faults: tuple[str, ...] = ()
@@ -132,19 +133,27 @@ class RunSession(QObject, Commands):
         return self.foreign or before[2]
 
     @property
+    def story(self) -> Story:
+        """How the run stands and what has been, as far as its events have told it."""
+        return self._told.story
+
+    @property
     def phase(self) -> str:
         """One word for how the run stands: the dispatcher's phase, or why it ended."""
         if self._runner is None:
             return ""
-        if self.story.finished is not None:
-            return self.story.finished.reason
-        return "opening" if self.status is None else self.status.phase
+        return "opening" if self.status is None else self.story.moment.phase
+
+    @property
+    def time(self) -> float:
+        """The simulated seconds that are shown; 0 without a run."""
+        return max(self.story.moment.time, self.status.time if self.status is not None else 0.0)
 
     @property
     def sentence(self) -> str:
         """Why the run holds or ended; the empty text while it goes on."""
-        if self.story.finished is not None:
-            return self.story.finished.sentence
+        if self.story.moment.finished is not None:
+            return self.story.moment.sentence
         if self.status is None:
             return ""
         planning = PLANNING if self.status.planning and self.status.phase == "running" else ""
@@ -186,7 +195,8 @@ class RunSession(QObject, Commands):
         """
         self.close()
         self.blueprint, self.choice, self.foreign = blueprint, choice, False
-        self.status, self.story, self.shapes, self.sensors = None, Story(), (), ()
+        self.status, self.shapes, self.sensors = None, (), ()
+        self._told = RunObserver(choice.by_hand)
         self.record, folder, who = None, self.recordings, self.who()
         request = _request(blueprint, choice)
 
@@ -245,7 +255,8 @@ class RunSession(QObject, Commands):
             self.close()
             self.blueprint, self.status, self.choice = None, None, None
             self.record, self.foreign, self._compared = None, False, None
-            self.story, self.shapes, self.sensors = Story(), (), ()
+            self.shapes, self.sensors = (), ()
+            self._told = RunObserver()
             self.changed.emit()
 
     def take(self, command: Command) -> None:
@@ -271,10 +282,9 @@ class RunSession(QObject, Commands):
     def _tell(self, events: tuple[Event, ...], status: DispatchStatus) -> None:
         self.status = status
         if events:
-            self.story.tell(events)
+            self._told.tell(events)
             self.events_told.emit(events)
-        self.story.time = max(self.story.time, status.time)
-        if self.story.finished is not None:
+        if self.story.moment.finished is not None:
             self._clock.stop()
             self._set_exists(False)
         # The first news of a run are older than the step with which it was started.

@@ -6,8 +6,8 @@ from typing import Protocol
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.runlog.history import Story
 from smsl_studio.studio.document.places import Places
-from smsl_studio.studio.running.story import Story
 
 
 class DrawnPlaces(Protocol):

@@ -9,12 +9,12 @@ from smsl_studio.blueprint.check import CheckResult, Reading, state_check
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
 from smsl_studio.host.protocol import SensorInfo
+from smsl_studio.runlog.history import Story
 from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.running.facts_table import FactRow
 from smsl_studio.studio.running.freshness import age_of_nothing, limit_of, slow_words
 from smsl_studio.studio.running.guard_view import held_back, standings
 from smsl_studio.studio.running.possible_list import PossibleRow
-from smsl_studio.studio.running.story import Story
 
 CHOOSABLE = ("ready", "paused", "fault_hold", "no_route")
 """The phases in which a person may have an operation carried out by hand."""
@@ -96,7 +96,7 @@ def marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Stor
     """What glows, trails and is planned on the canvas of one SB."""
     active = status.configuration.get(branch)
     running = _running_in(branch, status)
-    ended = story.finished is not None
+    told, ended = story.moment, story.moment.finished is not None
     planned = tuple(a for a in status.route if a.branch == branch and a != running and not ended)
     shown = running or next(iter(planned), None)
     following = [blueprint[branch].table[shown.state][shown.operation]] if shown else []
@@ -106,11 +106,11 @@ def marks(blueprint: Blueprint, branch: str, status: DispatchStatus, story: Stor
         running=(running, progress(blueprint, status, story)) if running else None,
         running_words=_running_words(blueprint, status, story) if running else "",
         visited=story.visited(branch) - {active or ""},
-        trail=tuple(story.trail.get(branch, ())),
+        trail=story.trail(branch),
         planned=planned,
         next_states=frozenset(following) - {active},
-        pruned=_shut(branch, status, story.pruned) - _at(branch, story.risky),
-        risky=_at(branch, story.risky),
+        pruned=_shut(branch, status, told.pruned) - _at(branch, told.risky),
+        risky=_at(branch, told.risky),
         held_back=held_back(guards, status),
         guards=guards,
         possible=frozenset(p.address for p in status.possible if p.address.branch == branch),

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.dispatch.drive.run_state import RUN_STATES
 from smsl_studio.dispatch.supervision.table import COMMANDS
+from smsl_studio.runlog.phase import RUN_STATES
 from tests.dispatch.runs import Story, blueprint, branch
 from tests.dispatch.supervision.runs import (
     between,

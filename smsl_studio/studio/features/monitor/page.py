@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidg
 
 from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
-from smsl_studio.runlog.regulation import Commanded, Disturbed, FaultInjected
+from smsl_studio.runlog.regulation import Commanded, FaultInjected
 from smsl_studio.studio.base.controls import Elided, label, row, rule
 from smsl_studio.studio.base.key_button import command_button
 from smsl_studio.studio.base.rows import RowsView
@@ -47,7 +47,6 @@ class MonitorPage(QDialog):
         self.setWindowTitle("Monitor")
         self._run = run
         self._estimates = Estimates()
-        self._disturbed: dict[str, dict[str, str]] = {}
         self._build(tokens)
         self.set_tokens(tokens)
         open_at(self, *SIZE)
@@ -171,23 +170,16 @@ class MonitorPage(QDialog):
     # Disturbing.
 
     def _kinds(self) -> dict[str, str]:
-        return {name: ", ".join(kinds) for name, kinds in self._disturbed.items() if kinds}
+        disturbed = self._run.story.moment.disturbed
+        return {sensor: ", ".join(kinds) for sensor, kinds in disturbed.items()}
 
     def _new_run(self) -> None:
-        self._disturbed.clear()
         self._refusal.setText("")
         self.refresh()
 
     def _hear(self, events: tuple[Event, ...]) -> None:
         for event in events:
-            if isinstance(event, Disturbed):
-                for sensor in event.sensors:
-                    kinds = self._disturbed.setdefault(sensor, {})
-                    if event.kind == NONE:
-                        kinds.clear()
-                    else:
-                        kinds[event.kind] = event.kind
-            elif isinstance(event, Commanded) and event.command == "disturb":
+            if isinstance(event, Commanded) and event.command == "disturb":
                 self._refusal.setText(capital(event.refused))
             elif isinstance(event, FaultInjected):
                 self.faults.tell(event.fault, event.t)

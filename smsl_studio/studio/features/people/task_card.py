@@ -69,7 +69,7 @@ class TaskCard(QWidget):
             status = run.status
             if status is None:
                 self.forget()
-            self.show_tasks(status.tasks if status and run.exists else (), run.story.time)
+            self.show_tasks(status.tasks if status and run.exists else (), run.time)
 
         run.changed.connect(look)
         run.events_told.connect(self.tell)

@@ -99,16 +99,16 @@ class ReplayPane(QWidget):
         column.addWidget(whole, 1)
 
     def _show_run(self) -> None:
-        recording, whole = self._replay.recording, self._replay.whole
-        if recording is None or whole is None:
+        recording = self._replay.recording
+        if recording is None:
             return
         self.note.setText(note_words(recording))
         good = not recording.doubt and not recording.differs
         self.note.setProperty("kind", "good" if good else "bad")
         self.note.style().unpolish(self.note)
         self.note.style().polish(self.note)
-        events = recording.retelling.events
-        self.events.show_events(events, whole.causes, recording.blueprint)
+        events = recording.playback.events
+        self.events.show_events(events, recording.causes, recording.blueprint)
 
     def _show_moment(self) -> None:
         replay, status, blueprint = self._replay, self._replay.status, self._replay.blueprint
@@ -156,6 +156,6 @@ def note_words(recording: Recording) -> str:
         line = f"line {doubt.place.line}: " if doubt else ""
         words += f"NOT VERIFIED, {line}{recording.doubt}."
     else:
-        events = counted(len(recording.retelling), "event")
+        events = counted(len(recording.playback), "event")
         words += f"Verified: {events}, chain and head hold."
     return f"{words} {ANOTHER}." if recording.differs else words

@@ -4,23 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.status_then import status_at
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError, StudioError
+from smsl_studio.runlog.causes import Causes
 from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
+from smsl_studio.runlog.history import RunHistory, Story
 from smsl_studio.runlog.log import FORMAT
 from smsl_studio.runlog.playback import Playback
 from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.inputs import read_ordinary
-from smsl_studio.studio.features.replay.as_status import as_status
-from smsl_studio.studio.features.replay.whole_story import WholeStory
+from smsl_studio.studio.features.replay.marks import marks_of
 from smsl_studio.studio.running.lanes import Lane, lanes
 
 SUFFIX = ".jsonl"
@@ -37,14 +39,20 @@ def _nobody(share: float) -> None:
 
 @dataclass(frozen=True)
 class Recording:
-    """A log that was read. ``differs`` says that ``blueprint`` is not the one that was run."""
+    """A log that was read. ``differs`` says that ``blueprint`` is not the one that was run.
+
+    ``causes`` says whose command each event answers, ``marks`` at which simulated second something
+    of which kind happened.
+    """
 
     path: Path
     run: LoggedRun
-    retelling: Playback
+    playback: Playback
     blueprint: Blueprint
     differs: bool
-    whole: WholeStory
+    history: RunHistory
+    causes: tuple[str, ...]
+    marks: tuple[tuple[float, str], ...]
     lanes: tuple[Lane, ...]
 
     @property
@@ -83,12 +91,16 @@ def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Reco
         raise ReadError(f"{name}, of which this is a run, is not found", advice=NO_BLUEPRINT)
     events, by_hand = run.events, run.header.get("by_hand") is True
     count, share = max(len(events), 1), FOLDED - READ
-    retelling = Playback(events, by_hand, lambda told: going(READ + share * told / count))
-    whole = WholeStory(retelling)
+    history = RunHistory()
+    playback = Playback(events, by_hand, lambda told: going(READ + share * told / count), history)
+    causes = Causes(COMMANDS, playback.at(len(events)).asked)
+    by = tuple(causes.of(event) for event in events)
     going(TOLD)
-    over = replace(as_status(blueprint, retelling.at(0)), running=None, running_since=None)
-    rows = lanes(blueprint, over, whole.story)
-    return Recording(path, run, retelling, blueprint, same is None, whole, rows)
+    # Nothing runs before the first event, so that the lanes have no more than what was.
+    before = playback.at(0)
+    rows = lanes(blueprint, status_at(blueprint, before), Story(before, history))
+    marks = tuple(marks_of(events))
+    return Recording(path, run, playback, blueprint, same is None, history, by, marks, rows)
 
 
 def recordings_in(folder: Path, most: int = 30) -> tuple[Path, ...]:

@@ -9,14 +9,14 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
-from smsl_studio.runlog.retold import Retold
-from smsl_studio.studio.features.replay.as_status import as_status
+from smsl_studio.dispatch.status_then import status_at
+from smsl_studio.runlog.history import RunHistory, Story
+from smsl_studio.runlog.moment import RunMoment
 from smsl_studio.studio.features.replay.recorded_run import Recording
-from smsl_studio.studio.features.replay.whole_story import WholeStory
-from smsl_studio.studio.running.story import Story
 
 FRAME = 33
 """Milliseconds between two moments while it plays."""
+NOTHING = Story(RunMoment(), RunHistory())
 
 
 class Replay(QObject):
@@ -34,9 +34,8 @@ class Replay(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.recording: Recording | None = None
-        self.told = Retold()
         self.status: DispatchStatus | None = None
-        self.story = Story()
+        self.story = NOTHING
         self.time, self.speed = 0.0, 1.0
         self._last = 0.0
         self._clock = QTimer(self)
@@ -47,11 +46,6 @@ class Replay(QObject):
     def blueprint(self) -> Blueprint | None:
         """The blueprint that the recorded run had; None without a recording."""
         return self.recording.blueprint if self.recording is not None else None
-
-    @property
-    def whole(self) -> WholeStory | None:
-        """The story of the whole run; None without a recording."""
-        return self.recording.whole if self.recording is not None else None
 
     @property
     def shown(self) -> bool:
@@ -75,27 +69,27 @@ class Replay(QObject):
     @property
     def phase(self) -> str:
         """What the run did at this moment, in one word; empty without a recording."""
-        return self.told.phase if self.recording is not None else ""
+        return self.story.moment.phase if self.recording is not None else ""
 
     @property
     def sentence(self) -> str:
         """Why the run stood as it did at this moment."""
-        return self.told.sentence
+        return self.story.moment.sentence
 
     @property
     def index(self) -> int:
         """How many events have happened at this moment."""
-        return self.told.index
+        return self.story.moment.index
 
     @property
     def count(self) -> int:
         """How many events the recording has."""
-        return len(self.recording.retelling) if self.recording is not None else 0
+        return len(self.recording.playback) if self.recording is not None else 0
 
     @property
     def end(self) -> float:
         """When the recording ends, in simulated seconds."""
-        return self.recording.retelling.end if self.recording is not None else 0.0
+        return self.recording.playback.end if self.recording is not None else 0.0
 
     @property
     def playing(self) -> bool:
@@ -106,7 +100,7 @@ class Replay(QObject):
         """Show another recording from where it begins; None: none."""
         self._clock.stop()
         self.recording = recording
-        self.told, self.status, self.story, self.time = Retold(), None, Story(), 0.0
+        self.status, self.story, self.time = None, NOTHING, 0.0
         self.opened.emit()
         self.to_time(0.0)
 
@@ -140,29 +134,27 @@ class Replay(QObject):
     def to_index(self, index: int) -> None:
         """Show the run after its first ``index`` events."""
         if self.recording is not None:
-            told = self.recording.retelling.at(index)
-            self._show(told, told.time)
+            moment = self.recording.playback.at(index)
+            self._show(moment, moment.time)
 
     def to_time(self, time: float) -> None:
         """Show the run at a simulated second."""
         if self.recording is not None:
             time = min(max(time, 0.0), self.end)
-            retelling = self.recording.retelling
-            self._show(retelling.at(retelling.index_at(time)), time)
+            playback = self.recording.playback
+            self._show(playback.at(playback.index_at(time)), time)
 
     def set_speed(self, speed: float) -> None:
         """Simulated seconds per wall second."""
         self.speed = speed
 
-    def _show(self, told: Retold, time: float) -> None:
+    def _show(self, moment: RunMoment, time: float) -> None:
         assert self.recording is not None
-        assert self.whole is not None
-        if told.index != self.told.index or self.status is None:
-            self.told = told
-            self.status = as_status(self.recording.blueprint, told)
-            self.story = self.whole.until(told)
+        if moment.index != self.index or self.status is None:
+            self.status = status_at(self.recording.blueprint, moment)
+            self.story = Story(moment, self.recording.history)
         self.time = time
-        self.status = replace(self.status, time=max(time, told.time))
+        self.status = replace(self.status, time=max(time, moment.time))
         self.changed.emit()
 
     def _go_on(self) -> None:

@@ -93,8 +93,8 @@ class ReplayTransport(QWidget):
         replay.changed.connect(self._show_moment)
 
     def _show_run(self) -> None:
-        whole = self._replay.whole
-        self.scrubber.show_run(self._replay.end, whole.marks if whole is not None else ())
+        recording = self._replay.recording
+        self.scrubber.show_run(self._replay.end, recording.marks if recording is not None else ())
 
     def _show_moment(self) -> None:
         replay = self._replay

@@ -343,7 +343,7 @@ class RunPane(QWidget):
         rows = view.possible_rows(blueprint, status) if run.exists else ()
         choosable = run.exists and status.phase in view.CHOOSABLE
         self.possible.show_rows(rows, choosable, capital(run.sentence) or "Nothing is possible")
-        self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.story.time)
+        self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.time)
         check = status.check or view.last_check(blueprint, status, lost)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running

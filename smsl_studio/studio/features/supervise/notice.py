@@ -57,7 +57,7 @@ class Notice(QWidget):
             self._refusal = ""
             self._title.setText("Opening the world")
             self._why.setText("")
-        elif run.story.finished is not None:
+        elif run.story.moment.finished is not None:
             self._title.setText(phase_words(run.phase)[0])
             again = (
                 f"F5 runs {Path(drawn.file).name} as it is drawn now."

@@ -1,13 +1,24 @@
-"""The state of a recorded run at one moment, as far as its events tell it."""
+"""A moment of a run: how it stood after so many of its events, live or told again."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from smsl_studio.blueprint.check import FactKey
 from smsl_studio.runlog import events as run
+from smsl_studio.runlog.phase import RunMode
 
-FactKey = tuple[str, int]
+_MOVES = ("ready", "running")
+"""Before it has begun a run is in none of these."""
+
+
+def waiting_words(questions: Sequence[str]) -> str:
+    """What a run waits for, of which people are asked these; empty where they are asked nothing."""
+    if not questions:
+        return ""
+    more = f" (and {len(questions) - 1} more)" if len(questions) > 1 else ""
+    return f"Waiting for an answer{more}: {questions[0]}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,17 +38,11 @@ class Entered:
     by: str = ""
 
 
-class Phased:
-    """What follows from how a run stands: its run state, and the sentence that belongs to it."""
+class Phased(RunMode):
+    """What follows from how a run stands: its phase, why it stands so, and what is said of it."""
 
     __slots__ = ()
-    by_hand: bool
-    once: bool
-    paused: bool
-    frozen: bool
     held: run.Held | None
-    stopped: str
-    taken_over: str
     finished: run.RunFinished | None
     begun: bool
     started: Collection[str]
@@ -48,39 +53,38 @@ class Phased:
         """The run state, in the words of a run that goes on; why it ended where it has."""
         if self.finished is not None:
             return self.finished.reason
-        if not self.begun:
-            return "idle"
-        if self.stopped or self.taken_over:
-            return "stopped" if self.stopped else "taken_over"
-        if self.tasks and not self.frozen:
-            return "waiting"
-        if self.started and not self.frozen:
-            return "running"
-        if self.held is not None:
-            return "no_route" if self.held.kind == "no_route" else "fault_hold"
-        if self.paused or self.frozen:
-            return "paused"
-        return "ready" if self.by_hand and not self.once else "running"
+        phase = self.phase_while(bool(self.started), bool(self.tasks))
+        return phase if self.begun or phase not in _MOVES else "idle"
+
+    @property
+    def reason(self) -> str:
+        """Why it ended, or of what kind a hold is; empty where it goes on."""
+        if self.finished is not None:
+            return self.finished.reason
+        return self.held.kind if self.held is not None else ""
 
     @property
     def sentence(self) -> str:
-        """Why it ended or holds, or who has stopped it or taken it over."""
+        """Why it ended or holds, who has stopped it or taken it over, or what people are asked."""
         if self.finished is not None:
             return self.finished.sentence
         if self.stopped:
             return f"Stopped by {self.stopped}."
         if self.taken_over:
             return f"{self.taken_over} has taken over."
-        return self.held.reason if self.held is not None else ""
+        why = self.held.reason if self.held is not None else ""
+        asked = waiting_words([task.question for task in self.tasks.values()])
+        return asked or why if self.phase == "waiting" else why or asked
 
 
 @dataclass(frozen=True, slots=True)
-class Retold(Phased):
+class RunMoment(Phased):
     """How a run stood after its first ``index`` events. Addresses are text, times simulated s.
 
     ``started`` are the operations that have begun and not committed, ``own`` those of them whose
     function has not ended, ``running`` the one whose function runs or settles. ``held`` says why
-    it cannot go on by itself, ``tasks`` what people are asked. ``stopped`` and ``taken_over`` name
+    it cannot go on by itself, ``tasks`` what people are asked, ``asked`` all that they ever were.
+    ``disturbed`` has the kinds of disturbances of each sensor. ``stopped`` and ``taken_over`` name
     who did it.
     """
 
@@ -89,20 +93,20 @@ class Retold(Phased):
     configuration: Mapping[str, str] = field(default_factory=dict)
     entered: Mapping[str, Entered] = field(default_factory=dict)
     facts: Mapping[FactKey, Sensed] = field(default_factory=dict)
+    world: str = ""
     goals: tuple[str, ...] = ()
     route: tuple[str, ...] = ()
     started: tuple[str, ...] = ()
     own: tuple[str, ...] = ()
     running: str = ""
     running_since: float | None = None
-    check: run.StateChecked | None = None
     operations: int = 0
     pruned: Mapping[str, str] = field(default_factory=dict)
     risky: Mapping[str, str] = field(default_factory=dict)
     candidates: tuple[Mapping[str, str], ...] = ()
     tasks: Mapping[str, run.TaskOpened] = field(default_factory=dict)
-    disturbed: Mapping[str, str] = field(default_factory=dict)
-    faults: tuple[str, ...] = ()
+    asked: Mapping[str, run.TaskOpened] = field(default_factory=dict)
+    disturbed: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     full_map: bool = False
     by_hand: bool = False
     once: bool = False
