@@ -197,15 +197,15 @@ IMPORTED: dict[str, tuple[str, str]] = {
     # Answers that it forges.
     "tells_a_pickle": (
         FORGED.format(size=31, data=r"b'cos\nsystem\n(Vecho pwned\ntR.    '"),
-        "is described as what no plugin is",
+        "its description is not valid",
     ),
-    "tells_garbage": (FORGED.format(size=64, data="b'\\1' * 64"), "as what no plugin is"),
-    "tells_nothing": (FORGED.format(size=0, data="b''"), "as what no plugin is"),
+    "tells_garbage": (FORGED.format(size=64, data="b'\\1' * 64"), "description is not valid"),
+    "tells_nothing": (FORGED.format(size=0, data="b''"), "description is not valid"),
     "tells_neither": (FORGED.format(size=2, data="b'\\0\\0'"), "neither what it is nor"),
     "tells_too_much": (FORGED.format(size=2**31, data="b''"), "2147483648 bytes, more than"),
     "tells_without_end": (
         "import time\nfor _ in range(9**9):\n    tell(b'\\0'); time.sleep(0.01)",
-        "did not load within|as what no plugin is",
+        "did not load within|description is not valid",
     ),
     "stops_in_the_middle": ("tell(b'\\0\\0'); import time; time.sleep(60)", "did not load within"),
     # It changes the program's own code, in its own process.
@@ -213,7 +213,7 @@ IMPORTED: dict[str, tuple[str, str]] = {
         "from smsl_studio.host import description\n"
         "class Codec:\n    def encode(self, said): mark(); return b'cos\\nsystem\\n(Vecho\\ntR.'\n"
         "description.DESCRIPTION = Codec()",
-        "as what no plugin is",
+        "description is not valid",
     ),
     "changes_the_builtins": (
         "import builtins; builtins.isinstance = None",

@@ -1,1 +1,1 @@
-"""Where operations run, tick by tick, so that the dispatcher outlives them."""
+"""Hosts run the code of operations tick by tick, so that the dispatcher survives their faults."""

@@ -1,6 +1,6 @@
-"""The answers that the child of a run may give: one line for each verb, one for each field.
+"""The declared answers of a run's child: one line for each verb, one line for each field.
 
-Edges and facts of the blueprint and sensors of the opened world are sent as numbers, which both
+Edges and facts of the blueprint, and sensors of the opened world, are sent as numbers that both
 sides know. So an answer cannot name anything else.
 """
 
@@ -36,7 +36,7 @@ from smsl_studio.world.protocol import Shape
 MOST_SENSORS = MOST_FAULTS = 100_000
 MOST_SHAPES, MOST_CORNERS = 10_000, 2**22
 MOST_LATE = 10_000
-"""The samples of one tick beyond one of every sensor: those that a delay held up."""
+"""The largest number of delayed samples in one tick, beside one sample of every sensor."""
 
 
 POSES = numbers(-FAR, FAR, 7 * MOST_SHAPES)
@@ -55,7 +55,7 @@ REFUSED: Codec[StudioError] = mapped(
 )
 CRASHED = sentence(6000)
 LOADS = sentence(200)
-"""The name of the plugin whose code is loaded now."""
+"""The name of the plugin that the child loads now."""
 
 SHAPE = record(
     Shape,
@@ -67,9 +67,9 @@ SHAPE = record(
 
 
 class RunAnswers:
-    """The codec of each verb's answer, for one blueprint; see ``Host`` for what they mean.
+    """The codecs of the answers for one blueprint, by verb. ``Host`` explains their meaning.
 
-    ``tick`` and ``sense`` are there once the world was opened.
+    ``tick`` and ``sense`` are added when the world is opened.
     """
 
     def __init__(self, blueprint: Blueprint) -> None:
@@ -98,7 +98,7 @@ class RunAnswers:
         )
 
         def known(told: SensorInfo) -> SensorInfo:
-            """The sensor as it is; Unfit where it reads a fact that the blueprint does not have."""
+            """Return the sensor unchanged. Unfit if the blueprint does not have its fact."""
             if (told.branch, told.digit) not in facts:
                 raise Unfit(f"reads {told.branch}/{told.digit}, which is no fact")
             return told
@@ -146,7 +146,7 @@ class RunAnswers:
         }
 
     def opened(self, opened: OpenedWorld) -> None:
-        """Accept samples from the sensors of this world from now on, and from no others."""
+        """From now on accept samples from the sensors of this world only."""
         sensors = [(one.branch, one.digit, one.name) for one in opened.sensors]
         sample: Codec[Sample] = mapped(
             row(

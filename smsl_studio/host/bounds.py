@@ -12,19 +12,18 @@ import sys
 from smsl_studio.legible import whole_text
 
 MOST_SAID = 1_000_000
-"""Characters of a child that are shown on standard error, all in all."""
+"""The largest number of a child's printed characters that are shown on standard error."""
 
 MOST_FILES = 1024
-"""Files that a process of library code may have open."""
+"""The largest number of open files of a process with library code."""
 
 _PIECE = 2**16
 
 
 class Outlet:
-    """What a child prints, on its way to standard error: up to a limit, then a note of more.
+    """Passes a child's printed output on to standard error, up to a limit of characters.
 
-    Control characters are shown as escapes, so that no terminal obeys them. The pipe does not
-    block.
+    Control characters are shown as escapes, so that no terminal obeys them. Reading never blocks.
     """
 
     def __init__(self, pipe: int, most: int = MOST_SAID) -> None:
@@ -33,17 +32,17 @@ class Outlet:
         self._decoder = codecs.getincrementaldecoder("utf-8")("replace")
 
     def fileno(self) -> int:
-        """What is waited for."""
+        """Return the number of the pipe, for ``poll``."""
         return self._pipe
 
     def pass_on(self) -> bool:
-        """Show one piece of what was printed; False where nothing more can come."""
+        """Show one piece of the output. False if no more output can come."""
         with contextlib.suppress(BlockingIOError):
             return self._show(os.read(self._pipe, _PIECE))
         return True
 
     def close(self) -> None:
-        """Show what is left, as far as it goes, and let go of the pipe."""
+        """Show the rest of the output up to the limit, and close the pipe."""
         with contextlib.suppress(BlockingIOError):
             while self._left > 0 and self._show(os.read(self._pipe, _PIECE)):
                 pass
@@ -66,16 +65,17 @@ def _print(text: str) -> None:
 
 
 def settle_in() -> None:
-    """Leave Ctrl-C to the parent, and send all that is printed to one place."""
+    """Ignore Ctrl-C, which the parent handles, and send all printed output to standard error."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.stdout = sys.stderr
 
 
 def limit_process(memory: int | None = None) -> None:
-    """Let this process, and each that it starts, have so many bytes of address space at most
-    (None: half of what the machine has), so many open files, and leave no memory image behind.
+    """Limit this process, and each process that it starts, and allow no core dump.
 
-    More memory is a MemoryError for who asks for it, more files are an OSError.
+    ``memory`` is the address space in bytes (None: half of the machine's memory, at least 2 GiB).
+    ``MOST_FILES`` limits open files. Code that asks for more memory gets a MemoryError, code that
+    opens more files gets an OSError.
     """
     whole = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     limits = (
@@ -84,5 +84,5 @@ def limit_process(memory: int | None = None) -> None:
         (resource.RLIMIT_CORE, 0),
     )
     for what, limit in limits:
-        with contextlib.suppress(ValueError, OSError):  # a lower one stands already
+        with contextlib.suppress(ValueError, OSError):  # there is a lower limit already
             resource.setrlimit(what, (limit, limit))

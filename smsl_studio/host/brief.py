@@ -1,6 +1,6 @@
-"""Texts and numbers from library code, made short and valid without ever raising an error.
+"""Makes texts and numbers from library code short and valid. These functions never raise an error.
 
-What library code returns or raises may be of any size and kind, and its own ``__str__`` may raise.
+A value or an error from library code may have any size and type, and its ``__str__`` may raise.
 """
 
 from __future__ import annotations
@@ -9,26 +9,26 @@ from collections.abc import Mapping
 from itertools import islice
 
 WORDS = 500
-"""Characters of the longest sentence that is taken from library code."""
+"""The largest length of a sentence from library code, in characters."""
 
 VALUE = 1000
-"""Characters of the longest value a sensor may read."""
+"""The largest length of a value that a sensor returns, in characters."""
 
 FAR = 1e6
-"""Metres beyond which nothing is drawn."""
+"""The distance from the origin beyond which nothing is drawn, in metres."""
 
 LONGEST = 64
-"""Bits of the largest whole number that is shown."""
+"""The size of the largest whole number that is shown, in bits."""
 
 
 def brief(text: str, most: int = WORDS) -> str:
-    """The text, cut where it is too long, without characters that no file can hold."""
+    """Cut the text after ``most`` characters, and replace characters that UTF-8 cannot encode."""
     cut = text if len(text) <= most else f"{text[:most]} ... ({len(text)} characters)"
     return cut.encode("utf-8", "replace").decode("utf-8")
 
 
 def words_for(error: BaseException) -> str:
-    """``ValueError: what it says``, whatever its ``__str__`` does."""
+    """Write an error as ``ValueError: message``, even if its ``__str__`` raises."""
     try:
         said = str(error)
     except KeyboardInterrupt:
@@ -39,7 +39,11 @@ def words_for(error: BaseException) -> str:
 
 
 def invalid(value: object) -> str:
-    """Why what a sensor returned is no reading, empty where it is one or says itself that not."""
+    """Say why the value that a sensor returned is no valid reading.
+
+    The text is empty for a valid reading, and for None: the sensor itself says that it has no
+    reading.
+    """
     if value is None or (type(value) is str and value.isascii() and len(value) <= VALUE):
         return ""
     if type(value) is not str:
@@ -60,11 +64,11 @@ def _is_small(value: object) -> bool:
 
 
 def finite(poses: tuple[float, ...], before: tuple[float, ...]) -> tuple[float, ...]:
-    """The poses, or those before them where one is no number or out of the world."""
+    """Return the poses, or the poses ``before`` if a number is not finite or beyond ``FAR``."""
     return poses if all(-FAR < figure < FAR for figure in poses) else before
 
 
 def short_words(status: Mapping[str, str]) -> dict[str, str]:
-    """Short words for people: at most so many, and none too long."""
+    """Return status texts for people: at most 20, with names of 60 and texts of 200 characters."""
     pairs = islice(status.items(), 20)
     return {brief(str(name), 60): brief(str(words), 200) for name, words in pairs}

@@ -1,4 +1,4 @@
-"""A running call: one generator of the Operation Library, resumed once a tick."""
+"""A running call: one generator of the Operation Library, which is resumed once per tick."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.library.plugin_package import where
 
 
 class Call:
-    """The library function of one edge, from its beginning to its end or its cancelling."""
+    """The running library function of one edge, until it ends or is cancelled."""
 
     __slots__ = ("_bound", "_generator", "_subject")
 
@@ -22,7 +22,7 @@ class Call:
         self._generator: Generator[Any, Any, Any] | None = None
 
     def resume(self) -> tuple[Outcome, str]:
-        """Let the function run to its next ``yield``: how it stands now, and its message."""
+        """Run the function to its next ``yield``. Return its state and a message."""
         try:
             if self._generator is None:
                 self._generator = self._bound.function(self._subject, **self._bound.arguments)
@@ -38,7 +38,7 @@ class Call:
         return Outcome.RUNNING, ""
 
     def drop(self) -> None:
-        """End the function where it stands; errors that it raises on the way out are ignored."""
+        """End the function at its current ``yield``. Errors that it raises then are ignored."""
         if self._generator is not None:
             try:
                 self._generator.close()
@@ -49,5 +49,5 @@ class Call:
 
 
 def words_of(error: BaseException, location: str) -> str:
-    """What was raised and where, in words that are the same on every machine."""
+    """Describe an error and its place in the code. The words are the same on every machine."""
     return words_for(error) + (where(error, location) if location else "")

@@ -1,8 +1,8 @@
-"""The child of the process host: a local host behind a pipe, with nothing of its parent's state.
+"""The child of the process host: a local host behind a pipe, without any state of its parent.
 
-Commands are a verb and its arguments; each is answered with what ``RunAnswers`` says of the verb,
-with a StudioError, or with the words of what broke. The child ends when it is told to, and as soon
-as its parent is gone.
+A command is a verb with arguments. The answer is a value that ``RunAnswers`` declares for the verb,
+a StudioError, or the text of an unexpected error. The child ends on the command ``close``, and when
+its parent is gone.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from smsl_studio.world.engines import TABLE, preload
 
 HEARTBEAT = 0.1
 PICTURE = 1.0 / 60.0
-"""Wall seconds between two pictures; nobody sees more of them."""
+"""The shortest wall time (s) between two pictures. A screen shows no more."""
 
 Poses = tuple[float, ...]
 Status = Mapping[str, str]
@@ -44,10 +44,10 @@ Status = Mapping[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Recipe:
-    """All a child needs to build the same world: the blueprint's documents, world, seed, plugins.
+    """The data that a child needs to build the same world as its parent.
 
-    The documents are triples (file, form, text), the blueprint's own first: these are the texts
-    that are open in the parent, not those on disk.
+    The documents are triples (file, form, text), the blueprint's own document first. The texts
+    are the texts that are open in the parent; the files on disk may differ.
     """
 
     documents: tuple[tuple[str, str, str], ...]
@@ -55,13 +55,13 @@ class Recipe:
     seed: int
     plugin_paths: tuple[str, ...]
     only: tuple[str, ...] | None = None
-    """Where the plugins stand that are loaded; None: all there are."""
+    """The locations of the plugins to load. None means all plugins."""
     memory: int | None = None
-    """Bytes that the child may have; None: half of the machine's memory."""
+    """The largest memory of the child in bytes. None means half of the machine's memory."""
 
 
 def main(pipe: int, beat: int) -> None:
-    """Answer one command after the other until the child is to end."""
+    """Answer commands until the child must end. ``pipe`` and ``beat`` are file numbers."""
     settle_in()
     confine(os.getppid())
     wire = ChildWire(socket.socket(fileno=pipe))
@@ -70,7 +70,7 @@ def main(pipe: int, beat: int) -> None:
     with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while child.serving:
             kind, body = child.answer(*wire.receive())
-            if os.getpid() != me:  # library code has forked, and this is the copy
+            if os.getpid() != me:  # library code has forked, and this process is the copy
                 break
             wire.send(kind, body)
     # End at once: threads and exit handlers of library code must not delay the end.
@@ -78,7 +78,7 @@ def main(pipe: int, beat: int) -> None:
 
 
 class _Child:
-    """The verbs of a child: ``prepare`` comes first, or ``warm`` and later ``prepare``."""
+    """The verbs of a child. ``prepare`` comes first, or ``warm`` and then ``prepare``."""
 
     def __init__(self, loads: Callable[[str], None]) -> None:
         self.serving = True
@@ -93,7 +93,7 @@ class _Child:
         self._answers: Mapping[str, Codec[Any]] = dict.fromkeys(self._verbs, nothing())
 
     def answer(self, verb: str, arguments: tuple[Any, ...]) -> tuple[str, bytes]:
-        """Do what a command says: the kind of the answer, and its bytes."""
+        """Carry out a command. Return the kind of the answer and its bytes."""
         try:
             done = self._verbs[verb](*arguments)
             return "ok", self._answers[verb].encode(done)
@@ -102,18 +102,19 @@ class _Child:
         except Unfit as error:
             words = f"what the world told cannot be passed on ({verb}): {error}"
             return "refused", REFUSED.encode(HostError(words))
-        except KeyboardInterrupt:  # no signal is heard here, so library code raised it
+        except KeyboardInterrupt:  # the child ignores SIGINT, so library code raised it
             return "crashed", CRASHED.encode("library code raised KeyboardInterrupt")
         except Exception:
             return "crashed", CRASHED.encode(traceback.format_exc(limit=-3))
 
     def warm(self) -> None:
-        """Load what takes long to load."""
+        """Import the modules that take long to import."""
         with contextlib.suppress(ImportError):
             preload()
 
     def prepare(self, recipe: Recipe) -> None:
-        """Read the blueprint and build the world; where that fails, ``open`` reports the fault."""
+        """Read the blueprint and build the world. If the build fails, ``open`` reports the
+        fault."""
         limit_process(recipe.memory)
         documents = [form_named(form).parse(text, file) for file, form, text in recipe.documents]
         blueprint = read_gathered(documents)
@@ -139,14 +140,14 @@ class _Child:
             self.host.prepare()
 
     def open(self, start: Mapping[str, str]) -> tuple[OpenedWorld, Status, Poses]:
-        """Put the world into its start; its first words and its first picture."""
+        """Put the world into its start states. Return also its first status and first picture."""
         opened = self.host.open(start)
         self._run.opened(opened)
         self._status = dict(self.host.status())
         return opened, self._status, self.host.poses()
 
     def tick(self) -> tuple[Tick, Status | None, Poses | None]:
-        """One tick, and the world's words and picture where it is time for new ones."""
+        """Advance by one tick. Add status and picture if it is time for new ones."""
         tick, now = self.host.tick(), time.monotonic()
         if now - self._drawn < PICTURE and tick.outcome in (Outcome.IDLE, Outcome.RUNNING):
             return tick, None, None
@@ -155,22 +156,22 @@ class _Child:
         return tick, (self._status if self._status != before else None), self.host.poses()
 
     def disturb(self, target: str, kind: str, parameters: dict[str, Any]) -> tuple[str, ...]:
-        """Disturb the sensors of a name or a fact; the names of those that were met."""
+        """Disturb the sensors of a name or a fact, and return their names."""
         return self.host.disturb(target, kind, **parameters)
 
     def inject(self, fault: str, parameters: dict[str, Any]) -> None:
-        """Make something go wrong in the world; UsageError for a fault that it does not have."""
+        """Cause a fault of the world. UsageError if the world does not have this fault."""
         self.host.inject(fault, **parameters)
 
     def close(self) -> None:
-        """Close the host, if there is one, and end after this answer."""
+        """Close the host if there is one, and end the child after this answer."""
         self.serving = False
         if "open" in self._verbs:
             self.host.close()
 
 
 def _plain(error: StudioError) -> StudioError:
-    """The error as the parent knows it: a plugin may raise one of a class of its own."""
+    """Return the error as a class that the parent knows. A plugin may raise a subclass."""
     known = next(kind for kind in type(error).__mro__ if kind.__module__ == StudioError.__module__)
     place = error.place if type(error.place) is Place else None
     plain = known(brief(str(error.sentence)), place, brief(str(error.advice)))
@@ -184,7 +185,7 @@ def _live_with_parent(pipe: int, beat: int) -> None:
     parent = select.poll()
     parent.register(pipe, 0)
     while not parent.poll(HEARTBEAT * 1000):
-        with contextlib.suppress(OSError):  # nobody has looked for long, or it was closed
+        with contextlib.suppress(OSError):  # the pipe is full or closed
             os.write(beat, b".")
     with contextlib.suppress(OSError):
         os.killpg(0, signal.SIGKILL)

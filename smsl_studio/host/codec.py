@@ -1,13 +1,13 @@
-"""A closed binary format: what a child process may tell its parent, and nothing else.
+"""A closed binary format for the messages from a child process to its parent.
 
-A ``Codec`` writes one kind of value and reads it back. It is put together from the functions below
-and those of ``compound``, once, where a message is declared. Which values may come, how many, how
-long and how large, is part of it. The bytes carry no types and no nesting of their own: a reader
-meets at each place exactly the kind of value that was declared for it. So a hostile sender can
-neither have other values made here nor more of them than was declared, and reading takes time in
-proportion to the bytes. Floats are exact, texts are UTF-8 without surrogates, NaN is no number.
-
-Numbers are little-endian: counts and indices uint32, whole numbers int64, floats IEEE 754 double.
+A ``Codec`` writes one kind of value and reads it back. The declaration of a message builds its
+codec once, from the functions below and those of ``compound``. The declaration limits the values,
+their number, their length and their size. The bytes contain no types and no nesting of their own:
+at each place the reader expects exactly the declared kind of value. So a hostile sender cannot
+make the parent create other values, or more values, than declared. The time to read is in
+proportion to the number of bytes. Floats are exact. Texts are UTF-8 without surrogates. NaN is
+refused. Numbers are little-endian: counts and indices uint32, whole numbers int64, floats IEEE 754
+double.
 """
 
 from __future__ import annotations
@@ -22,38 +22,40 @@ T = TypeVar("T")
 K = TypeVar("K")
 
 COUNT = struct.Struct("<I")
-"""How counts, lengths and indices are written."""
+"""The format of counts, lengths and indices."""
 
 _WHOLE, _FLOAT = struct.Struct("<q"), struct.Struct("<d")
 
 
 class Unfit(Exception):  # noqa: N818
-    """A value, or bytes, that are not what was declared; the text says where and why."""
+    """A value or bytes do not fit the declaration. The text says where and why."""
 
     def at(self, where: str) -> Unfit:
-        """The same, one level further out: ``where`` is a field or ``[3]``."""
+        """Return the same error with its place one level further out. ``where`` is a field such as
+        ``.name``, or an index such as ``[3]``."""
         return Unfit(f"{where}{'' if str(self)[:1] in '[.' else ' '}{self}")
 
 
 @dataclass(frozen=True, slots=True)
 class Codec(Generic[T]):
-    """One kind of value. Both functions raise Unfit (``read`` also struct.error at the end).
+    """The writer and the reader of one kind of value.
 
-    ``write`` appends a value to a buffer. ``read`` takes the value that begins at an offset, and
-    tells the offset behind it.
+    ``write`` appends a value to a buffer. ``read`` reads the value at an offset, and returns it
+    with the offset behind it. Both raise Unfit; ``read`` raises struct.error if the bytes end too
+    early.
     """
 
     write: Callable[[T, bytearray], None]
     read: Callable[[bytes, int], tuple[T, int]]
 
     def encode(self, value: T) -> bytes:
-        """A whole message; Unfit where the value is not what was declared."""
+        """Return the bytes of a whole message. A value that does not fit raises Unfit."""
         out = bytearray()
         self.write(value, out)
         return bytes(out)
 
     def decode(self, data: bytes) -> T:
-        """The value of a whole message; Unfit for anything that ``encode`` does not write."""
+        """Return the value of a whole message. Bytes that ``encode`` cannot write raise Unfit."""
         try:
             value, at = self.read(data, 0)
         except struct.error:
@@ -64,7 +66,7 @@ class Codec(Generic[T]):
 
 
 def nothing() -> Codec[None]:
-    """None; it takes no bytes."""
+    """The codec of None, which takes no bytes."""
 
     def write(value: None, out: bytearray) -> None:
         """Write no bytes; Unfit for any value but None."""
@@ -75,7 +77,7 @@ def nothing() -> Codec[None]:
 
 
 def flag() -> Codec[bool]:
-    """True or False."""
+    """The codec of True and False."""
 
     def write(value: bool, out: bytearray) -> None:
         """Write one byte, 0 or 1."""
@@ -84,17 +86,17 @@ def flag() -> Codec[bool]:
         out.append(value)
 
     def read(data: bytes, at: int) -> tuple[bool, int]:
-        """Read one byte; Unfit where it is not 0 or 1."""
+        """Read one byte. Unfit if it is not 0 or 1."""
         return a_byte(data, at) == 1, at + 1
 
     return Codec(write, read)
 
 
 def whole(least: int, most: int) -> Codec[int]:
-    """A whole number from ``least`` to ``most``, within 64 bits."""
+    """The codec of whole numbers from ``least`` to ``most``, within 64 bits."""
 
     def check(value: int) -> int:
-        """The value; Unfit where it is out of range."""
+        """Return the value. Unfit if it is out of range."""
         if not least <= value <= most:
             raise Unfit(f"is not from {least} to {most}")
         return value
@@ -106,17 +108,17 @@ def whole(least: int, most: int) -> Codec[int]:
         out += _WHOLE.pack(check(value))
 
     def read(data: bytes, at: int) -> tuple[int, int]:
-        """Read an int64; Unfit where it is out of range."""
+        """Read an int64. Unfit if it is out of range."""
         return check(_WHOLE.unpack_from(data, at)[0]), at + 8
 
     return Codec(write, read)
 
 
 def number(least: float, most: float) -> Codec[float]:
-    """A float from ``least`` to ``most``, never NaN."""
+    """The codec of floats from ``least`` to ``most``, without NaN."""
 
     def check(value: float) -> float:
-        """The value; Unfit where it is out of range or NaN."""
+        """Return the value. Unfit if it is out of range or NaN."""
         if not least <= value <= most:
             raise Unfit(f"is {value!r}, not a number from {least:g} to {most:g}")
         return value
@@ -128,24 +130,24 @@ def number(least: float, most: float) -> Codec[float]:
         out += _FLOAT.pack(check(value))
 
     def read(data: bytes, at: int) -> tuple[float, int]:
-        """Read a double; Unfit where it is out of range."""
+        """Read a double. Unfit if it is out of range."""
         return check(_FLOAT.unpack_from(data, at)[0]), at + 8
 
     return Codec(write, read)
 
 
 def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[tuple[float, ...]]:
-    """At most ``count`` floats from ``least`` to ``most``; how many is a multiple of
-    ``multiple``."""
+    """The codec of at most ``count`` floats from ``least`` to ``most``. Their number is a multiple
+    of ``multiple``."""
 
     def check(size: int) -> int:
-        """The count; Unfit where there may not be so many numbers."""
+        """Return the number of floats. Unfit if this number is not allowed."""
         if size > count or size % multiple:
             raise Unfit(f"has {size} numbers, not at most {count}, a multiple of {multiple}")
         return size
 
     def write(values: Sequence[float], out: bytearray) -> None:
-        """Write how many numbers there are (uint32), then each as a double."""
+        """Write the count (uint32), then each number as a double."""
         if not isinstance(values, (tuple, list)):
             raise Unfit(f"is {type_of(values)}, not numbers")
         out += COUNT.pack(check(len(values)))
@@ -155,7 +157,7 @@ def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[t
             raise Unfit("has what is no number") from None
 
     def read(data: bytes, at: int) -> tuple[tuple[float, ...], int]:
-        """Read the count, then the numbers; Unfit for too many, or one out of range."""
+        """Read the count, then the numbers. Unfit if there are too many, or one is out of range."""
         size = check(COUNT.unpack_from(data, at)[0])
         found = struct.unpack_from(f"<{size}d", data, at + 4)
         return _within(found, least, most), at + 4 + 8 * size
@@ -164,7 +166,7 @@ def numbers(least: float, most: float, count: int, multiple: int = 1) -> Codec[t
 
 
 def exactly(least: float, most: float, count: int) -> Codec[tuple[float, ...]]:
-    """Exactly ``count`` floats from ``least`` to ``most``."""
+    """The codec of exactly ``count`` floats from ``least`` to ``most``."""
     form = struct.Struct(f"<{count}d")
 
     def write(values: tuple[float, ...], out: bytearray) -> None:
@@ -175,17 +177,17 @@ def exactly(least: float, most: float, count: int) -> Codec[tuple[float, ...]]:
             raise Unfit(f"is not {count} numbers") from None
 
     def read(data: bytes, at: int) -> tuple[tuple[float, ...], int]:
-        """Read the numbers; Unfit where one is out of range."""
+        """Read the numbers. Unfit if one is out of range."""
         return _within(form.unpack_from(data, at), least, most), at + form.size
 
     return Codec(write, read)
 
 
 def text(most: int) -> Codec[str]:
-    """A text of at most ``most`` characters, of any that UTF-8 can write."""
+    """The codec of texts of at most ``most`` characters that UTF-8 can encode."""
 
     def write(value: str, out: bytearray) -> None:
-        """Write how many bytes the text has in UTF-8 (uint32), then these bytes."""
+        """Write the number of bytes in UTF-8 (uint32), then the bytes."""
         if not isinstance(value, str):
             raise Unfit(f"is {type_of(value)}, not a text")
         if (length := str.__len__(value)) > most:
@@ -198,7 +200,7 @@ def text(most: int) -> Codec[str]:
         out += written
 
     def read(data: bytes, at: int) -> tuple[str, int]:
-        """Read the text; Unfit where it is too long or no UTF-8."""
+        """Read the text. Unfit if it is too long or no UTF-8."""
         (size,) = COUNT.unpack_from(data, at)
         if size == 0:
             return "", at + 4
@@ -217,15 +219,15 @@ def text(most: int) -> Codec[str]:
 
 
 def opaque(most: int) -> Codec[bytes]:
-    """At most ``most`` bytes, which are not looked into."""
+    """The codec of at most ``most`` bytes without a meaning of their own."""
 
     def write(value: bytes, out: bytearray) -> None:
-        """Write how many bytes there are (uint32), then the bytes."""
+        """Write the number of bytes (uint32), then the bytes."""
         out += COUNT.pack(at_most(len(value), most))
         out += value
 
     def read(data: bytes, at: int) -> tuple[bytes, int]:
-        """Read the bytes; Unfit where there are too many."""
+        """Read the bytes. Unfit if there are too many."""
         end = at + 4 + at_most(COUNT.unpack_from(data, at)[0], most)
         if end > len(data):
             raise Unfit("ends too early")
@@ -235,7 +237,7 @@ def opaque(most: int) -> Codec[bytes]:
 
 
 def one_of(options: Sequence[K]) -> Codec[K]:
-    """One of several values that both sides know; only its index is sent."""
+    """The codec of one of several values that both sides know. Only the index is sent."""
     known: tuple[K, ...] = tuple(options)
     index: dict[Hashable, int] = {value: at for at, value in enumerate(known)}
 
@@ -247,7 +249,7 @@ def one_of(options: Sequence[K]) -> Codec[K]:
             raise Unfit(f"is {type_of(value)}, which is none of {len(known)}") from None
 
     def read(data: bytes, at: int) -> tuple[K, int]:
-        """Read the index; Unfit where there is no such value."""
+        """Read the index. Unfit if there is no such value."""
         (found,) = COUNT.unpack_from(data, at)
         if found >= len(known):
             raise Unfit(f"is number {found} of {len(known)}")
@@ -257,7 +259,7 @@ def one_of(options: Sequence[K]) -> Codec[K]:
 
 
 def _within(values: Sequence[float], least: float, most: float) -> tuple[float, ...]:
-    # A finite sum has no NaN in it; with a NaN, min and max could not be trusted.
+    # If the sum is finite, there is no NaN among the values. min and max are wrong with a NaN.
     total = sum(values)
     if values and not (math.isfinite(total) and least <= min(values) <= max(values) <= most):
         raise Unfit(f"has what is not a number from {least:g} to {most:g}")
@@ -265,7 +267,7 @@ def _within(values: Sequence[float], least: float, most: float) -> tuple[float, 
 
 
 def a_byte(data: bytes, at: int) -> int:
-    """A byte that is 0 or 1."""
+    """Return the byte at ``at``. Unfit if it is not 0 or 1, or if there is no byte."""
     if at >= len(data):
         raise Unfit("ends too early")
     if data[at] > 1:
@@ -274,12 +276,12 @@ def a_byte(data: bytes, at: int) -> int:
 
 
 def at_most(count: int, most: int) -> int:
-    """The count; Unfit where it is more than ``most``."""
+    """Return the count. Unfit if it is more than ``most``."""
     if count > most:
         raise Unfit(f"has {count} entries, more than {most}")
     return count
 
 
 def type_of(value: object) -> str:
-    """What a value is, in short words that run no code of its own."""
+    """Describe the type of a value in short words. No code of the value runs."""
     return f"a value of type {type(value).__name__[:60]!r}"

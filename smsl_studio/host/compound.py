@@ -1,4 +1,4 @@
-"""Codecs made of others: optional values, rows, mappings, records."""
+"""Codecs that are made of other codecs: optional values, rows, mappings, records."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ V = TypeVar("V")
 
 
 def optional(inner: Codec[T]) -> Codec[T | None]:
-    """A value, or None."""
+    """The codec of a value or None."""
 
     def write(value: T | None, out: bytearray) -> None:
         """Write one byte (is there a value?), then the value."""
@@ -23,18 +23,18 @@ def optional(inner: Codec[T]) -> Codec[T | None]:
             inner.write(value, out)
 
     def read(data: bytes, at: int) -> tuple[T | None, int]:
-        """Read the byte, then the value where there is one."""
+        """Read the byte, then the value if there is one."""
         return inner.read(data, at + 1) if a_byte(data, at) else (None, at + 1)
 
     return Codec(write, read)
 
 
 def several(inner: Codec[T], most: int) -> Codec[tuple[T, ...]]:
-    """A tuple of at most ``most`` values."""
+    """The codec of a tuple of at most ``most`` values."""
     write_one, read_one = inner.write, inner.read
 
     def write(values: Sequence[T], out: bytearray) -> None:
-        """Write how many values there are (uint32), then each of them."""
+        """Write the number of values (uint32), then each value."""
         if not isinstance(values, (tuple, list)):
             raise Unfit(f"is {type_of(values)}, not a row of values")
         out += COUNT.pack(at_most(len(values), most))
@@ -45,7 +45,7 @@ def several(inner: Codec[T], most: int) -> Codec[tuple[T, ...]]:
                 raise error.at(f"[{index}]") from None
 
     def read(data: bytes, at: int) -> tuple[tuple[T, ...], int]:
-        """Read the count and the values; Unfit where there are too many."""
+        """Read the count and the values. Unfit if there are too many."""
         count = at_most(COUNT.unpack_from(data, at)[0], most)
         at += 4
         found: list[T] = []
@@ -61,7 +61,8 @@ def several(inner: Codec[T], most: int) -> Codec[tuple[T, ...]]:
 
 
 def repeated(inner: Codec[K], most: int) -> Codec[tuple[K, ...]]:
-    """As ``several``, for values of which many are equal: each is written once."""
+    """As ``several``, for rows in which many values are equal: each different value is written
+    once."""
     table, indices = several(inner, most), several(whole(0, most), most)
 
     def write(values: Sequence[K], out: bytearray) -> None:
@@ -71,7 +72,7 @@ def repeated(inner: Codec[K], most: int) -> Codec[tuple[K, ...]]:
         indices.write(tuple([different[value] for value in values]), out)
 
     def read(data: bytes, at: int) -> tuple[tuple[K, ...], int]:
-        """Read both tables; Unfit where an index has no value."""
+        """Read both tables. Unfit if an index has no value."""
         different, at = table.read(data, at)
         told, at = indices.read(data, at)
         if any(index >= len(different) for index in told):
@@ -84,8 +85,10 @@ def repeated(inner: Codec[K], most: int) -> Codec[tuple[K, ...]]:
 def mapping(
     key: Codec[K], value: Codec[V], most: int, *, few: bool = False
 ) -> Codec[Mapping[K, V]]:
-    """A dict of at most ``most`` entries in their order; no key twice. ``few``: few different
-    values, see ``repeated``."""
+    """The codec of a dict of at most ``most`` entries, in their order and without equal keys.
+
+    ``few`` says that there are few different values (see ``repeated``).
+    """
     keys = several(key, most)
     values = repeated(value, most) if few else several(value, most)
 
@@ -97,7 +100,7 @@ def mapping(
         values.write(tuple(pairs.values()), out)
 
     def read(data: bytes, at: int) -> tuple[Mapping[K, V], int]:
-        """Read keys and values; Unfit where a key comes twice or the numbers differ."""
+        """Read keys and values. Unfit if a key comes twice, or if their numbers differ."""
         names, at = keys.read(data, at)
         told, at = values.read(data, at)
         found = dict(zip(names, told, strict=False))
@@ -109,19 +112,19 @@ def mapping(
 
 
 def row(*inner: Codec[Any]) -> Codec[tuple[Any, ...]]:
-    """A tuple with one value of each kind."""
+    """The codec of a tuple with one value for each inner codec."""
     writes = tuple(one.write for one in inner)
     reads = tuple(one.read for one in inner)
 
     def write(values: Sequence[Any], out: bytearray) -> None:
-        """Write the values one after the other."""
+        """Write the values in order."""
         if not isinstance(values, tuple) or len(values) != len(writes):
             raise Unfit(f"is {type_of(values)}, not {len(writes)} values")
         for write_one, value in zip(writes, values, strict=True):
             write_one(value, out)
 
     def read(data: bytes, at: int) -> tuple[tuple[Any, ...], int]:
-        """Read one value of each kind."""
+        """Read one value with each inner codec."""
         found = []
         for read_one in reads:
             value, at = read_one(data, at)
@@ -132,10 +135,10 @@ def row(*inner: Codec[Any]) -> Codec[tuple[Any, ...]]:
 
 
 def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> Codec[T]:
-    """A dataclass or named tuple, with a codec for each field.
+    """The codec of a dataclass or named tuple, with an inner codec for each field.
 
-    ``left_out`` are fields that keep their default here. TypeError, at once, where the fields are
-    not those of the class: a new field needs its line where the message is declared.
+    The fields in ``left_out`` are not sent and keep their default. TypeError if the fields are not
+    the fields of the class: so a new field cannot be forgotten in the declaration of a message.
     """
     own = tuple(f.name for f in fields(cls)) if is_dataclass(cls) else cls._fields  # type: ignore[attr-defined]
     if set(own) != set(inner) | set(left_out):
@@ -145,7 +148,7 @@ def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> C
     reads = tuple((one, inner[one].read) for one in names)
 
     def write(value: T, out: bytearray) -> None:
-        """Write the fields in the order of the class; Unfit for an object of any other class."""
+        """Write the fields in the order of the class. Unfit for an object of another class."""
         if type(value) is not cls:
             raise Unfit(f"is {type_of(value)}, not {cls.__name__}")
         for one, write_one in zip(names, writes, strict=True):
@@ -155,7 +158,7 @@ def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> C
                 raise error.at(f".{one}") from None
 
     def read(data: bytes, at: int) -> tuple[T, int]:
-        """Read the fields and make the object from them."""
+        """Read the fields and create the object."""
         found = {}
         for one, read_one in reads:
             try:
@@ -168,15 +171,18 @@ def record(cls: type[T], left_out: Sequence[str] = (), **inner: Codec[Any]) -> C
 
 
 def mapped(inner: Codec[V], to_told: Callable[[T], V], from_told: Callable[[V], T]) -> Codec[T]:
-    """A value that is sent in another shape: ``to_told`` makes it, ``from_told`` turns it back, or
-    raises Unfit."""
+    """The codec of a value that is sent in another shape.
+
+    ``to_told`` makes this shape of the value. ``from_told`` makes the value of the shape, or
+    raises Unfit.
+    """
 
     def write(value: T, out: bytearray) -> None:
-        """Write what ``to_told`` makes of the value."""
+        """Write the value in the shape of ``to_told``."""
         inner.write(to_told(value), out)
 
     def read(data: bytes, at: int) -> tuple[T, int]:
-        """Read the value, and give what ``from_told`` makes of it."""
+        """Read the shape, and return the value that ``from_told`` makes of it."""
         told, at = inner.read(data, at)
         return from_told(told), at
 

@@ -1,16 +1,17 @@
-"""What the kernel is asked to refuse to a process that runs library code.
+"""Confinement: the kernel refuses some system calls to a process that runs library code.
 
-A plugin runs with its user's rights, and this is no sandbox. It keeps a plugin from reaching the
-program that started it, on purpose or by mistake, and from leaving its process group, so that all
-it has started ends with it. What is refused fails with EPERM or EACCES (PermissionError in
-Python). It holds for everything the process starts, and nobody can take it off again. On Linux
-there are two means; elsewhere, and on other processors than those below, there is none:
+A plugin runs with its user's rights, and this is no sandbox. Confinement keeps a plugin from
+signalling or reading the program that started it. It also keeps a plugin in its process group, so
+that the plugin's own children end with it. A refused call fails with EPERM or EACCES
+(PermissionError in Python). The confinement includes every process that the plugin starts, and
+cannot be removed. On Linux there are two means. On other systems, and on processors that are not
+listed below, there is none:
 
-- A seccomp filter refuses calls by their numbers and arguments: signals to the processes that are
-  named, another process group, another session.
-- A Landlock domain, from Linux 5.19 on, refuses to trace any process outside of it, and with that
-  what goes by ``/proc/PID``: its open files and its memory, also for root. From Linux 6.12 on it
-  refuses every signal to a process outside, too. It takes nothing else away.
+- A seccomp filter refuses calls by their numbers and arguments: signals to the named processes, a
+  new process group, a new session.
+- A Landlock domain (Linux 5.19 and later) refuses to trace any process outside of it, and so also
+  access by ``/proc/PID`` to open files and memory, even for root. From Linux 6.12 on it also
+  refuses every signal to a process outside. It refuses nothing else.
 """
 
 from __future__ import annotations
@@ -27,7 +28,8 @@ from contextlib import suppress
 from pathlib import Path
 
 MOST_PIDS = 100
-"""Threads of the program that are protected, at most; a filter has no more than 255 steps to go."""
+"""The largest number of protected processes and threads. A jump in a filter has at most 255
+steps."""
 
 _LOAD, _EQUAL, _AT_LEAST, _RETURN = 0x20, 0x15, 0x35, 0x06
 _ALLOW, _REFUSE = 0x7FFF0000, 0x00050000 | errno.EPERM
@@ -37,12 +39,12 @@ _SIGNAL_OF_END, _NO_NEW_PRIVILEGES, _SET_FILTER, _KEEP_SPEED = 1, 38, 1, 4
 _SET_OWNER, _SET_OWNER_EX, _PUSH_INPUT, _CONSOLE = 8, 15, 0x5412, 0x541C
 
 _OTHER_ABI = 0x40000000
-"""From here on calls have other numbers on x86_64, and would be known by none of those below."""
+"""The first call number of the x32 ABI on x86_64. Its calls have other numbers than ``_CALLS``."""
 
 _CREATE_RULESET, _ADD_RULE, _RESTRICT_SELF = 444, 445, 446
 _ASK_VERSION, _BENEATH, _MOVES, _SIGNALS = 1, 1, 1 << 13, 1 << 1
 _FENCES, _FENCES_SIGNALS = 2, 6
-"""The versions of Landlock that know moving between folders, and signals."""
+"""The first versions of Landlock that can restrict moves between folders, and signals."""
 
 _CALLS = {
     "x86_64": {
@@ -63,14 +65,14 @@ _ON_PIDS = {
     "kill": 0, "tkill": 0, "tgkill": 0, "rt_sigqueueinfo": 0, "rt_tgsigqueueinfo": 0,
     "pidfd_open": 0, "ptrace": 1, "process_vm_writev": 0, "prlimit64": 0,
 }  # fmt: skip
-"""Calls that do something to a process, and which argument says to which."""
+"""Calls that act on a process, with the position of the argument that names this process."""
 
 
 def confine(*processes: int) -> bool:
-    """Refuse this process, for ever, to signal those ``processes``, to reach what others have open
-    or in memory, or to leave its group.
+    """Confine this process for ever: it cannot signal ``processes``, read the files and memory of
+    others, or leave its group.
 
-    False where the system cannot do that. To be called while there is one thread.
+    Return False if the system cannot do that. Call it while the process has only one thread.
     """
     calls = _CALLS.get(platform.machine())
     if sys.platform != "linux" or calls is None or sys.maxsize < 2**32:
@@ -87,7 +89,8 @@ def confine(*processes: int) -> bool:
 
 
 def end_with(parent: int) -> None:
-    """Let the kernel end this process as soon as ``parent``, which started it, has ended."""
+    """Let the kernel kill this process when its parent process, with the number ``parent``,
+    ends."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_SIGNAL_OF_END, signal.SIGKILL, 0, 0, 0)
     if os.getppid() != parent:
@@ -95,22 +98,21 @@ def end_with(parent: int) -> None:
 
 
 def keeps_apart() -> bool:
-    """Whether processes that are confined cannot signal each other, so that several may run at the
-    same time."""
+    """Whether confined processes cannot signal each other. Only then may several run together."""
     known = sys.platform == "linux" and platform.machine() in _CALLS
     return known and _landlock(ctypes.CDLL(None)) >= _FENCES_SIGNALS
 
 
 def _landlock(libc: ctypes.CDLL) -> int:
-    """The version of Landlock in this kernel; less than 1 where there is none."""
+    """Return the version of Landlock in this kernel. It is less than 1 if there is none."""
     return int(libc.syscall(_CREATE_RULESET, None, 0, _ASK_VERSION))
 
 
 def _fence_in(libc: ctypes.CDLL) -> None:
-    """Enter a Landlock domain, where there is one to enter.
+    """Enter a Landlock domain if the kernel has Landlock.
 
-    A domain must restrict something. This one restricts moves between folders, and allows them
-    everywhere.
+    A domain must handle at least one right. This domain handles moves between folders, and allows
+    them everywhere.
     """
     version = _landlock(libc)
     if version < _FENCES:
@@ -132,7 +134,7 @@ def _fence_in(libc: ctypes.CDLL) -> None:
 
 
 def _known_as(process: int) -> Iterator[int]:
-    """The numbers by which a process can be signalled: its own, its group's, its threads'."""
+    """Yield the numbers by which a process can be signalled: its own, its group's, its threads'."""
     yield process
     with suppress(OSError):
         group = os.getpgid(process)
@@ -144,7 +146,8 @@ def _known_as(process: int) -> Iterator[int]:
 
 
 def _program(calls: dict[str, int], protected: Iterable[int]) -> Iterator[bytes]:
-    """The steps of the filter: each call is one block, that ends or goes on to the next."""
+    """Yield the steps of the filter. Each call has one block, which ends the filter or leads to
+    the next block."""
     yield _step(_LOAD, _PROCESSOR)
     yield _step(_EQUAL, calls["audit"], 1, 0)
     yield _step(_RETURN, _REFUSE)
@@ -164,7 +167,8 @@ def _program(calls: dict[str, int], protected: Iterable[int]) -> Iterator[bytes]
 
 
 def _block(call: int, argument: int, refused: list[int]) -> Iterator[bytes]:
-    """Refuse a call whose argument is one of these; jumps tell how many steps are left out."""
+    """Yield the steps that refuse a call with one of the ``refused`` values in its argument. A jump
+    is the number of steps to pass over."""
     yield _step(_LOAD, _NUMBER)
     yield _step(_EQUAL, call, 0, len(refused) + 3)
     yield _step(_LOAD, _ARGUMENTS + 8 * argument)

@@ -1,4 +1,4 @@
-"""Cost functions of plugins: they are asked what edges cost now; only valid costs count."""
+"""Cost functions of plugins: they return the present costs of edges. Only valid costs count."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from smsl_studio.host.protocol import Happened, Priced
 from smsl_studio.library.bound import BoundCost
 
 MOST = 1e12
-"""No edge may cost more, so that the cost of every route is finite."""
+"""The largest cost of an edge. It keeps the cost of every route finite."""
 
 
 class CostFunctions:
-    """The cost functions bound to edges, what they said last, and what has happened in the run."""
+    """The cost functions bound to edges, their last answers, and the history of the run."""
 
     def __init__(self, bound: Mapping[Address, BoundCost]) -> None:
         self._bound = bound
@@ -23,10 +23,10 @@ class CostFunctions:
         self._said: dict[Address, float | None] = {}
 
     def ask(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
-        """Ask every function about every edge of it; the answers that are not what they were.
+        """Ask every function about each of its edges. Return the answers that have changed.
 
-        A function that raises, or says what is no cost, is one fault, and the declared costs of
-        those edges stand.
+        A function that raises an error, or returns an invalid cost, gives one fault. The declared
+        costs of its edges count then.
         """
         self._history = (*self._history, *happened)
         seen = MappingProxyType(dict(scene))
@@ -44,7 +44,7 @@ class CostFunctions:
     def _cost(
         self, edge: Address, bound: BoundCost, scene: Mapping[str, str | None]
     ) -> tuple[float | None, str]:
-        """What an edge costs (None: as declared), and what was wrong with the answer."""
+        """Return the cost of an edge (None: the declared cost), and the fault of the answer."""
         try:
             found = bound.function(edge.state, scene, self._history, **bound.arguments)
             if found is None:

@@ -1,6 +1,6 @@
-"""What a plugin offers, as the process that loaded it describes it: texts without code.
+"""The description of a plugin's offers, sent by the process that loaded the plugin: texts, no code.
 
-Patterns are told as they were written, and read anew where they arrive.
+Patterns are sent as they were written. The receiver parses them again.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ from smsl_studio.library.survey import FoundPlugin
 from smsl_studio.world.engines import ENGINES
 
 LARGEST: Final = 4 * 2**20
-"""Bytes of the longest description of one plugin."""
+"""The largest size of the description of one plugin, in bytes."""
 
 MOST = 1000
-"""Worlds, operations, sensors and so on: so many of each may one plugin offer."""
+"""The largest number of worlds, of operations, of sensors and so on that one plugin may offer."""
 
 
 @dataclass(frozen=True, slots=True)
 class AbsentCode:
-    """Stands for code that is not here; calling it is a HostError."""
+    """A placeholder for code that runs in another process. A call of it raises HostError."""
 
     name: str
 
@@ -47,7 +47,7 @@ class AbsentCode:
 
 NAME, PARAMETER, PATTERN = name(300), name(200), name(500, empty=True)
 TYPES = (int, float, str, bool, object)
-"""What a parameter may be; ``object`` stands for every other type."""
+"""The types of parameters that are sent. ``object`` replaces every other type."""
 
 SIGNATURE: Codec[Signature] = mapped(
     row(mapping(PARAMETER, one_of(TYPES), 200), several(PARAMETER, 200), flag()),
@@ -144,14 +144,17 @@ LIBRARY: Codec[OperationLibrary] = mapped(
 )
 
 PLUGIN = row(name(100), sentence(100), sentence(2000), LIBRARY)
-"""Name, version, description, library; whoever asks knows where the plugin stands."""
+"""Name, version, description, library. The location is not sent: the receiver knows it."""
 
 DESCRIPTION = row(optional(PLUGIN), optional(row(sentence(), optional(PLACE))))
-"""What the plugin is, or the sentence and the place of what keeps it from loading."""
+"""Either the plugin, or the sentence and the place of its fault."""
 
 
 def written(loaded: Plugin | PluginFault) -> bytes:
-    """A description; Unfit, or anything that a plugin's own values raise, where there is none."""
+    """Return the bytes of a description.
+
+    Values that do not fit raise Unfit. The plugin's own values may raise any other error.
+    """
     if isinstance(loaded, PluginFault):
         return DESCRIPTION.encode((None, (loaded.sentence, loaded.place)))
     said = (loaded.name, loaded.version, loaded.description, loaded.library)
@@ -159,7 +162,7 @@ def written(loaded: Plugin | PluginFault) -> bytes:
 
 
 def read_description(data: bytes, found: FoundPlugin) -> Plugin | PluginFault:
-    """What a description says of the plugin that was found; Unfit where it is none."""
+    """Read the description of the plugin ``found``. Invalid bytes raise Unfit."""
     said, fault = DESCRIPTION.decode(data)
     if (said is None) == (fault is None):
         raise Unfit("says neither what it is nor what is wrong, or both")

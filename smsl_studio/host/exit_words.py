@@ -1,4 +1,4 @@
-"""How a child process ended, in words."""
+"""The end of a child process: its exit code, and a sentence about it."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ import signal
 
 
 def exit_code(pid: int) -> int | None:
-    """How a child ended that nobody has waited for yet: its exit status, or the number of the
-    signal as a negative one; None where it lives. It stays there to be waited for."""
+    """Return the exit status of a child, or the negative number of the signal that ended it.
+
+    The result is None while the child lives. The child is not reaped: it can still be waited for.
+    """
     found = os.waitid(os.P_PID, pid, os.WEXITED | os.WNOWAIT | os.WNOHANG)
     if found is None:
         return None
@@ -16,7 +18,8 @@ def exit_code(pid: int) -> int | None:
 
 
 def ending_words(code: int | None) -> str:
-    """``was killed by signal 11 (SIGSEGV)`` or ``ended by itself with exit status 3``."""
+    """Describe an exit code, such as ``was killed by signal 11 (SIGSEGV)`` or ``ended by itself
+    with exit status 3``."""
     if code is not None and code < 0:
         return f"was killed by signal {-code} ({_signal_name(-code)})"
     return f"ended by itself with exit status {code}"

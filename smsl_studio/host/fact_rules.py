@@ -1,4 +1,4 @@
-"""How each fact is made of its sensors in a world, as ``_facts`` declares it."""
+"""The aggregation rules of the facts in a world, as ``_facts`` declares them (paper, Eq. 5)."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from smsl_studio.monitor.aggregate import FactRule
 
 
 def rules_of(blueprint: Blueprint, bindings: Bindings) -> dict[FactKey, FactRule]:
-    """The rule of every fact that ``_facts`` says anything of, or for which sensors are named;
-    other facts have none."""
+    """Return the rule of every fact that has an entry in ``_facts`` or named sensors. Other facts
+    have no rule."""
     found: dict[FactKey, FactRule] = {}
     for branch, digit in leaf_facts(blueprint):
         note = branch.fact_note(digit)

@@ -1,4 +1,4 @@
-"""Faults that are injected into a world on purpose, and those that still go on."""
+"""Faults that are injected into a world on purpose. A fault may last for several ticks."""
 
 from __future__ import annotations
 
@@ -12,23 +12,24 @@ from smsl_studio.library.operation_library import FaultEntry
 
 
 class Injections:
-    """The faults that a world offers by name; ``location`` is the folder of their code."""
+    """The faults that a world offers, by name. ``location`` is the folder of their code."""
 
     def __init__(self, world: str, offered: Mapping[str, FaultEntry], location: str = "") -> None:
         self._world = world
         self._offered = dict(offered)
         self._location = location
-        self._going: list[tuple[str, Generator[Any, Any, Any]]] = []
+        self._ongoing: list[tuple[str, Generator[Any, Any, Any]]] = []
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What can be injected."""
+        """The names of the faults that can be injected."""
         return tuple(self._offered)
 
     def inject(self, subject: Any, name: str, parameters: Mapping[str, Any]) -> None:
-        """Let a fault begin now; UsageError where it is unknown or cannot be done as asked.
+        """Begin a fault now.
 
-        HostError where its code breaks: nobody knows then what it has done to the world.
+        An unknown fault, or parameters that do not fit, raise UsageError. An error in the code of
+        the fault raises HostError, because the state of the world is then unknown.
         """
         if name not in self._offered:
             there = f"There are {', '.join(self._offered)}." if self._offered else ""
@@ -41,40 +42,41 @@ class Injections:
             raise UsageError(f"the fault {name}: {error.sentence}", advice=error.advice) from None
         try:
             begun = entry.function(subject, **arguments)
-            ongoing = inspect.isgenerator(begun) and _goes_on(begun)
+            lasts = inspect.isgenerator(begun) and _resume(begun)
         except StudioError as error:
             raise UsageError(f"the fault {name}: {error.sentence}", advice=error.advice) from None
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # SystemExit, and what compiled libraries raise
             raise self._broke(name, error) from None
-        if ongoing:
-            self._going.append((name, begun))
+        if lasts:
+            self._ongoing.append((name, begun))
 
     def resume(self) -> None:
-        """Let every fault that goes on do its share of this tick."""
-        if not self._going:
+        """Advance every fault that lasts by one tick."""
+        if not self._ongoing:
             return
-        going, self._going = self._going, []
-        for name, generator in going:
+        ongoing, self._ongoing = self._ongoing, []
+        for name, generator in ongoing:
             try:
-                if _goes_on(generator):
-                    self._going.append((name, generator))
+                if _resume(generator):
+                    self._ongoing.append((name, generator))
             except KeyboardInterrupt:
                 raise
             except BaseException as error:
                 raise self._broke(name, error) from None
 
     def drop(self) -> None:
-        """Forget what goes on: the world begins anew."""
-        self._going = []
+        """Forget the faults that last, because the world begins anew."""
+        self._ongoing = []
 
     def _broke(self, name: str, error: BaseException) -> HostError:
         words = words_of(error, self._location)
         return HostError(f"the fault {name!r} of the world {self._world!r} broke: {words}")
 
 
-def _goes_on(generator: Generator[Any, Any, Any]) -> bool:
+def _resume(generator: Generator[Any, Any, Any]) -> bool:
+    """Run a fault to its next ``yield``. False if it has ended."""
     try:
         next(generator)
     except StopIteration:

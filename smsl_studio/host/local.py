@@ -1,7 +1,7 @@
-"""The local host: world and library code run in this very process, tick by tick.
+"""The local host: world and library code run in this process, tick by tick.
 
-Tests and headless runs use it, and it is what runs inside the process host's child, so that both
-give the same trace.
+Tests and headless runs use it. The child of the process host uses it, too, so both hosts give the
+same trace.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ from smsl_studio.world.protocol import World
 
 
 class LocalHost:
-    """A world and the code bound to a blueprint in it.
+    """A world, and the library code that is bound to a blueprint in it.
 
-    ``plugin_paths`` are plugin folders looked at before all others; ``loaded`` are plugins that
-    were found already. What library code prints goes to standard error.
+    ``plugin_paths`` are plugin folders that are searched before all others. ``loaded`` are plugins
+    that were found already. The printed output of library code goes to standard error.
     """
 
     def __init__(
@@ -80,7 +80,8 @@ class LocalHost:
         self._poses: tuple[float, ...] = ()
 
     def prepare(self) -> None:
-        """Find the code and build the world, so that ``open`` is quick; it raises as that does."""
+        """Find the code and build the world, so that ``open`` is quick. It raises the same errors
+        as ``open``."""
         if self._engine is None:
             with _prints_aside():
                 engine = self._build()
@@ -89,11 +90,11 @@ class LocalHost:
                     engine.shapes()
 
     def open(self, start: Mapping[str, str]) -> OpenedWorld:
-        """Build the world and put it into ``start`` (SB -> state).
+        """Build the world and put it into the states ``start`` (SB -> state).
 
-        Opened again, it starts from time zero in the new place. WorldError where the world is
-        unknown or does not suit the blueprint, RunRefused where it cannot stand at the start,
-        HostError where its code breaks, PluginError where the bindings file is broken.
+        A second call starts again at time zero in the new states. WorldError: the world is unknown
+        or does not suit the blueprint. RunRefused: the world cannot be put into the start states.
+        HostError: its code raised an error. PluginError: the bindings file is invalid.
         """
         with _prints_aside():
             engine, bindings = self._engine or self._build(), self._bind()
@@ -124,7 +125,7 @@ class LocalHost:
         )
 
     def sense(self) -> tuple[Sample, ...]:
-        """Every sensor once, now, without moving the time."""
+        """Read every sensor once. The simulated time does not move."""
         engine = self._engine or self._standing()
         with self._aside:
             return self._sensing.all(self._subject, self._ticks * engine.tick)
@@ -140,7 +141,8 @@ class LocalHost:
         self._call = Call(bound, self._subject)
 
     def tick(self) -> Tick:
-        """Let the world and the running call go on for one tick; HostError if the world breaks."""
+        """Advance the world and the running call by one tick. HostError if the world's code raises
+        an error."""
         engine = self._engine or self._standing()
         outcome, message = Outcome.IDLE, ""
         with self._aside:
@@ -160,7 +162,8 @@ class LocalHost:
         return Tick(time, outcome, samples, message)
 
     def cancel(self, mode: str) -> None:
-        """End the running call: ``abort`` and ``hold`` brake and drop it, ``finish`` does not."""
+        """End the running call. ``abort`` and ``hold`` brake the world and drop the call;
+        ``finish`` lets it run on."""
         engine = self._standing()
         if mode == "finish":
             return
@@ -169,24 +172,24 @@ class LocalHost:
             engine.brake()
 
     def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
-        """From now on disturb a sensor, or all of one fact, until it is opened again."""
+        """Disturb a sensor, or all sensors of one fact, until the world is opened again."""
         self._standing()
         return self._sensing.disturb(target, kind, parameters)
 
     def inject(self, fault: str, **parameters: float | str) -> None:
-        """Let something go wrong in the world from now on, until it is opened again."""
+        """Cause a fault of the world. It lasts at most until the world is opened again."""
         self._standing()
         with _prints_aside():
             self._injecting.inject(self._subject, fault, parameters)
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
-        """What cost functions say that edges cost now, where that is not what they said last."""
+        """Ask the cost functions. Return the costs that have changed since the last call."""
         self._standing()
         with _prints_aside():
             return self._costing.ask(scene, happened)
 
     def poses(self) -> tuple[float, ...]:
-        """The newest poses for drawing; empty while no world stands."""
+        """Return the newest poses for drawing. The tuple is empty if no world is open."""
         if self._engine is None:
             return ()
         with self._mending("cannot be drawn"):
@@ -194,17 +197,17 @@ class LocalHost:
         return self._poses
 
     def status(self) -> Mapping[str, str]:
-        """The world's short words for people."""
+        """Return the world's short status texts for people."""
         if self._engine is None:
             return {}
         with self._mending("cannot tell how it stands"):
             return short_words(self._engine.status())
 
     def check(self) -> None:
-        """It is in this very process."""
+        """Do nothing: the host runs in this process, so it cannot be gone."""
 
     def close(self) -> None:
-        """Free the world; calling it twice is harmless."""
+        """Free the world. A second call does nothing."""
         self._drop()
         if self._engine is not None:
             self._engine.close()
@@ -284,12 +287,14 @@ class LocalHost:
                 raise RunRefused(error.sentence, error.place, error.advice) from None
 
     def _mending(self, what: str, passes: type[BaseException] = KeyboardInterrupt) -> _Mending:
-        """Turn every error of library code into a HostError, except those in ``passes``."""
+        """Return a context that turns every error of library code into a HostError, except errors
+        of the class ``passes``."""
         return _Mending(f"the world {self._name!r} {what}", self._location, passes)
 
 
 class _Mending:
-    """Turns what library code raises into a HostError; entered at every tick."""
+    """Turns errors of library code into a HostError. It is entered at every tick, so it is a class
+    with slots, and no generator."""
 
     __slots__ = ("_location", "_passes", "_what")
 
@@ -303,14 +308,14 @@ class _Mending:
             self.mend(error)
 
     def mend(self, error: BaseException) -> None:
-        """Tell what was raised, unless it passes."""
-        # SystemExit, and what compiled libraries raise, is library code's, too.
+        """Raise a HostError about ``error``, unless the error passes."""
+        # BaseException: library code may also raise SystemExit or errors of compiled libraries.
         if not isinstance(error, (KeyboardInterrupt, self._passes)):
             raise HostError(f"{self._what}: {words_of(error, self._location)}") from None
 
 
 class _prints_aside:  # noqa: N801 -- used as contextlib's own are
-    """Send what is printed to standard error; entered at every tick."""
+    """Sends printed output to standard error. It is entered at every tick."""
 
     __slots__ = ("_kept",)
 

@@ -1,8 +1,9 @@
-"""The child that loads plugins to describe them: each in a process of its own.
+"""The child that loads plugins to describe them, each plugin in a process of its own.
 
-Its parent starts it afresh; it runs no plugin's code itself, and forks once for every plugin. So
-nothing that a plugin does to its process (patches, threads, closed files, an exit) meets another.
-Several load at the same time where the system keeps them from signalling each other.
+The child is a fresh interpreter. It runs no code of a plugin itself, and forks once for every
+plugin. So a plugin's changes to its process (patches, threads, closed files, an exit) do not affect
+other plugins. Several plugins load at the same time if the system keeps their processes from
+signalling each other.
 """
 
 from __future__ import annotations
@@ -29,16 +30,18 @@ from smsl_studio.library.loading import PluginFault, load_plugin
 from smsl_studio.library.survey import FoundPlugin
 
 STEP = row(COUNT, COUNT, optional(opaque(LARGEST)), sentence())
-"""The number of a plugin and of the process that loads it; once it is over, its description or why
-there is none."""
+"""The number of a plugin and the number of its process. The message at the end adds the description
+or the reason of the failure."""
 
 TURN = 1.0
-"""Seconds after which a plugin that is still loading makes room for the next one."""
+"""The time (s) after which the next plugin starts beside a plugin that is still loading."""
 
 
 def main(pipe: int, beat: int) -> None:
-    """Load the plugins in their processes, and pass on what they tell, until the child is to
-    end."""
+    """Load the plugins in their processes, and send their descriptions to the parent.
+
+    ``pipe`` and ``beat`` are file numbers; no heartbeat is written.
+    """
     settle_in()
     os.close(beat)
     wire = ChildWire(socket.socket(fileno=pipe))
@@ -50,11 +53,11 @@ def main(pipe: int, beat: int) -> None:
 
 
 class _Loads:
-    """The processes that load plugins, each for ``limit`` seconds at most.
+    """The processes that load plugins, each for at most ``limit`` seconds.
 
-    So many load ``together`` as have not used up their turn. Who has used it up goes on beside
-    them, so that those that hang do not hold up the others; all have begun after half of ``limit``.
-    With 0 there are never two at the same time.
+    At most ``together`` processes have a turn at the same time. A process whose turn is over goes
+    on beside them, so plugins that hang do not delay the others. All processes have begun after
+    half of ``limit``. If ``together`` is 0, only one process runs at a time.
     """
 
     def __init__(
@@ -69,9 +72,9 @@ class _Loads:
         self._half = time.monotonic() + limit / 2
 
     def carry_on(self) -> None:
-        """Load all, and tell of each when it begins and when it is over.
+        """Load all plugins. Send one message when a plugin begins, and one when it is done.
 
-        EOFError where the parent is gone.
+        EOFError if the parent is gone.
         """
         try:
             while self._waiting or self._running:
@@ -110,7 +113,7 @@ class _Loads:
         self._tell(one, PluginAnswer(None))
 
     def _turn(self) -> float:
-        """How long the next one may load before it makes room, in seconds."""
+        """Return the length (s) of the turn of the next process."""
         if not self._together:
             return self._limit
         left = max(0.0, self._half - time.monotonic())
@@ -120,9 +123,9 @@ class _Loads:
         self._wire.send("loads", STEP.encode((one.number, one.pid, told.body, told.words)))
 
     def _ready(self, now: float) -> set[int]:
-        """The files that can be read, or whose process has ended.
+        """Wait for files that can be read, or for the end of a process, and return these files.
 
-        None where something is due before that, seen from the moment ``now`` on.
+        The set is empty if a turn or a limit ends first. EOFError if the parent is gone.
         """
         look = select.poll()
         look.register(self._wire.fileno(), 0)
@@ -139,7 +142,7 @@ class _Loads:
 def _tell_of(found: FoundPlugin, wire: ChildWire, pipe: int, above: tuple[int, int]) -> NoReturn:
     """Load one plugin, send its description, and end the process.
 
-    ``above`` are the processes that started it: this child, and the program.
+    ``above`` are the numbers of the processes above it: this child, and the program.
     """
     try:
         end_with(above[0])
@@ -159,7 +162,7 @@ def _described(found: FoundPlugin) -> bytes:
         return written(load_plugin(found))
     except Unfit as error:
         words = f"it cannot be described: {error}"
-    except BaseException as error:  # what a plugin keeps in its library may refuse in any way
+    except BaseException as error:  # values in the plugin's library may raise any error
         words = f"it cannot be described: {words_for(error)}"
     return written(PluginFault(found.name, words, None, found.location))
 

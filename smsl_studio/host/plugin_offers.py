@@ -1,8 +1,9 @@
-"""What the plugins offer, without their code: a child loads them, and only words come back.
+"""The offers of plugins without their code: a child loads the plugins and sends descriptions back.
 
-Loading a plugin runs its code, and that may end or hang the process it runs in. Who only wants to
-know what there is (the window, ``plugins``, a run whose world lives in a child) asks ``describe``:
-a plugin that takes its process down is one named fault, and the others are there all the same.
+To load a plugin means to run its code, which may end or hang its process. The window, the command
+``plugins`` and a run with a child process need only the names of the offers, so they call
+``describe``. A plugin that crashes or hangs gives one named fault; the other plugins are described
+all the same.
 """
 
 from __future__ import annotations
@@ -26,13 +27,13 @@ from smsl_studio.library.survey import FoundPlugin, PluginState, survey
 from smsl_studio.stop import heed
 
 LIMIT = 20.0
-"""Wall seconds that one plugin may take to load."""
+"""The wall time (s) that one plugin may take to load."""
 
 GRACE = 10.0
-"""Wall seconds that the child itself may take: to start, and to end a plugin at its limit."""
+"""The wall time (s) that the child itself may take to start, and to end a plugin at its limit."""
 
 LOOK = 0.05
-"""Wall seconds between two looks at the limit, and whether to stop."""
+"""The wall time (s) between two checks of the limit and the stop."""
 
 _CHILD = "smsl_studio.host.plugin_child"
 
@@ -40,13 +41,14 @@ _CHILD = "smsl_studio.host.plugin_child"
 def describe(
     plugin_paths: Sequence[Path] = (), limit: float = LIMIT, together: int | None = None
 ) -> Loaded:
-    """What ``discover`` finds, with ``AbsentCode`` in the place of all code.
+    """Return the result of ``discover``, with ``AbsentCode`` in the place of all code.
 
-    Takes about as long as starting Python, and at most half as long again as ``limit``: several
-    plugins load ``together``, as many as there are processors (None). Where the system does not
-    keep them apart, they load one after the other (0), and each that hangs takes its ``limit``.
-    What is found, and the order of all faults, is the same. HostError where no child can be
-    started. It heeds (see ``stop``): called off, it ends the child.
+    ``limit`` is the wall time (s) for one plugin. ``together`` is the number of plugins that load
+    at the same time (None: one per processor, if the system keeps them apart). A call takes about
+    as long as a start of Python, and at most 1.5 times ``limit``. If ``together`` is 0, plugins
+    load one after the other, and each plugin that hangs takes its whole ``limit``. The result and
+    the order of all faults do not depend on ``together``. HostError if no child can be started. A
+    stop (see ``stop``) ends the child.
     """
     every = survey(plugin_paths)
     if together is None:
@@ -61,10 +63,10 @@ def describe(
 def _asked(
     found: Sequence[FoundPlugin], limit: float, together: int
 ) -> dict[str, Plugin | PluginFault]:
-    """What a child tells of plugins, by their locations: of all, or of one at least.
+    """Ask a child about plugins. Return at least one answer, by the plugins' locations.
 
-    Where the child was lost, so is the plugin that was loading. Where several were, each is asked
-    again alone.
+    If the child is lost, the plugin that was loading has a fault. If several plugins were loading,
+    each of them is asked again alone.
     """
     try:
         child = start_child(_CHILD)
@@ -105,7 +107,7 @@ def _asked(
 
 
 def _next(child: Child, limit: float) -> tuple[Any, ...] | None:
-    """What the child tells next, None at the end; the one place that waits for it."""
+    """Wait for the next message of the child and return it. None at the end."""
     until = time.monotonic() + limit + GRACE
     while (frame := child.heard(LOOK)) is None:
         heed()
@@ -118,7 +120,7 @@ def _read(body: bytes, found: FoundPlugin) -> Plugin | PluginFault:
     try:
         return read_description(body, found)
     except Unfit as error:
-        return _fault(found, f"it is described as what no plugin is: {error}")
+        return _fault(found, f"its description is not valid: {error}")
 
 
 def _fault(found: FoundPlugin, words: str) -> PluginFault:

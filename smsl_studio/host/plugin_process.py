@@ -1,4 +1,4 @@
-"""The process that loads one plugin, as who started it sees it: what it tells, and its end."""
+"""The process that loads one plugin, seen from its parent: its description and its end."""
 
 from __future__ import annotations
 
@@ -14,21 +14,25 @@ from smsl_studio.host.description import LARGEST
 from smsl_studio.host.exit_words import ending_words, exit_code
 
 PATIENCE = 2.0
-"""Seconds that a process may take to end after it has let go of its pipe."""
+"""The time (s) that a process may take to end after it has closed its pipe."""
 
 SIZE = struct.Struct("!I")
-"""How a description begins on the pipe: with the number of its bytes."""
+"""The number of bytes of a description, which stands before it on the pipe."""
 
 
 class PluginAnswer(NamedTuple):
-    """A plugin's description, or why there is none."""
+    """The bytes of a plugin's description, or None and the reason in words."""
 
     body: bytes | None
     words: str = ""
 
 
 class PluginProcess:
-    """A running process: for ``limit`` seconds at most; the first ``turn`` seconds are its turn."""
+    """A process that loads a plugin, for at most ``limit`` seconds.
+
+    The first ``turn`` seconds are its turn: in this time it counts among the processes that load
+    together.
+    """
 
     def __init__(self, number: int, pid: int, pipe: int, limit: float, turn: float) -> None:
         now = time.monotonic()
@@ -44,19 +48,20 @@ class PluginProcess:
 
     @property
     def files(self) -> tuple[int, ...]:
-        """What is waited for: what it tells, and its end."""
+        """The files to poll: the pipe of its description, and the file that shows its end."""
         return (self._gone,) if self._closed else (self._pipe, self._gone)
 
     def has_turn(self, now: float) -> bool:
-        """Whether its turn lasts at this moment."""
+        """Whether its turn still lasts at the monotonic time ``now`` (s)."""
         return now < self._turn
 
     def due(self, now: float) -> float:
-        """When it must be looked at, whatever is told: the end of its turn, or of its time."""
+        """Return the monotonic time (s) at which its turn or its time limit ends."""
         return min(self._turn, self._until) if self.has_turn(now) else self._until
 
     def told(self, ready: Set[int]) -> PluginAnswer | None:
-        """What it has told, with the files that are ready; None while that is not whole."""
+        """Read from the files that are ``ready``. Return the answer, or None if it is not yet
+        complete."""
         if self._pipe in ready:
             piece = os.read(self._pipe, 2**16)
             self._come += piece
@@ -65,7 +70,7 @@ class PluginProcess:
             if not piece:
                 self._let_go()
         elif self._gone in ready and not self._closed:
-            self._let_go()  # what it has started may hold the pipe for ever
+            self._let_go()  # its own children may hold the pipe open for ever
         if self._closed and self._gone in ready:
             return PluginAnswer(
                 None, f"the process that loaded it {ending_words(exit_code(self.pid))}"
@@ -90,18 +95,18 @@ class PluginProcess:
         self._until = time.monotonic() + PATIENCE
 
     def kill(self) -> None:
-        """Tell it, and all that it started, to end; it does not wait for that."""
+        """Kill the process and its process group, without waiting for their end."""
         for end in (os.killpg, os.kill):
             with contextlib.suppress(OSError):
                 end(self.pid, signal.SIGKILL)
 
     def end(self) -> None:
-        """End it and all that it started."""
+        """Kill the process and its process group, and wait for the end of the process."""
         self.kill()
         os.waitpid(self.pid, 0)
         self.close()
 
     def close(self) -> None:
-        """Let go of its files alone, in a copy of the process that started it."""
+        """Close its files. A forked copy of the parent does only this."""
         os.close(self._pipe)
         os.close(self._gone)

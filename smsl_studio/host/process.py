@@ -1,13 +1,13 @@
 """The process host: world and library code run in a child, so that the dispatcher outlives them.
 
-The child is a fresh interpreter. Commands and answers go through a pipe, in lock with the
-dispatcher. An answer is read as what was declared for it (``answers``); anything else is a
-HostError. A child that dies is seen at once, one that hangs after ``hang_limit`` seconds in one
-command, one that is frozen after ``silence_limit`` seconds without a pulse: each is a HostError,
-and every later call says the same. Times here are wall time.
+The child is a fresh interpreter. Commands and answers go through a pipe, in lockstep with the
+dispatcher. ``answers`` declares the format of each answer; any other bytes raise HostError.
+HostError is also raised at once for a child that has died, after ``hang_limit`` seconds for a child
+that hangs in one command, and after ``silence_limit`` seconds for a child without a heartbeat.
+Every later call raises the same error. Times here are wall time.
 
-One thread drives the host. ``poses``, ``status``, ``pid`` and ``close`` may be called from any
-other: a close ends what the driving thread waits for.
+One thread drives the host. Any thread may call ``poses``, ``status``, ``pid`` and ``close``. A
+close ends the wait of the driving thread.
 """
 
 from __future__ import annotations
@@ -33,21 +33,22 @@ from smsl_studio.monitor.sample import Sample
 from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heed, starving
 
 LOOK = 0.05
-"""How often (s) a waiting parent checks the heartbeat of the child, and whether to stop."""
+"""The interval (s) at which a waiting parent checks the heartbeat of the child and the stop."""
 
 LAST_LOOK = 0.025
-"""How long (s) a child has to finish its answer after a stop; with what went before it is less than
-the grace of a signal (see ``stop``)."""
+"""The time (s) that a child has to finish its answer after a stop. Together with ``LOOK`` it is
+less than the grace of a signal (see ``stop``)."""
 
 _QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
-"""The verbs that are answered at once: a run that is stopped meanwhile may wait for them."""
+"""The verbs that are answered at once. A run that is stopped may still wait for these answers."""
 
 
 class ProcessHost:
-    """A child process with the world and the code bound to a blueprint in it.
+    """A child process that contains a world and the code that is bound to a blueprint.
 
-    ``only`` are the locations of the plugins that it loads (None: of all), ``memory`` the bytes
-    that it may have (None: half of the machine's).
+    ``only`` are the locations of the plugins that the child loads (None: all plugins). ``memory``
+    is the largest memory of the child in bytes (None: half of the machine's memory). The three
+    limits are in seconds of wall time; ``open_limit`` is for building the world.
     """
 
     def __init__(
@@ -87,17 +88,17 @@ class ProcessHost:
 
     @property
     def pid(self) -> int | None:
-        """The child's process number, None where there is none."""
+        """The process number of the child. None if there is no child."""
         return self._child.pid if self._child is not None else None
 
     @property
     def recipe(self) -> Recipe:
-        """The recipe for which a spare child is prepared, so that this run or one like it starts
+        """The recipe of this run. A spare child that is prepared for it makes an equal run start
         fast."""
         return self._recipe
 
     def open(self, start: Mapping[str, str]) -> OpenedWorld:
-        """Start the child if there is none, and have it open its world (see ``LocalHost.open``)."""
+        """Start the child if there is none, and let it open its world (see ``LocalHost.open``)."""
         with self._using:
             if self._child is None and self._gone is None:
                 self._start()
@@ -113,7 +114,7 @@ class ProcessHost:
             return opened
 
     def sense(self) -> tuple[Sample, ...]:
-        """Every sensor once, now, without moving the time."""
+        """Read every sensor once. The simulated time does not move."""
         samples: tuple[Sample, ...] = self._ask("sense")
         return samples
 
@@ -123,7 +124,7 @@ class ProcessHost:
         self._ask("begin", edge)
 
     def tick(self) -> Tick:
-        """Let the world and the running call go on for one tick."""
+        """Advance the world and the running call by one tick."""
         found: Tick
         found, status, poses = self._ask("tick")
         self._ticks += 1
@@ -143,12 +144,12 @@ class ProcessHost:
         self._doing = ""
 
     def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
-        """From now on disturb a sensor, or all of one fact, as ``LocalHost.disturb`` does."""
+        """Disturb a sensor, or all sensors of one fact, as ``LocalHost.disturb`` does."""
         met: tuple[str, ...] = self._ask("disturb", target, kind, parameters)
         return met
 
     def inject(self, fault: str, **parameters: float | str) -> None:
-        """Let something go wrong in the world, as ``LocalHost.inject`` does."""
+        """Cause a fault of the world, as ``LocalHost.inject`` does."""
         self._ask("inject", fault, parameters)
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
@@ -157,15 +158,15 @@ class ProcessHost:
         return priced
 
     def poses(self) -> tuple[float, ...]:
-        """The newest poses for drawing; the last ones, where the child is gone."""
+        """Return the newest poses that the child has sent."""
         return self._poses
 
     def status(self) -> Mapping[str, str]:
-        """The world's newest short words for people."""
+        """Return the newest status texts that the child has sent."""
         return self._status
 
     def check(self) -> None:
-        """Check the child while nothing is asked of it: HostError where it died or is frozen."""
+        """Check the child between two commands. HostError if it has died or has no heartbeat."""
         with self._using:
             if self._gone is not None:
                 raise HostError(self._gone.sentence, advice=self._gone.advice)
@@ -182,7 +183,7 @@ class ProcessHost:
                 raise self._lost(f"the simulation process has shown no pulse for {silent}")
 
     def close(self) -> None:
-        """End the child, also one that hangs, and free everything; twice is harmless."""
+        """End the child, even if it hangs, and free everything. A second call does nothing."""
         self._closing = True
         with self._using:
             if self._child is not None:
@@ -191,16 +192,16 @@ class ProcessHost:
             self._end()
 
     def _start(self) -> None:
-        """Take the spare child if there is a fitting one, else start one."""
+        """Take the spare child if it fits, else start a new child."""
         self._child = self._spare.take(self._recipe) if self._spare is not None else None
         if self._child is not None:
             verb = "prepare" if self._child.prepared else "warm"
             try:
-                self._answer(verb, self._open_limit)  # to what the spare was asked when it began
+                self._answer(verb, self._open_limit)  # to the command that the spare got
             except HostError:
                 if self._closing:
                     raise
-                self._gone = self._child = None  # whatever ended the spare, a new child may live
+                self._gone = self._child = None  # the spare has ended; a new child may work
         if self._child is None:
             self._child = self._started()
         if not self._child.prepared:
@@ -226,14 +227,14 @@ class ProcessHost:
             return self._answer(verb, limit or self._hang_limit)
 
     def _answer(self, verb: str, limit: float) -> Any:
-        """The answer to what was asked; HostError where none can be expected any more."""
+        """Return the answer to the last command. HostError if no answer can come any more."""
         assert self._child is not None
         if self._answers is None:
             self._answers = RunAnswers(self._blueprint)
         try:
             frame = self._wait(self._child, verb, limit)
         except Stopped:
-            # What it answers later would be no answer to what it is asked then.
+            # A late answer would be taken for the answer to the next command.
             self._lost(f"the simulation process was ended{self._doing}: it did not answer")
             raise
         except (EOFError, OSError):
@@ -255,11 +256,11 @@ class ProcessHost:
         return self._lost(f"the simulation process {words}")
 
     def _wait(self, child: Child, verb: str, limit: float) -> WireFrame:
-        """The frame that ends the answer; the one place that waits for the child."""
+        """Return the frame that ends the answer. No other code waits for the child."""
         began = heard = time.monotonic()
         late: StopListener | None = None
         if verb == "cancel":
-            child.starved()  # what it was given before, when it may have had nothing to do, is past
+            child.starved()  # resets the measurement: only time from now on counts
         while True:
             frame = child.heard(LOOK if late is None else LAST_LOOK)
             if frame is not None and frame.kind != "loads":
@@ -288,7 +289,7 @@ class ProcessHost:
         return self._lost(f"the simulation process {how}{self._doing}")
 
     def _lost(self, sentence: str) -> HostError:
-        """Give up the child; the error to raise now, and at every later call."""
+        """End the child. Return the error to raise now and at every later call."""
         self._gone = HostError(sentence, advice="Start a new run.")
         self._end()
         return self._gone
@@ -300,10 +301,10 @@ class ProcessHost:
 
 
 def _heeded(late: StopListener | None, verb: str) -> StopListener | None:
-    """Ask whether the answer is still wanted, as long as nobody has said no (``late`` is None).
+    """Check whether a stop was asked for. ``late`` is None until then.
 
-    Then the world has until the last of its looks to answer: it may only be slow, and whoever
-    stops a run wants it braked, not ended.
+    After a stop the world may still finish a quick answer until the returned listener runs out.
+    The world may only be slow, and a stop should brake the world, not end its process.
     """
     if late is not None:
         late.heed()

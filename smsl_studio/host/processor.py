@@ -1,4 +1,4 @@
-"""How much processor time the machine gives to a child process."""
+"""The processor time that the machine gives to a child process."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import NamedTuple
 class ProcessorTime(NamedTuple):
     """The processor time of the main thread of a process until the monotonic time ``at`` (s).
 
-    ``ran`` are the seconds it worked, ``waited`` those in which it could have and all processors
-    had other work; a wait is counted when it ends. ``ready`` says whether it would work now if the
-    machine let it: no processor is free, or its memory comes from a disk. All is 0 where the
-    kernel does not tell or the process is gone.
+    ``ran`` is the time (s) in which the thread worked. ``waited`` is the time (s) in which it was
+    ready but no processor was free; the kernel counts a wait when the wait ends. ``ready`` says
+    whether the thread is now ready to work, or waits for memory from a disk. All values are 0 if
+    the kernel does not report them or the process is gone.
     """
 
     at: float
@@ -23,24 +23,25 @@ class ProcessorTime(NamedTuple):
 
     @classmethod
     def of(cls, pid: int) -> ProcessorTime:
-        """What a process was given until now."""
+        """Return the processor time of a process until now."""
         now, about = time.monotonic(), Path(f"/proc/{pid}")
         try:
             ran, waited = (
                 int(word) / 1e9 for word in (about / "schedstat").read_text().split()[:2]
             )
-            # The name of the program, which stands in brackets, may hold anything.
+            # The name of the program stands in brackets and may contain brackets, too.
             ready = (about / "stat").read_bytes().rpartition(b") ")[2][:1] in (b"R", b"D")
         except (OSError, ValueError):
             return cls(now)
         return cls(now, ran, waited, ready)
 
     def starved_since(self, before: ProcessorTime) -> bool:
-        """Whether it was given too little time since then for a short answer.
+        """Whether the process has had too little processor time for a short answer since
+        ``before``.
 
-        It waited most of the time, or could work now and has hardly worked: a wait that has not
-        ended yet, one for a disk, and a processor that was taken from the whole machine are
-        counted nowhere.
+        That is so if it waited most of the time, or if it is ready and has hardly worked. The
+        second case covers waits that the kernel does not count: a wait that has not ended yet, a
+        wait for a disk, and processor time that a hypervisor took from the whole machine.
         """
         wall = self.at - before.at
         if self.waited - before.waited > wall / 2:

@@ -1,8 +1,8 @@
-"""Where library code runs: the one interface of the local and the process host.
+"""The interface of a host: the place where a world and library code run.
 
-The dispatcher steps the host in lock: one ``tick`` is one step of the world, one resumption of the
-running operation and the samples of the sensors that were due. Equal calls give equal answers,
-whichever host carries them out.
+The dispatcher and the host run in lockstep. One ``tick`` is one step of the world, one resumption
+of the running operation, and the samples of the sensors that were due. The local host and the
+process host give equal answers to equal calls.
 """
 
 from __future__ import annotations
@@ -21,7 +21,10 @@ from smsl_studio.world.protocol import Shape
 
 
 class Outcome(Enum):
-    """The state of the running call after a tick; a return value alone proves nothing."""
+    """The state of the running call after a tick.
+
+    RETURNED is no proof of success: the state check of the target decides.
+    """
 
     IDLE = "idle"
     RUNNING = "running"
@@ -33,12 +36,13 @@ class Outcome(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """The library function bound to one edge, as the dispatcher needs to know it.
+    """The library function bound to one edge, without its code.
 
-    ``exact`` says that it was bound to exactly this ``State/Operation`` (clause 5). ``timeout`` is
-    in simulated seconds. ``stop`` is what a stop or pause does to it: abort, hold or finish.
-    ``resumes`` says that it goes on after it was held. ``touches`` are facts that it may change
-    besides those its edge changes: unknown, once it was cancelled, until they are sensed anew.
+    ``exact`` says that the binding names exactly this ``State/Operation`` (clause 5). ``timeout``
+    is in simulated seconds. ``stop`` is the effect of a stop or pause: abort, hold or finish.
+    ``resumes`` says that the function can go on after it was held. ``touches`` are facts that the
+    function may change besides the facts of its edge. After a cancel these facts are unknown until
+    they are sensed anew.
     """
 
     function: str
@@ -51,10 +55,11 @@ class Bound:
 
 @dataclass(frozen=True, slots=True)
 class SensorInfo:
-    """One sensor of one fact: its name, its period and the age (s) after which it is stale.
+    """One sensor of one fact: its name, its period (s) and the age (s) after which it is stale.
 
-    ``words`` say for people what values mean that no state has, such as ``h``: held. ``remote``
-    says that it is elsewhere, and speaks over a network when it likes.
+    ``digit`` is the fact's number in the SB, counted from 0. ``words`` explain values that no
+    state has, such as ``h``: held. A ``remote`` sensor sends its samples over a network, at its
+    own times.
     """
 
     name: str
@@ -68,31 +73,33 @@ class SensorInfo:
 
 
 class Elsewhere(Protocol):
-    """Sensors that speak over a network when they like (see ``host.remote``)."""
+    """Sensors that send samples over a network, at their own times (see ``host.remote``)."""
 
     def clock(self) -> float:
-        """This computer's monotonic seconds, on which their samples age."""
+        """Return this computer's monotonic time (s). The age of remote samples is measured on
+        it."""
         ...
 
     def heard(self) -> tuple[Sample, ...]:
-        """The newest sample of each of them since the last time."""
+        """Return the newest sample of each sensor that has sent one since the last call."""
         ...
 
     def view(self) -> RemoteView:
-        """The network as people want to see it; any thread may ask."""
+        """Return the state of the network, for people. Any thread may call it."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class OpenedWorld:
-    """What a host says once its world stands.
+    """The description of a world that a host has opened.
 
-    ``bound`` has every edge of the blueprint that has a library function in this world.
-    ``settle`` is the simulated time (s) for which a target's check must be let settle before it
-    decides (clause 7). ``faults`` are the sentences about bindings that do not fit; their edges
-    are not bound. ``rules`` say how facts are made of their sensors, where that is declared.
-    ``world_faults`` are the names of what can be injected. ``remote`` are the sensors elsewhere.
-    ``priced`` says whether cost functions are bound to edges.
+    ``tick`` is the length of one tick in simulated seconds. ``bound`` has every edge of the
+    blueprint that has a library function in this world. ``settle`` is the simulated time (s) after
+    which the state check of a target decides (clause 7). ``faults`` are sentences about bindings
+    that do not fit; their edges are not bound. ``rules`` say how facts are aggregated from their
+    sensors, where that is declared. ``world_faults`` are the names of the faults that can be
+    injected. ``remote`` are the sensors on a network. ``priced`` says whether cost functions are
+    bound to edges.
     """
 
     world: str
@@ -115,8 +122,8 @@ Happened = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Priced:
-    """What cost functions say: the edges that cost otherwise than when they were asked last (None:
-    what is declared), and one sentence for each function whose answers do not count."""
+    """The answers of cost functions: the edges whose cost has changed since the last call (None:
+    the declared cost), and one sentence for each function with an invalid answer."""
 
     costs: Mapping[Address, float | None] = field(default_factory=dict)
     faults: tuple[str, ...] = ()
@@ -132,14 +139,15 @@ class Tick(NamedTuple):
 
 
 class Host(Protocol):
-    """A place where a world and library code run. HostError when it is gone or silent."""
+    """A place where a world and library code run. Its methods raise HostError if the host is gone
+    or does not answer."""
 
     def open(self, start: Mapping[str, str]) -> OpenedWorld:
-        """Build the world and put it into ``start`` (SB -> state)."""
+        """Build the world and put it into the states ``start`` (SB -> state)."""
         ...
 
     def sense(self) -> tuple[Sample, ...]:
-        """Every sensor once, now, without moving the time."""
+        """Read every sensor once. The simulated time does not move."""
         ...
 
     def begin(self, edge: Address) -> None:
@@ -147,46 +155,53 @@ class Host(Protocol):
         ...
 
     def tick(self) -> Tick:
-        """Let the world and the running call go on for one tick."""
+        """Advance the world and the running call by one tick."""
         ...
 
     def cancel(self, mode: str) -> None:
-        """End the running call: ``abort`` and ``hold`` brake and drop it; it never resumes."""
+        """End the running call. ``abort`` and ``hold`` brake the world and drop the call, which
+        never resumes. ``finish`` lets it run on."""
         ...
 
     def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
-        """From now on disturb a sensor, or all of one fact (``SB/digit``); ``none`` ends it.
+        """Disturb a sensor, or all sensors of one fact (``SB/digit``), from now on.
 
-        The sensors it meets. UsageError where nothing is called so, or there is no such kind: see
-        ``monitor.disturbance``.
+        The kind ``none`` ends the disturbance; ``monitor.disturbance`` lists the kinds. Return the
+        names of the disturbed sensors. An unknown sensor, fact or kind raises UsageError.
         """
         ...
 
     def inject(self, fault: str, **parameters: float | str) -> None:
-        """Let something go wrong in the world, from this instant on.
+        """Cause a fault of the world, from this instant on.
 
-        UsageError where the world has no such fault (``OpenedWorld.world_faults``) or it cannot be
-        done with these parameters; HostError where its code breaks.
+        A fault that the world does not have (``OpenedWorld.world_faults``), or parameters that do
+        not fit, raise UsageError. An error in the code of the fault raises HostError.
         """
         ...
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
-        """Ask the cost functions; ``scene`` has a value (None: unknown) for every fact that is
-        sensed, written ``SB/digit``, ``happened`` what has happened since they were asked last."""
+        """Ask the cost functions.
+
+        ``scene`` has a value (None: unknown) for every sensed fact, whose key is ``SB/digit``.
+        ``happened`` has the results of edges since the last call.
+        """
         ...
 
     def poses(self) -> tuple[float, ...]:
-        """The newest poses for drawing (see ``World.poses``); never blocks on a running tick."""
+        """Return the newest poses for drawing (see ``World.poses``). The call never waits for a
+        running tick."""
         ...
 
     def status(self) -> Mapping[str, str]:
-        """The world's short words for people; never blocks on a running tick."""
+        """Return the world's short status texts for people. The call never waits for a running
+        tick."""
         ...
 
     def check(self) -> None:
-        """HostError where it is gone or silent; nothing is asked of the world, nothing moves."""
+        """Raise HostError if the host is gone or silent. The world is not asked and does not
+        move."""
         ...
 
     def close(self) -> None:
-        """End everything, also a child that hangs; calling it twice is harmless."""
+        """End everything, including a child process that hangs. A second call does nothing."""
         ...

@@ -1,7 +1,9 @@
-"""Sensors over a network: a host that adds their samples to those of another host.
+"""Sensors over a network: a host that adds their samples to the samples of another host (paper,
+State Monitoring Wireless Sensor Network).
 
-It runs in the dispatcher's process and wraps the other host. Messages are fetched when the run asks
-for them. A slow network, a dead broker or too many messages make facts unknown, but delay no tick.
+The host runs in the dispatcher's process and wraps the other host. Messages are fetched when the
+run asks for them. A slow network, a dead broker or too many messages make facts unknown, but delay
+no tick.
 """
 
 from __future__ import annotations
@@ -23,31 +25,31 @@ from smsl_studio.monitor.sample import Sample
 from smsl_studio.stop import heed
 
 HELLO = 3.0
-"""Wall seconds in which every source must have spoken for the first time."""
+"""The wall time (s) that ``Remote.open`` waits for a first message of every source."""
 LOOK = 0.01
 
 
 class Feed(Protocol):
-    """What brings messages to a reception (see ``monitor.mqtt.BrokerLink``)."""
+    """A connection that brings messages to a reception (see ``monitor.mqtt.BrokerLink``)."""
 
     @property
     def broker(self) -> str:
-        """Where the broker is: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``."""
+        """The address of the broker: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``."""
 
     @property
     def connected(self) -> bool:
-        """Whether the broker is there, as far as is known."""
+        """Whether the broker is connected, as far as is known."""
 
     @property
     def lost(self) -> float | None:
-        """For how long (s) the broker has been gone; None while it is there."""
+        """The time (s) since the connection was lost. None while there is a connection."""
 
     @property
     def connections(self) -> int:
-        """How often a connection was made."""
+        """The number of connections made so far."""
 
     def open(self) -> None:
-        """Connect to the broker; RunRefused where there is none."""
+        """Connect to the broker. RunRefused if there is none."""
 
     def close(self) -> None:
         """End the connection."""
@@ -71,12 +73,13 @@ class Remote:
         self._disturbed: dict[tuple[str, int, str], DisturbedSensor] = {}
 
     def clock(self) -> float:
-        """This computer's monotonic seconds, on which samples from elsewhere age."""
+        """Return this computer's monotonic time (s). The age of remote samples is measured on
+        it."""
         return monotonic()
 
     def open(self) -> None:
-        """Connect, and wait at most ``HELLO`` s for every source. RunRefused: there is no
-        broker."""
+        """Connect, and wait at most ``HELLO`` seconds for a message of every source. RunRefused if
+        there is no broker, HostError if the run is closed meanwhile."""
         self._line.open()
         until = monotonic() + HELLO
         while self._reception.silent and monotonic() < until:
@@ -85,7 +88,8 @@ class Remote:
             heed()
 
     def heard(self) -> tuple[Sample, ...]:
-        """The newest sample of each source since the last time, disturbed where that is on."""
+        """Return the newest sample of each source since the last call, with disturbances
+        applied."""
         samples = self._reception.take()
         if not self._disturbed:
             return samples
@@ -101,7 +105,7 @@ class Remote:
         return tuple(passed)
 
     def disturb(self, target: str, kind: str, parameters: Mapping[str, object]) -> tuple[str, ...]:
-        """Disturb the sensors it meets; the empty tuple where there is none of this name."""
+        """Disturb the sensors of a name or a fact. Return their names; the tuple may be empty."""
         parameter = checked(kind, parameters)
         named = [sensor for sensor in self.sensors if sensor.name == target]
         fact = split_fact(target)
@@ -116,7 +120,7 @@ class Remote:
         return tuple(sensor.name for sensor in met)
 
     def view(self) -> RemoteView:
-        """How the network stands now; any thread may ask."""
+        """Return the present state of the network. Any thread may call it."""
         line, reception = self._line, self._reception
         return RemoteView(
             line.broker,
@@ -129,17 +133,17 @@ class Remote:
         )
 
     def close(self) -> None:
-        """End the connection, also while ``open`` waits for a source."""
+        """End the connection, even while ``open`` waits for a source."""
         self._closed.set()
         self._line.close()
 
 
 class WithRemote:
-    """A host that does what another one does, and has further sensors over a network.
+    """A host that wraps another host and adds sensors over a network.
 
-    ``rules`` are those of the facts that are told from elsewhere. ``alone`` are facts that only the
-    network senses: samples of the world for them are dropped (the table world has every fact
-    anyhow).
+    ``rules`` are the aggregation rules of the facts that remote sensors read. ``alone`` are facts
+    that only remote sensors read. The wrapped host's samples of these facts are dropped, because
+    the table world has a sensor for every fact.
     """
 
     def __init__(
@@ -154,7 +158,7 @@ class WithRemote:
         self._rules, self._alone = rules, alone
 
     def open(self, start: Mapping[str, str]) -> OpenedWorld:
-        """Build the world, then connect; RunRefused where there is no broker."""
+        """Build the world, then connect. RunRefused if there is no broker."""
         opened = self.inner.open(start)
         self.remote.open()
         sensors = [*opened.sensors, *self.remote.sensors]
@@ -164,13 +168,13 @@ class WithRemote:
             opened,
             sensors=tuple(sorted(kept, key=self._place)),
             rules={**opened.rules, **self._rules},
-            # Samples from before the end of an operation are too old when its target is checked.
+            # After this time the samples from before the end of an operation are too old to count.
             settle=max(opened.settle, patience),
             remote=self.remote,
         )
 
     def sense(self) -> tuple[Sample, ...]:
-        """Every sensor of the world once."""
+        """Read every sensor of the world once."""
         return self._sensed(self.inner.sense())
 
     def begin(self, edge: Address) -> None:
@@ -178,7 +182,7 @@ class WithRemote:
         self.inner.begin(edge)
 
     def tick(self) -> Tick:
-        """One tick of the world."""
+        """Advance the world by one tick."""
         tick = self.inner.tick()
         return tick._replace(samples=self._sensed(tick.samples)) if self._alone else tick
 
@@ -187,7 +191,7 @@ class WithRemote:
         self.inner.cancel(mode)
 
     def disturb(self, target: str, kind: str, **parameters: float | str) -> tuple[str, ...]:
-        """Disturb sensors of the world, elsewhere, or both (all of one fact)."""
+        """Disturb sensors of the world, remote sensors, or both (all sensors of one fact)."""
         elsewhere = self.remote.disturb(target, kind, parameters)
         if elsewhere and (split_fact(target) is None or split_fact(target) in self._alone):
             return elsewhere
@@ -199,27 +203,27 @@ class WithRemote:
             raise
 
     def inject(self, fault: str, **parameters: float | str) -> None:
-        """Something goes wrong in the world on purpose."""
+        """Cause a fault of the world."""
         self.inner.inject(fault, **parameters)
 
     def costs(self, scene: Mapping[str, str | None], happened: Sequence[Happened]) -> Priced:
-        """What the cost functions of the world's plugin say."""
+        """Ask the cost functions of the world's plugin."""
         return self.inner.costs(scene, happened)
 
     def poses(self) -> tuple[float, ...]:
-        """The newest poses of the world."""
+        """Return the newest poses of the world."""
         return self.inner.poses()
 
     def status(self) -> Mapping[str, str]:
-        """The world's short words for people."""
+        """Return the world's short status texts for people."""
         return self.inner.status()
 
     def check(self) -> None:
-        """HostError where the inner host is gone; a dead broker costs facts, not the run."""
+        """Raise HostError if the wrapped host is gone. A dead broker only makes facts unknown."""
         self.inner.check()
 
     def close(self) -> None:
-        """End the connection and the world; twice is harmless."""
+        """End the connection and the world. A second call does nothing."""
         self.remote.close()
         self.inner.close()
 
@@ -227,7 +231,7 @@ class WithRemote:
         return tuple(sample for sample in samples if sample.fact not in self._alone)
 
     def _place(self, sensor: SensorInfo) -> int:
-        """Sensors of one fact count in the order in which they are named."""
+        """The sort key of a sensor: sensors of one fact keep the order in which they are named."""
         rule = self._rules.get((sensor.branch, sensor.digit))
         names = rule.sensors if rule else ()
         return names.index(sensor.name) if sensor.name in names else len(names)

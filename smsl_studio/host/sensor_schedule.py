@@ -1,4 +1,4 @@
-"""Sensors by their period: which are due at a tick, what they say, and what disturbs them."""
+"""The schedule of sensors: it reads each sensor at its period, and applies disturbances."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ def _no_values(fact: FactKey) -> Sequence[str]:
 
 
 class SensorSchedule:
-    """The sensors of one world, and how often each has spoken since the world was opened.
+    """The sensors of one world, with the number of samples of each since the world was opened.
 
-    ``values`` tells those a fact can have, in order, to disturbances that change them.
+    ``tick`` is in simulated seconds. ``boot`` counts how often the world was opened. ``values``
+    returns the possible values of a fact, in order, for disturbances that change values.
     """
 
     def __init__(
@@ -45,20 +46,22 @@ class SensorSchedule:
         self._disturbed: dict[int, DisturbedSensor] = {}
 
     def all(self, subject: Any, time: float) -> tuple[Sample, ...]:
-        """One sample of every sensor; of one that is disturbed, what arrives now."""
+        """Read every sensor. For a disturbed sensor, return the samples that arrive now."""
         return self._heard(self._indices, subject, time)
 
     def due(self, subject: Any, ticks: int, time: float) -> tuple[Sample, ...]:
-        """One sample of every sensor whose period ends with this tick, and what was held up."""
+        """Read the sensors whose period ends with this tick. Add delayed samples that arrive
+        now."""
         due = self._indices
         if self._slowest > 1:
             due = [i for i in due if ticks % self._every[i] == 0]
         return self._heard(due, subject, time)
 
     def disturb(self, target: str, kind: str, parameters: Mapping[str, Any]) -> tuple[str, ...]:
-        """Disturb the sensor called ``target``, or all of the fact written so (``SB/digit``).
+        """Disturb the sensor called ``target``, or all sensors of the fact ``target``
+        (``SB/digit``).
 
-        The names of those it meets. UsageError where there is none, or no such disturbance.
+        Return the names of the disturbed sensors. An unknown target or kind raises UsageError.
         """
         parameter = checked(kind, parameters)
         met = self._met(target)
@@ -128,5 +131,6 @@ class SensorSchedule:
 
 
 def _ticks(period: float, tick: float) -> int:
-    """The period in whole ticks, rounded up, at least one; a rounding error is ignored."""
+    """Return the period in whole ticks, rounded up, at least one. A tiny rounding error of the
+    division does not add a tick."""
     return max(1, math.ceil(period / tick - 1e-6))

@@ -1,7 +1,7 @@
-"""A warm spare: a child that is started and has its imports done before a run asks for one.
+"""The spare: a child process that is started before a run needs it, with its imports done.
 
-With a recipe it has also found the plugins and built the world, so that a run begins at once. It
-serves one run and never a second; it dies with its parent; there is at most one.
+A spare with a recipe has also found the plugins and built the world, so that a run begins at once.
+A spare serves only one run and ends with its parent. There is at most one spare.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from smsl_studio.library.stamp import library_stamp
 
 
 class Spare:
-    """At most one child in waiting. Any thread may call."""
+    """Holds at most one waiting child. Any thread may call its methods."""
 
     def __init__(self) -> None:
         self._child: Child | None = None
@@ -24,15 +24,15 @@ class Spare:
 
     @property
     def pid(self) -> int | None:
-        """The waiting child's process number, None where there is none."""
+        """The process number of the waiting child. None if there is no child."""
         child = self._child
         return child.pid if child is not None else None
 
     def warm(self, recipe: Recipe | None = None) -> None:
-        """Have a child ready for ``recipe``, or with nothing but its imports done; does not wait.
+        """Start a child for ``recipe``, or a child with only its imports done. It does not wait.
 
-        One that fits already is left alone. Where none can be started there is none, and the next
-        run starts its own.
+        A waiting child that fits already is kept. If no process can be started, there is no spare
+        and the next run starts its own child.
         """
         wanted = (recipe, _stamp(recipe))
         with self._using:
@@ -48,10 +48,10 @@ class Spare:
             self._child, self._for = child, wanted
 
     def take(self, recipe: Recipe) -> Child | None:
-        """The waiting child for a run of ``recipe``, which is then the run's; None for none.
+        """Hand over the waiting child to a run of ``recipe``. None if there is no fitting child.
 
-        A child that was prepared for something else, or from plugins that have changed since, is
-        ended and not handed out.
+        A child that was prepared for another recipe, or from plugins that have changed since, is
+        ended.
         """
         with self._using:
             child, made_for = self._child, self._for
@@ -67,7 +67,7 @@ class Spare:
         return child
 
     def close(self) -> None:
-        """End the waiting child; twice is harmless."""
+        """End the waiting child. A second call does nothing."""
         with self._using:
             self._drop()
 
@@ -78,7 +78,7 @@ class Spare:
 
 
 def _stamp(recipe: Recipe | None) -> object:
-    """What the plugins and the bindings file of a recipe are made of; it changes with them."""
+    """Return a value that changes with the plugins and the bindings file of a recipe."""
     if recipe is None:
         return library_stamp()
     return library_stamp([Path(path) for path in recipe.plugin_paths], recipe.documents[0][0])

@@ -1,7 +1,8 @@
-"""A child process of the parent's side: started, watched, ended with all that it started itself.
+"""A child process, seen from its parent: it is started, watched, and ended with its own children.
 
-A child is a fresh interpreter, in a process group of its own, that inherits four things: nothing to
-read, a pipe for all it prints, the wire, and a pipe for its pulse.
+A child is a fresh interpreter in a process group of its own. It inherits an empty standard input, a
+pipe for its printed output, the wire for commands and answers, and a pipe for its heartbeat. Times
+are wall time.
 """
 
 from __future__ import annotations
@@ -24,24 +25,24 @@ from smsl_studio.host.processor import ProcessorTime
 from smsl_studio.host.wire import Wire, WireFrame
 
 PATIENCE = 2.0
-"""Seconds that a child may take to end by itself."""
+"""The time (s) that a child may take to end by itself."""
 
 RELEASE = 0.1
-"""Seconds that a child may take to see that nobody listens to it any more, or to obey the request
-to end: who closes a run waits for that."""
+"""The time (s) that a child may take to notice the closed wire, or to obey the request to end. The
+end of a run waits for it, so it is short."""
 
 LOOK = 0.05
-"""Seconds after which a thread that tells a child something looks whether it still shall."""
+"""The time (s) after which the sending thread checks whether it must stop."""
 
 WORLD = "smsl_studio.host.child"
 
 _CODE = "import sys; sys.path[:] = {path}; from {module} import main; main(*map(int, sys.argv[1:]))"
-"""What a child does first: to import from where its parent does. Before that it imports nothing
-but ``sys``, which is built in: Python itself would look in the current folder first."""
+"""The first code of a child: it takes over the parent's import path. Before that it imports only
+``sys``, which is built in, because Python would search the current folder first."""
 
 
 class Child:
-    """A started child; ``prepared`` says that it was told its recipe already."""
+    """A started child process. ``prepared`` says that its recipe was sent already."""
 
     def __init__(self, process: subprocess.Popen[bytes], wire: Wire, said: int, beats: int) -> None:
         self.wire = wire
@@ -59,8 +60,8 @@ class Child:
         self._told = threading.Event()
 
     def tell(self, verb: str, arguments: Sequence[Any] = ()) -> None:
-        """Send a command without waiting until a child that is still starting takes it in."""
-        with contextlib.suppress(OSError):  # its end is seen by whoever waits for the answer
+        """Send a command without waiting for a child that is still starting."""
+        with contextlib.suppress(OSError):  # the call that waits for the answer sees its end
             self.wire.send(verb, arguments)
         self._telling = threading.Thread(target=self._tell, daemon=True)
         self._telling.start()
@@ -74,16 +75,17 @@ class Child:
                     self.wire.flush()
 
     def told(self) -> None:
-        """Leave what is left of a command to ``heard``; no other thread sends it from now on."""
+        """End the sending thread. ``heard`` sends the rest of the command."""
         self._told.set()
         if self._telling is not None:
             self._telling.join()
 
     def heard(self, seconds: float) -> WireFrame | None:
-        """The next frame, where it is there within so many seconds; sends and shows meanwhile.
+        """Return the next frame if it comes within ``seconds``, else None.
 
-        ChildProcessError where the child has ended and told all it had to tell, EOFError where it
-        let go of the wire, NoAnswer where what it says is none.
+        Meanwhile the rest of a command is sent, and printed output is shown. ChildProcessError:
+        the child has ended and all its frames were read. EOFError: the child closed the wire.
+        NoAnswer: the bytes are no valid answer.
         """
         frame = self.wire.come()
         if frame is not None:
@@ -104,49 +106,50 @@ class Child:
         return None
 
     def show(self) -> None:
-        """Show what it has printed, where nothing is asked of it."""
+        """Show the printed output of a child that has no command to answer."""
         self._outlet.pass_on()
 
     def beats(self) -> bool:
-        """Whether there was a heartbeat since this was asked last."""
+        """Whether there was a heartbeat since the last call."""
         try:
             return bool(os.read(self._beats, 2**16))
         except OSError:
             return False
 
     def starved(self) -> bool:
-        """Whether, since this was asked last, the machine gave it too little time to work."""
+        """Whether the child has had too little processor time since the last call."""
         before, self._given = self._given, ProcessorTime.of(self.pid)
         return self._given.starved_since(before)
 
     @property
     def dead(self) -> bool:
-        """Whether it has ended; also where something it started keeps its pipes open."""
+        """Whether the child has ended. Its own children may still keep its pipes open."""
         try:
             return exit_code(self.pid) is not None
         except ChildProcessError:
-            return True  # a signal broke off its end after it was waited for
+            return True  # a signal interrupted ``kill`` after the child was reaped
 
     def ending(self) -> int | None:
-        """How it ended: its exit status, or the number of the signal as a negative one."""
+        """Return its exit status, or the negative number of the signal that ended it. None if it
+        still lives after ``PATIENCE``."""
         self._await(PATIENCE)
         return exit_code(self.pid)
 
     def dismiss(self) -> None:
-        """Ask it to end, and give it a moment for that."""
+        """Ask the child to end, and wait for at most ``RELEASE`` seconds."""
         if not self.dead:
             with contextlib.suppress(OSError):
                 self.wire.send("close")
                 self._await(RELEASE)
 
     def release(self) -> None:
-        """Let go of it: a child that only waits ends what it does by itself, and soon."""
+        """Close the wire, give the child ``RELEASE`` seconds to end by itself, then kill it."""
         self.wire.hang_up()
         self._await(RELEASE)
         self.kill()
 
     def kill(self) -> None:
-        """End it and what it started, whatever they do, and free everything."""
+        """Kill the child and its process group, and free all resources."""
         with contextlib.suppress(OSError):
             os.killpg(self.pid, signal.SIGKILL)
         self._process.wait()
@@ -157,7 +160,7 @@ class Child:
         os.close(self._death)
 
     def _await(self, seconds: float) -> None:
-        """Wait until it has ended, at most so long; what it prints meanwhile is shown."""
+        """Wait for the end of the child, at most ``seconds``. Printed output is shown meanwhile."""
         until = time.monotonic() + seconds
         ends = select.poll()
         for one in (self._death, self._outlet.fileno()):
@@ -171,7 +174,7 @@ class Child:
 
 
 def start_child(module: str = WORLD) -> Child:
-    """Start a child that runs ``main`` of a module; OSError where none can be started."""
+    """Start a child that runs ``main`` of a module. OSError if no process can be started."""
     with contextlib.ExitStack() as theirs, contextlib.ExitStack() as ours:
         near, far = socket.socketpair()
         ours.callback(near.close)
@@ -206,7 +209,7 @@ def _pipe(ours: contextlib.ExitStack, theirs: contextlib.ExitStack) -> tuple[int
 
 
 def _python() -> list[str]:
-    """The interpreter with the flags of this one; what it prints is not held back."""
+    """Return the command of the interpreter, with the flags of this one and unbuffered output."""
     flags = ["-u", *["-B"] * sys.dont_write_bytecode, *["-O"] * sys.flags.optimize]
     return [sys.executable, *flags]
 

@@ -12,10 +12,10 @@ from smsl_studio.library.terms import unfit_name
 
 
 def name(most: int, empty: bool = False) -> Codec[str]:
-    """A text of one line that shows what it is: see ``unfit_name``."""
+    """The codec of a text of one line that can be shown to people (see ``unfit_name``)."""
 
     def check(value: str) -> str:
-        """The name as it is; Unfit where it cannot be shown on one line."""
+        """Return the name unchanged. Unfit if it cannot be shown on one line."""
         wrong = "" if empty and not value else unfit_name(value, most)
         if wrong:
             raise Unfit(wrong)
@@ -25,13 +25,13 @@ def name(most: int, empty: bool = False) -> Codec[str]:
 
 
 def sentence(most: int = 2000) -> Codec[str]:
-    """Words for people; what is longer is cut where it is written."""
+    """The codec of words for people. The sender cuts longer texts."""
     return mapped(text(most + 40), lambda said: brief(str(said), most), lambda told: told)
 
 
 NAME = name(1000)
 SECONDS = number(0.0, 1e12)
 PATIENCE = number(0.0, math.inf)
-"""Seconds, or for ever."""
+"""A time in seconds, which may be infinite."""
 COUNT = whole(0, 2**53)
 PLACE = record(Place, file=sentence(5000), line=COUNT, column=COUNT)

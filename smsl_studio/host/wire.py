@@ -1,8 +1,9 @@
-"""The two ends of a child's pipe. The parent trusts no message and never waits for one here.
+"""The wire: both ends of the pipe between parent and child.
 
-A command is a length (uint32) and a pickled ``(number, verb, arguments)``: the child trusts its
-parent. A frame of the child is a length, the number of the command it belongs to (uint32 each), its
-kind (one byte) and its bytes; what they mean is a ``Codec``'s. All are big-endian.
+The parent trusts no message from the child, and its end never blocks. A command is a length
+(uint32) and a pickled ``(number, verb, arguments)``; the child trusts its parent. A frame from the
+child is a length and the number of its command (uint32 each), its kind (one byte), and its body.
+A ``Codec`` reads the body. The numbers are big-endian.
 """
 
 from __future__ import annotations
@@ -15,28 +16,28 @@ from collections.abc import Sequence
 from typing import Any, Final, NamedTuple
 
 LARGEST: Final = 64 * 2**20
-"""Bytes of the longest frame."""
+"""The largest body of a frame, in bytes."""
 
 PIECE = 2**16
 KINDS = ("ok", "refused", "crashed", "loads")
-"""The last one says what the child is at, and may come often; the others end the answer."""
+"""The kinds of frames. ``loads`` reports progress and may come often; the others end the answer."""
 
 _LENGTH, _HEAD = struct.Struct("!I"), struct.Struct("!IIB")
 
 
 class NoAnswer(Exception):  # noqa: N818
-    """What came is no answer; the text says why."""
+    """The received bytes are no valid answer. The text says why."""
 
 
 class WireFrame(NamedTuple):
-    """One piece of an answer, not looked into."""
+    """A frame from the child: its kind and its body, which is not decoded yet."""
 
     kind: str
     body: bytes
 
 
 class Wire:
-    """The parent's end: commands out, frames in, one command at a time."""
+    """The parent's end: it sends commands and reads frames, one command at a time."""
 
     def __init__(self, end: socket.socket, largest: int = LARGEST) -> None:
         end.setblocking(False)
@@ -48,18 +49,18 @@ class Wire:
         self._come = bytearray()
 
     def fileno(self) -> int:
-        """What is waited for."""
+        """Return the file number of the pipe, for ``poll``."""
         return self._end.fileno()
 
     @property
     def sending(self) -> bool:
-        """Whether there is still something to be sent."""
+        """Whether a part of the command is not sent yet."""
         return len(self._out) > 0
 
     def send(self, verb: str, arguments: Sequence[Any] = ()) -> None:
-        """Begin to send a command, and send as much as is taken in at once.
+        """Begin to send a command, and send as much as the pipe accepts now.
 
-        OSError where nobody listens.
+        OSError if the child has closed its end.
         """
         self._number += 1
         self._awaiting = True
@@ -68,15 +69,15 @@ class Wire:
         self.flush()
 
     def flush(self) -> None:
-        """Send on what is taken in now; OSError where nobody listens."""
+        """Send as much as the pipe accepts now. OSError if the child has closed its end."""
         with contextlib.suppress(BlockingIOError):
             while self._out:
                 self._out = self._out[self._end.send(self._out) :]
 
     def read(self) -> WireFrame | None:
-        """Read one piece, without waiting; the next frame, where it is whole now.
+        """Read one piece without waiting. Return the next frame if it is complete, else None.
 
-        EOFError at the end, NoAnswer where it can be none.
+        EOFError if the child has closed its end. NoAnswer if the bytes are no valid frame.
         """
         try:
             piece = self._end.recv(PIECE)
@@ -88,7 +89,8 @@ class Wire:
         return self.come()
 
     def come(self) -> WireFrame | None:
-        """The next frame, where it was read already; NoAnswer where it can be none."""
+        """Return the next frame if all its bytes were read already, else None. NoAnswer if the
+        bytes are no valid frame."""
         if len(self._come) < _HEAD.size:
             return None
         size, number, kind = _HEAD.unpack_from(self._come)
@@ -109,39 +111,40 @@ class Wire:
         return WireFrame(KINDS[kind], body)
 
     def hang_up(self) -> None:
-        """Close both directions of the pipe, which the child notices."""
+        """Close both directions of the pipe, so that the child notices the end."""
         with contextlib.suppress(OSError):
             self._end.shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
-        """Let go of the pipe."""
+        """Close this end of the pipe."""
         self._end.close()
 
 
 class ChildWire:
-    """The child's end: it waits for commands, and answers each of them."""
+    """The child's end: it waits for commands and answers each of them."""
 
     def __init__(self, end: socket.socket) -> None:
         self._end = end
         self._number = 0
 
     def fileno(self) -> int:
-        """The pipe, to see when the parent is gone."""
+        """Return the file number of the pipe, for ``poll``."""
         return self._end.fileno()
 
     def receive(self) -> tuple[str, tuple[Any, ...]]:
-        """The next command and its arguments; EOFError or OSError where the parent is gone."""
+        """Wait for the next command and return its verb and arguments. EOFError or OSError if the
+        parent is gone."""
         (size,) = _LENGTH.unpack(self._exactly(_LENGTH.size))
-        # The parent is trusted, and so are its values.
+        # The child trusts its parent, so it may unpickle the values.
         self._number, verb, arguments = pickle.loads(self._exactly(size))
         return verb, arguments
 
     def send(self, kind: str, body: bytes) -> None:
-        """A frame about the command that was received last."""
+        """Send a frame that answers the last command."""
         self._end.sendall(_HEAD.pack(len(body), self._number, KINDS.index(kind)) + body)
 
     def close(self) -> None:
-        """Let go of the pipe."""
+        """Close this end of the pipe."""
         self._end.close()
 
     def _exactly(self, size: int) -> bytes:
