@@ -1,1 +1,2 @@
-"""The paper's Operation Library: names of operations and facts -> code that moves and senses."""
+"""The Operation Library (paper, Generation of Operation Library): it finds the code for the names
+of operations and facts."""

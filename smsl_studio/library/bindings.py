@@ -1,11 +1,11 @@
-"""Names to code: which function carries out each edge, which sensors read each fact.
+"""Binds names to code: a function to each edge, and sensors to each fact.
 
 For an edge, the first of these decides: the bindings file by ``State/Operation``, the blueprint's
 ``_operations`` by ``State/Operation``, the bindings file by operation name, ``_operations`` by
-name, a plugin's plain name, a plugin's pattern (the one with more fixed characters first, then the
-one registered first). A binding that does not fit is a fault, and leaves its edge unbound; it is
-never replaced by a weaker one. For a fact: the bindings file, ``_facts`` (``sensors``), then the
-sensors that say themselves which facts they read.
+name, a plugin's plain name, a plugin's pattern. Of several patterns the one with more fixed
+characters counts, then the one that was registered first. A binding that does not fit is a fault:
+its edge stays unbound, and no weaker binding replaces it. For a fact, the first of these decides:
+the bindings file, ``_facts`` (``sensors``), the sensors that declare the fact themselves.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from smsl_studio.world.engines import TABLE
 def bind(
     blueprint: Blueprint, loaded: Loaded, world: str, bindings: BindingsFile | None = None
 ) -> Bindings:
-    """What carries out a blueprint in a world; WorldError where there is no such world."""
+    """Return the bindings of a blueprint in a world. WorldError if there is no such world."""
     if world == TABLE:
         return table_bindings(blueprint)
     binder = _Binder(blueprint, loaded.serving(world), world, bindings or BindingsFile())
@@ -48,7 +48,7 @@ def bind(
 
 
 class _Binder:
-    """One pass over a blueprint, with the functions that may be used and the faults found."""
+    """One pass over a blueprint, with the available functions and the faults found so far."""
 
     def __init__(
         self, blueprint: Blueprint, plugins: tuple[Plugin, ...], world: str, file: BindingsFile
@@ -66,7 +66,8 @@ class _Binder:
         self._by_text: dict[str, tuple[Plugin, OperationEntry, dict[str, str]] | None] = {}
 
     def operations(self) -> Iterator[tuple[Address, BoundOperation]]:
-        """Every edge that has a function, with this function; what does not fit becomes a fault."""
+        """Yield every edge that has a function, with this function. A binding that does not fit
+        becomes a fault."""
         for branch in self.blueprint:
             for edge in branch.edges():
                 try:
@@ -170,7 +171,8 @@ class _Binder:
     def _touched(
         self, branch: StateBranch, entry: OperationEntry, arguments: Mapping[str, Any]
     ) -> Iterator[FactKey]:
-        """The facts that a function says it may leave anywhere; PluginError for what is none."""
+        """Yield the facts in the ``touches`` of a function. PluginError if one is no fact of the
+        blueprint."""
         for pattern in entry.touches:
             text = pattern.fill(arguments)
             name, _, number = text.rpartition("/")
@@ -181,7 +183,8 @@ class _Binder:
             yield found.name, at - 1
 
     def costs(self) -> Iterator[tuple[Address, BoundCost]]:
-        """The cost function of every edge that has one: the one that matches most exactly."""
+        """Yield every edge that has a cost function. Of several patterns the one with more fixed
+        characters counts."""
         entries = [(plugin, entry) for plugin in self.plugins for entry in plugin.library.costs]
         found: dict[str, BoundCost | None] = {}
         for edge in (one for branch in self.blueprint for one in branch.edges() if entries):
@@ -196,7 +199,8 @@ class _Binder:
                 yield edge.address, bound
 
     def sensors(self) -> Iterator[BoundSensor]:
-        """The sensors of every fact that no sub-SB expands, those of one fact in their order."""
+        """Yield the sensors of every fact that no sub-SB expands. Sensors of one fact keep their
+        order."""
         for branch, digit in leaf_facts(self.blueprint):
             key = fact_text(branch.name, digit)
             note = branch.fact_note(digit)
@@ -216,7 +220,7 @@ class _Binder:
                     yield bound
 
     def _offered(self, branch: StateBranch, digit: int) -> Iterator[BoundSensor]:
-        """The sensors that say themselves that they read this fact."""
+        """Yield the sensors whose own declaration names this fact."""
         for plugin in self.plugins:
             for entry in plugin.library.sensors:
                 texts = self._reads(entry, branch.name, digit)
@@ -270,7 +274,8 @@ class _Binder:
         )
 
     def unknown_keys(self) -> Iterator[BindingFault]:
-        """Keys of the bindings file that name nothing in the blueprint."""
+        """Yield a fault for each key of the bindings file that names no element of the
+        blueprint."""
         facts = {fact_text(branch.name, digit) for branch, digit in leaf_facts(self.blueprint)}
         known: set[str] = set()
         for branch in self.blueprint:

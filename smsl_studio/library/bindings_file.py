@@ -1,4 +1,4 @@
-"""``<stem>.toml`` beside a blueprint: which code carries it out in which world.
+"""The bindings file, ``<stem>.toml`` beside a blueprint: it names the code for each world.
 
 ::
 
@@ -17,9 +17,10 @@
     [mqtt.facts]
     "SB1/1" = ["camera", "scale"]
 
-Operations are named as ``Operation``, ``State/Operation`` or ``SB/State/Operation``; facts as
-``SB/digit``, counted from 0; a ``/`` in a name is written ``~1`` there and a ``~`` as ``~0``. What
-is not ``function`` is an argument. ``mqtt`` names facts that are sensed elsewhere, in any world.
+Operations are named as ``Operation``, ``State/Operation`` or ``SB/State/Operation``. Facts are
+named as ``SB/digit``, with digits counted from 0. A ``/`` inside a name is written ``~1``, and a
+``~`` is written ``~0``. Each key except ``function`` is an argument. ``mqtt`` names facts that
+remote sensors read, in every world.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ from smsl_studio.library.toml_text import TomlText, read_toml
 
 
 class BoundFunction(BaseModel):
-    """A function by its full name; every other key is an argument."""
+    """A function by its full name (``plugin.function``). Every other key is an argument."""
 
     model_config = ConfigDict(frozen=True, extra="allow")
 
@@ -46,12 +47,12 @@ class BoundFunction(BaseModel):
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """The arguments that the file gives to the function, by name."""
+        """The arguments of the function in the file, by name."""
         return dict(self.__pydantic_extra__ or {})
 
 
 class WorldTable(BaseModel):
-    """What one world binds."""
+    """The bindings of one world: operations to functions, facts to sensors."""
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -60,7 +61,10 @@ class WorldTable(BaseModel):
 
 
 class MqttTable(BaseModel):
-    """Facts that are told over a network, by which sources; where the broker is, if it says so."""
+    """The facts that remote sensors read, with their sources, and the address of the broker.
+
+    An empty ``broker`` means that the file names none.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
 
@@ -70,7 +74,7 @@ class MqttTable(BaseModel):
     facts: dict[str, str | tuple[str, ...]] = {}
 
     def sources(self, key: str) -> tuple[str, ...]:
-        """The sources of a fact, which is written as ``SB/digit``."""
+        """Return the names of the sources of a fact. ``key`` is ``SB/digit``."""
         given = self.facts.get(key, ())
         return (given,) if isinstance(given, str) else given
 
@@ -84,25 +88,26 @@ class _BindingsFile(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class BindingsFile:
-    """A bindings file as read; empty where a blueprint has none."""
+    """The content of a bindings file. It is empty if a blueprint has no bindings file."""
 
     worlds: Mapping[str, WorldTable] = field(default_factory=dict)
     text: TomlText = field(default_factory=lambda: TomlText("", ()))
     mqtt: MqttTable = field(default_factory=MqttTable)
 
     def of(self, world: str) -> WorldTable:
-        """What is bound in a world."""
+        """Return the bindings of a world."""
         return self.worlds.get(world) or WorldTable()
 
     def place(self, key: str) -> Place | None:
-        """Where a key stands."""
+        """Return the place of a key in the file. None if there is no file."""
         return self.text.place(key) if self.text.file else None
 
 
 def bindings_beside(blueprint_file: str) -> BindingsFile:
-    """The bindings file beside a blueprint, or an empty one; PluginError where it is broken.
+    """Read the bindings file beside a blueprint; it is empty if there is no file.
 
-    It belongs to the project of the blueprint: where it is a link, that leads to no other place.
+    PluginError if the file is invalid, or if it is a link that leads out of the blueprint's
+    project.
     """
     path = Path(blueprint_file)
     if not path.suffix or path.suffix == ".toml":
@@ -122,7 +127,8 @@ _MQTT = 'Write [mqtt] with broker, site and run, and [mqtt.facts] with "SB/digit
 
 
 def read_bindings(path: Path, project: str = "") -> BindingsFile:
-    """A bindings file (below ``project``, if that is given); PluginError where it is broken."""
+    """Read a bindings file, which must lie below ``project`` if that is given. PluginError if it
+    is invalid."""
     text, values = read_toml(path, inside=project)
     try:
         file = _BindingsFile.model_validate(values)

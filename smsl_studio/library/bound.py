@@ -1,4 +1,4 @@
-"""What is bound: the code of every edge and the sensors of every fact, ready to be called."""
+"""Bindings: the code of every edge and the sensors of every fact, ready to be called."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ from smsl_studio.errors import Place
 class BoundOperation:
     """The code of one edge, ready to be called as ``function(world, **arguments)``.
 
-    ``exact``: bound to exactly this ``State/Operation``. ``location``: the folder of the code.
-    ``resumes`` and ``touches`` as in ``host.protocol.Bound``.
+    ``exact`` says that the binding names exactly this ``State/Operation``. ``location`` is the
+    folder of the code. ``timeout`` is in simulated seconds. ``resumes`` and ``touches`` have the
+    same meaning as in ``host.protocol.Bound``.
     """
 
     name: str
@@ -34,7 +35,10 @@ class BoundOperation:
 
 @dataclass(frozen=True, slots=True)
 class BoundSensor:
-    """One sensor of one fact, ready to be called as ``function(world, **arguments)``."""
+    """One sensor of one fact, ready to be called as ``function(world, **arguments)``.
+
+    ``period`` and ``max_age`` are in simulated seconds. ``digit`` counts from 0.
+    """
 
     name: str
     branch: str
@@ -50,7 +54,7 @@ class BoundSensor:
 
 @dataclass(frozen=True, slots=True)
 class BoundCost:
-    """The cost function of one edge: ``function(state, scene, history, **arguments)``."""
+    """The cost function of one edge, called as ``function(state, scene, history, **arguments)``."""
 
     name: str
     function: Callable[..., Any]
@@ -60,7 +64,7 @@ class BoundCost:
 
 @dataclass(frozen=True, slots=True)
 class BindingFault:
-    """A binding that does not fit: what it is about, what is wrong, where it is written."""
+    """A binding that does not fit: its subject, a sentence, and the place where it is written."""
 
     subject: str
     sentence: str
@@ -73,9 +77,10 @@ class BindingFault:
 
 @dataclass(frozen=True)
 class Bindings:
-    """Everything that is bound in one world; an edge that is absent has no library function.
+    """All bindings in one world. An edge without an entry has no library function.
 
-    ``named`` has the sensors a bindings file or ``_facts`` names for a fact, bound or not.
+    ``named`` has the names of the sensors that a bindings file or ``_facts`` gives to a fact, even
+    if no such sensor exists.
     """
 
     operations: Mapping[Address, BoundOperation]
@@ -86,7 +91,8 @@ class Bindings:
 
 
 def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:
-    """Every fact that is sensed rather than expanded by a sub-SB."""
+    """Yield every fact that sensors read, as SB and digit. Facts that a sub-SB expands are left
+    out."""
     for branch in blueprint:
         for digit in range(branch.num_facts if branch.table else 0):
             if digit not in branch.subs:
@@ -94,5 +100,6 @@ def leaf_facts(blueprint: Blueprint) -> Iterator[tuple[StateBranch, int]]:
 
 
 def noted_touches(branch: StateBranch, note: OperationNote) -> tuple[FactKey, ...]:
-    """The facts that an annotation says an operation may leave anywhere when it is cancelled."""
+    """Return the facts that may have any value after an operation is cancelled, as an annotation
+    declares them."""
     return tuple((branch.name, digit) for digit in note.touches if digit < branch.num_facts)

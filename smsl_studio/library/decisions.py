@@ -1,7 +1,8 @@
-"""Which plugins the user has allowed or forbidden: a small JSON file in the user's folder.
+"""The user's decisions about plugins (allowed or forbidden): a small JSON file in the user's
+folder.
 
-The file decides which code runs, so it is believed only where nobody else could have written it
-and where it has the form that is written here.
+The file decides which code runs. So it is believed only if no other user could have written it, and
+if it has exactly the declared form.
 """
 
 from __future__ import annotations
@@ -23,19 +24,19 @@ from smsl_studio.smsl.disk import held, settle, write_new
 
 FILE = "plugin-decisions.json"
 LARGEST = 4_000_000
-"""Bytes of the longest file of decisions that is read."""
+"""The largest size of a file of decisions, in bytes."""
 
 PATIENCE = 2.0
-"""Wall seconds to wait for another program that writes the file just now."""
+"""The wall time (s) to wait for another program that writes the file at the same time."""
 
 _REMEDY = "Repair or remove it; every plugin of yours is then asked about anew."
 
 
 class PluginDecision(BaseModel):
-    """What was decided about the plugin at ``location``.
+    """The decision about the plugin at ``location``.
 
-    ``digest`` is that of the files that were allowed. It is empty for a plugin whose files are not
-    looked at: one that is forbidden, whatever it becomes.
+    ``digest`` is the digest of the files that were allowed. It is empty if the files do not matter,
+    as for a forbidden plugin.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
@@ -54,12 +55,13 @@ class _DecisionsFile(BaseModel):
 
 
 def decisions_file() -> Path:
-    """Where the decisions stand; the file need not exist."""
+    """Return the path of the file with the decisions. The file need not exist."""
     return user_folder() / FILE
 
 
 def read_decisions() -> Mapping[str, PluginDecision]:
-    """The decisions by location, empty where there is no file; PluginError for one not believed."""
+    """Read the decisions by location. There are none if there is no file. PluginError if the file
+    is not believed."""
     file = decisions_file()
     try:
         found = file.lstat()
@@ -77,9 +79,10 @@ def read_decisions() -> Mapping[str, PluginDecision]:
 
 
 def decide(decision: PluginDecision, *, forget: bool = False) -> None:
-    """Write a decision in the place of an earlier one about the same location, or forget that.
+    """Write a decision, which replaces an earlier decision about the same location.
 
-    SaveError where it cannot be written, PluginError where the file that is there is not believed.
+    ``forget`` only removes the earlier decision. SaveError if the file cannot be written.
+    PluginError if the present file is not believed.
     """
     file = decisions_file()
     try:
@@ -122,7 +125,7 @@ def _decisions_in(file: Path) -> Mapping[str, PluginDecision]:
 
 
 def _write(file: Path, decisions: Mapping[str, PluginDecision]) -> None:
-    """Put the new bytes in the place of the old ones, whole or not at all."""
+    """Replace the file as a whole: a failure leaves the old file."""
     plugins = [one.model_dump() for one in sorted(decisions.values(), key=lambda d: d.location)]
     text = json.dumps({"version": 1, "plugins": plugins}, indent=4)
     part = file.with_name(f".{file.name}.{secrets.token_hex(8)}.part")

@@ -1,4 +1,4 @@
-"""Importing the modules of a plugin from the bytes that were digested, not from the disk."""
+"""Imports the modules of a plugin from the digested bytes, not from the disk."""
 
 from __future__ import annotations
 
@@ -19,20 +19,21 @@ from smsl_studio.library.sources import Sources
 
 
 class DigestedFinder(MetaPathFinder):
-    """Finds the modules of one plugin, whose package is called ``private``, and no others."""
+    """Finds only the modules of one plugin, whose package has the name ``private``."""
 
     def __init__(self, private: str, sources: Sources) -> None:
         self.private = private
         self._sources = sources
 
     def plugin(self) -> ModuleSpec:
-        """The package itself: ``plugin.py``, with everything beside it below it."""
+        """Return the spec of the package: ``plugin.py``, with the other files as submodules."""
         return self._source(self.private, "plugin.py", self._sources.folder)
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """A module of the plugin; ModuleNotFoundError for one that was not digested."""
+        """Return the spec of a module of the plugin. ModuleNotFoundError for a module that was not
+        digested. None for a module of another package."""
         if not fullname.startswith(f"{self.private}."):
             return None
         name = fullname.removeprefix(f"{self.private}.").replace(".", "/")
@@ -62,7 +63,8 @@ class DigestedFinder(MetaPathFinder):
         return spec
 
     def _extension(self, fullname: str, name: str) -> ModuleSpec:
-        """A compiled module: it can only be loaded from the disk, so it is digested again."""
+        """Return the spec of a compiled module. It can only be loaded from the disk, so its digest
+        is compared again. ImportError if the digest differs."""
         file = self._sources.folder / name
         if hashlib.sha256(file.read_bytes()).hexdigest() != self._sources.compiled[name]:
             raise ImportError(f"{name} has changed since the plugin was allowed", name=fullname)
@@ -74,16 +76,16 @@ class DigestedFinder(MetaPathFinder):
 
 
 class _DigestedLoader(SourceFileLoader):
-    """Compiles the bytes that it was given; a compiled copy beside the file is not used."""
+    """Compiles the digested bytes. It does not use a compiled copy beside the file."""
 
     def __init__(self, fullname: str, file: str, raw: bytes) -> None:
         super().__init__(fullname, file)
         self._file, self._raw = file, raw
 
     def get_data(self, path: str) -> bytes:
-        """The bytes of the module itself; other files are read from the disk."""
+        """Return the digested bytes of the module. Other files are read from the disk."""
         return self._raw if path == self._file else super().get_data(path)
 
     def path_stats(self, path: str) -> dict[str, float]:
-        """No time and size, so that no compiled copy is looked for or written."""
+        """Raise OSError: without time and size Python neither reads nor writes a compiled copy."""
         raise OSError(f"{path} is not read from the disk")

@@ -1,10 +1,11 @@
-"""Loading plugins. Loading a plugin runs its code: only what ``survey`` finds allowed is loaded.
+"""Loads plugins. To load a plugin means to run its code, so only plugins that ``survey`` allows are
+loaded.
 
 A plugin is a folder with ``plugin.toml`` and ``plugin.py``, or an installed package with an entry
-point in the group ``smsl_studio.plugins``. Folders are looked for, in this order, in the paths
-that were asked for, in ``SMSL_PLUGIN_PATH``, in the user's folder and among the shipped plugins;
-where two have one name, the first is taken and the other is reported. A plugin that is broken is
-one named fault and stops nobody else.
+point in the group ``smsl_studio.plugins``. Folders are searched in this order: the paths that were
+asked for, ``SMSL_PLUGIN_PATH``, the user's folder, the shipped plugins. If two plugins have the
+same name, the first is loaded and the other is reported. A broken plugin gives one named fault and
+does not affect the others.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from smsl_studio.world.engines import TABLE
 
 @dataclass(frozen=True, slots=True)
 class Plugin:
-    """A plugin that loaded: what it registered, and where it came from."""
+    """A loaded plugin: its description, its source, its location and its library."""
 
     name: str
     version: str
@@ -36,7 +37,7 @@ class Plugin:
 
 @dataclass(frozen=True, slots=True)
 class PluginFault:
-    """A plugin that did not load: its name, what is wrong, where."""
+    """A plugin that did not load: its name, a sentence about the fault, and its place."""
 
     plugin: str
     sentence: str
@@ -51,9 +52,9 @@ class PluginFault:
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """Every plugin that was loaded, every one that did not load, and every one that may not be.
+    """The result of loading: loaded plugins, faults, and plugins that may not be loaded.
 
-    Of those in ``waiting`` (new, changed or forbidden) no code has run.
+    The plugins in ``waiting`` are new, changed or forbidden. None of their code has run.
     """
 
     plugins: tuple[Plugin, ...] = ()
@@ -66,7 +67,8 @@ class Loaded:
         return (TABLE, *(name for plugin in self.plugins for name in plugin.library.worlds))
 
     def world(self, name: str) -> tuple[Plugin, WorldEntry]:
-        """The plugin that offers a world; WorldError with a near name where none does."""
+        """Return the plugin that offers a world, and its entry. WorldError if no plugin offers it.
+        The advice has a similar name if there is one."""
         for plugin in self.plugins:
             if name in plugin.library.worlds:
                 return plugin, plugin.library.worlds[name]
@@ -77,7 +79,7 @@ class Loaded:
                     f"which is not loaded: {found.reason}"
                 )
         near = did_you_mean(name, self.worlds)
-        # A plugin that did not load cannot say which worlds it would have had.
+        # The worlds of a plugin that did not load are not known.
         faults = [fault for fault in self.faults if not near or name in fault.plugin]
         broken = "".join(f" {fault}." for fault in faults)
         for found in self.waiting:
@@ -88,18 +90,19 @@ class Loaded:
         raise WorldError(f"there is no world {name!r}.{broken}".removesuffix("."), advice=advice)
 
     def serving(self, world: str) -> tuple[Plugin, ...]:
-        """The plugins whose operations and sensors belong to a world: its own, then the general."""
+        """Return the plugins whose operations and sensors belong to a world: the world's own
+        plugin first, then the plugins without worlds."""
         if world == TABLE:
             return ()
         own, _ = self.world(world)
         return (own, *(plugin for plugin in self.plugins if not plugin.library.worlds))
 
     def locations(self, world: str) -> tuple[str, ...]:
-        """Where the plugins stand that a run in a world has to load."""
+        """Return the locations of the plugins that a run in a world must load."""
         return tuple(plugin.location for plugin in self.serving(world) if plugin.library.serves)
 
     def faults_of(self, world: str) -> dict[str, FaultEntry]:
-        """What can be made to go wrong in a plugin's world, by name."""
+        """Return the faults of a plugin's world, by name."""
         plugin, _ = self.world(world)
         return {e.name: e for e in plugin.library.faults.values() if e.world == world}
 
@@ -109,16 +112,16 @@ def discover(
     only: Collection[str] | None = None,
     begins: Callable[[str, str], None] | None = None,
 ) -> Loaded:
-    """Load every plugin that may be loaded; ``extra`` are folders of plugins (or one), looked at
-    first.
+    """Load every plugin that may be loaded.
 
-    With ``only`` nothing but what stands in one of these locations is loaded. ``begins`` is told
-    name and location of each plugin before its code runs. What plugins print goes to standard
-    error, so that data on standard output stays whole.
+    ``extra`` are plugin folders, or folders of plugins, that are searched first. With ``only``,
+    plugins at other locations are not loaded. ``begins`` is called with the name and the location
+    of each plugin before its code runs. The printed output of plugins goes to standard error, so
+    that data on standard output stays intact.
     """
 
     def load(found: FoundPlugin) -> Plugin | PluginFault:
-        """Load one plugin, and tell ``begins`` of it before its code runs."""
+        """Call ``begins``, then load one plugin."""
         if begins is not None:
             begins(found.name, found.location)
         return load_plugin(found)
@@ -134,7 +137,8 @@ def discover(
 def gathered(
     every: Iterable[FoundPlugin], load: Callable[[FoundPlugin], Plugin | PluginFault]
 ) -> Loaded:
-    """The result of loading the plugins that were found; ``load`` is called for those allowed."""
+    """Return the result of loading the plugins that were found. ``load`` is called for each
+    allowed plugin."""
     plugins: list[Plugin] = []
     faults: list[PluginFault] = []
     waiting: list[FoundPlugin] = []
@@ -149,7 +153,7 @@ def gathered(
 
 
 def load_plugin(found: FoundPlugin) -> Plugin | PluginFault:
-    """Run the code of one plugin; the plugin, or a fault where it did not load."""
+    """Run the code of one plugin. Return the plugin, or a fault if it did not load."""
     try:
         return _loaded(found)
     except PluginError as error:
@@ -162,7 +166,7 @@ def load_plugin(found: FoundPlugin) -> Plugin | PluginFault:
 
 
 def _words_of(error: BaseException) -> str:
-    """``ValueError: what it says``; a plugin's own error may fail to say anything."""
+    """Write an error as ``ValueError: message``. The ``__str__`` of a plugin's error may raise."""
     try:
         said = str(error)
     except KeyboardInterrupt:
@@ -173,7 +177,7 @@ def _words_of(error: BaseException) -> str:
 
 
 def _fault_of(found: FoundPlugin, error: PluginError) -> PluginFault:
-    """What is wrong with a plugin, in one sentence and with its place."""
+    """Return the fault of a plugin for an error, with its place."""
     place = error.place or place_of(error, found.location)
     sentence = f"{error.sentence}. {error.advice}" if error.advice else error.sentence
     return PluginFault(found.name, sentence, place, found.location)
@@ -185,7 +189,7 @@ def _sort_in(
     plugins: list[Plugin],
     faults: list[PluginFault],
 ) -> None:
-    """Put a plugin among those that loaded or the faults; one whose names do not fit is a fault."""
+    """Add a plugin to ``plugins`` or to ``faults``. A plugin whose names do not fit is a fault."""
     if isinstance(loaded, PluginFault):
         faults.append(loaded)
         return
@@ -214,7 +218,7 @@ def _check_names(plugin: Plugin, others: Sequence[Plugin]) -> None:
 
 
 def _loaded(found: FoundPlugin) -> Plugin:
-    """Run the code of a plugin that was found, and have it register what it offers."""
+    """Run the code of a plugin, and let it register its entries."""
     assert found.manifest is not None
     library = OperationLibrary(found.manifest.name)
     if found.point is not None:
@@ -240,9 +244,10 @@ def _register(module: object, library: OperationLibrary, file: Path) -> None:
 
 
 def _check_words(plugin: Plugin, found: FoundPlugin) -> None:
-    """PluginError where a plugin is called, or registers, what its manifest does not say.
+    """Raise PluginError if a plugin's name or entries differ from its manifest.
 
-    The manifest is what people were shown. What it says nothing about is not compared.
+    People have decided by the manifest. Kinds of entries that the manifest leaves out are not
+    compared.
     """
     manifest, library = found.manifest, plugin.library
     assert manifest is not None
@@ -265,5 +270,5 @@ def _check_words(plugin: Plugin, found: FoundPlugin) -> None:
 
 
 def _says_worlds(found: FoundPlugin) -> bool:
-    """Whether a plugin that is not loaded names its worlds, so that it can be left out."""
+    """Whether the manifest of a plugin names its worlds."""
     return found.manifest is not None and bool(found.manifest.worlds)

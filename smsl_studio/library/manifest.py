@@ -1,4 +1,4 @@
-"""``plugin.toml``: what a plugin folder says about itself."""
+"""The manifest ``plugin.toml``: a plugin folder's own description."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from smsl_studio.library.toml_text import read_toml
 
 MANIFEST = "plugin.toml"
 LARGEST = 100_000
-"""Bytes of the longest manifest that is read."""
+"""The largest size of a manifest, in bytes."""
 
 
 class Manifest(BaseModel):
-    """``name`` is how functions are called (``name.function``); the rest is for people.
+    """The content of ``plugin.toml``.
 
-    ``worlds``, ``operations``, ``sensors`` and ``faults`` say what the code registers, for who is
-    asked whether it may run. What is said must be all there is of that kind.
+    ``name`` is the first part of the functions' names (``name.function``); the rest is for people.
+    ``worlds``, ``operations``, ``sensors`` and ``faults`` list the entries that the code registers,
+    so that a user can decide whether it may run. A list must be complete, or be left out.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -36,13 +37,13 @@ class Manifest(BaseModel):
 
     @property
     def registers(self) -> Mapping[str, tuple[str, ...]]:
-        """What the code registers, by kind; empty where nothing is said about a kind."""
+        """The entries that the code registers, by kind. A kind that is left out is empty."""
         kinds = ("worlds", "operations", "sensors", "faults")
         return {kind: getattr(self, kind) for kind in kinds}
 
 
 def read_manifest(path: Path) -> Manifest:
-    """The manifest in a file; PluginError with the place of what does not fit."""
+    """Read a manifest. PluginError, with its place, if the file does not fit."""
     text, values = read_toml(path, LARGEST)
     try:
         return Manifest.model_validate(values)

@@ -1,4 +1,5 @@
-"""The Operation Library: what a plugin's ``register(library)`` receives and fills.
+"""The Operation Library (paper, Generation of Operation Library): a plugin's ``register(library)``
+fills it.
 
 ::
 
@@ -22,7 +23,7 @@
         @library.fault("hanoi", "disk_pushed")
         def push(world, disk: int): ...            # what goes wrong on purpose
 
-Every plugin fills a library of its own; ``bindings`` reads them. Times are simulated seconds.
+Every plugin fills a library of its own, which ``bindings`` reads. Times are in simulated seconds.
 """
 
 from __future__ import annotations
@@ -47,11 +48,11 @@ NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class WorldEntry:
-    """A world a plugin offers: ``build(engine, blueprint, seed)`` furnishes a fresh engine.
+    """A world of a plugin: ``build(engine, blueprint, seed)`` furnishes a fresh engine.
 
-    What ``build`` returns (or the engine itself, where it returns None) is what operations,
-    sensors and ``arrange`` are handed. ``settle`` is how long (s) a target's check may take to
-    become true after an operation has ended.
+    The result of ``build`` is the first argument of operations, sensors and ``arrange``. If
+    ``build`` returns None, the engine is this argument. ``settle`` is the time (s) that the state
+    check of a target may take to become true after an operation has ended.
     """
 
     name: str
@@ -63,7 +64,11 @@ class WorldEntry:
 
 @dataclass(frozen=True, slots=True)
 class OperationEntry:
-    """A generator function, and the operation names it carries out (None: only when bound)."""
+    """A generator function and the pattern of its operation names.
+
+    A pattern of None means that the function is used only where a binding names it. ``name`` is
+    ``plugin.function``. ``timeout`` is in simulated seconds.
+    """
 
     function: Callable[..., Any]
     name: str
@@ -77,7 +82,10 @@ class OperationEntry:
 
 @dataclass(frozen=True, slots=True)
 class SensorEntry:
-    """A sensing function: how its sensors are called, which facts they read, how often (s)."""
+    """A sensing function with the patterns of its sensors' names and of their facts.
+
+    ``period`` and ``max_age`` are in simulated seconds.
+    """
 
     function: Callable[..., Any]
     pattern: Pattern
@@ -90,7 +98,7 @@ class SensorEntry:
 
 @dataclass(frozen=True, slots=True)
 class FaultEntry:
-    """Something that can go wrong on purpose in a world, as its name asks for it."""
+    """A fault that can be injected into a world by its name."""
 
     world: str
     name: str
@@ -100,7 +108,7 @@ class FaultEntry:
 
 @dataclass(frozen=True, slots=True)
 class CostEntry:
-    """A cost function, and the operations whose edges it prices."""
+    """A cost function, and the pattern of the operations whose edges it prices."""
 
     function: Callable[..., Any]
     name: str
@@ -109,7 +117,8 @@ class CostEntry:
 
 
 class OperationLibrary:
-    """What one plugin registers; ``name`` is the plugin's, functions are ``name.function``."""
+    """The entries that one plugin registers. ``name`` is the plugin's name; the full name of a
+    function is ``name.function``. Every method raises PluginError for a value that does not fit."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -122,13 +131,17 @@ class OperationLibrary:
 
     @property
     def serves(self) -> bool:
-        """Whether anything was registered that a run could use."""
+        """Whether the library has an entry that a run could use."""
         return any((self.worlds, self.operations, self.sensors, self.costs))
 
     def world(
         self, name: str, engine: str = USUAL, hardware: bool = False, settle: float = 0.5
     ) -> Callable[[FunctionT], FunctionT]:
-        """Offer a world, furnished by the decorated ``build(world, blueprint, seed)``."""
+        """Register a world. The decorated ``build(world, blueprint, seed)`` furnishes it.
+
+        ``engine`` is the engine's name. ``hardware`` says that real machines move. ``settle`` is
+        in seconds (see ``WorldEntry``).
+        """
         name = proper_name(name, "a world")
         _one_of(engine, ENGINES, "engine")
         hardware, settle = truth(hardware, "hardware"), seconds(settle, "settle", zero=True)
@@ -143,10 +156,10 @@ class OperationLibrary:
         return keep
 
     def arrange(self, world: str) -> Callable[[FunctionT], FunctionT]:
-        """The decorated ``put(world, facts)`` puts that world where these facts hold.
+        """Register the start of a world. The decorated ``put(world, facts)`` makes the facts true.
 
-        ``facts`` maps (SB, digit) to a value, digits counted from 0; facts that a sub-SB expands
-        are not among them.
+        ``facts`` maps (SB, digit) to a value. Digits count from 0. Facts that a sub-SB expands are
+        left out.
         """
 
         world = proper_name(world, "a world")
@@ -166,11 +179,13 @@ class OperationLibrary:
         max_age: float = 0.3,
         words: Mapping[str, str] = NO_WORDS,
     ) -> Callable[[FunctionT], FunctionT]:
-        """The decorated ``f(world, ...) -> str | None`` senses facts; None: no valid reading.
+        """Register a sensor (paper, Sensor Representation). The decorated ``f(world, ...) -> str |
+        None`` reads facts. None means that there is no valid reading.
 
-        ``fact`` says which: ``"{n}"`` or ``"SB/{n}"``, counted from 1, of the file's only root
-        where no SB is named. Without it the sensor serves only facts bound to it. ``words`` say for
-        people what values mean that no state has: ``{"h": "held"}``.
+        ``fact`` is the pattern of the facts: ``"SB/{n}"``, or ``"{n}"`` for the only root of a
+        file. Here facts count from 1. Without ``fact`` the sensor reads only the facts that are
+        bound to it. ``period`` and ``max_age`` are in simulated seconds. ``words`` explain values
+        that no state has, such as ``{"h": "held"}``.
         """
         name = proper_name(name, "a sensor")
         fact = proper_name(fact, "a fact") if fact else ""
@@ -178,7 +193,7 @@ class OperationLibrary:
         told = words_of_values(words)
 
         def keep(function: FunctionT) -> FunctionT:
-            """Register the sensor; PluginError where names and parameters do not fit."""
+            """Register the sensor. PluginError if names and parameters do not fit."""
             signature = signature_of(function)
             pattern = read_pattern(name, signature.types)
             where = read_pattern(fact, signature.types)
@@ -200,13 +215,16 @@ class OperationLibrary:
         resumes: bool = True,
         touches: Sequence[str] = (),
     ) -> Callable[[FunctionT], FunctionT]:
-        """The decorated generator function carries out the operations that ``name`` matches.
+        """Register an operation (paper, Operation Representation). The decorated generator function
+        carries out the operations that the pattern ``name`` matches.
 
-        Each ``yield`` lets the world go on for one tick; returning False says that it failed.
-        Without a name it is only used where a blueprint or a binding file names it. ``resumes``
-        False: a pause cancels it. ``touches`` are the facts it may leave anywhere when it is
-        cancelled, besides those that its edge changes: ``"{n}"`` of the edge's SB or ``"SB/{n}"``,
-        counted from 1, by its own parameters.
+        Each ``yield`` lets the world go on for one tick. A return of False reports a failure.
+        Without a name the function is used only where a blueprint or a bindings file names it.
+        ``stop`` is the effect of a stop or pause: abort, hold or finish. ``timeout`` is in
+        simulated seconds. With ``resumes=False`` a pause cancels it. ``touches`` are patterns of
+        the facts that may have any value after a cancel, besides the facts of its edge: ``"{n}"``
+        for the SB of the edge, or ``"SB/{n}"``. Here facts count from 1, and names in braces are
+        parameters of the function.
         """
         name = proper_name(name, "an operation") if name else ""
         _one_of(stop, STOP_MODES, "stop")
@@ -214,7 +232,8 @@ class OperationLibrary:
         touched = [proper_name(fact, "a fact") for fact in touches]
 
         def keep(function: FunctionT) -> FunctionT:
-            """Register the operation; PluginError for no generator, or names that do not fit."""
+            """Register the operation. PluginError if the function is no generator, or if names do
+            not fit."""
             if not inspect.isgeneratorfunction(function):
                 raise PluginError(
                     f"{function.__name__} is no generator function",
@@ -236,19 +255,20 @@ class OperationLibrary:
         return keep
 
     def cost(self, name: str) -> Callable[[FunctionT], FunctionT]:
-        """The decorated ``f(state, scene, history, ...) -> float | None`` says what an edge costs.
+        """Register a cost function. The decorated ``f(state, scene, history, ...) -> float | None``
+        returns the cost of an edge. None means the declared cost.
 
-        It is asked about every edge whose operation's name matches, at every arrival and whenever
-        facts change: ``state`` is the state the edge leaves, ``scene`` maps ``SB/digit`` to a
-        sensed value or None, ``history`` has a pair (address, ``committed`` or ``failed``) for
-        each edge that was carried out, in order. None leaves the declared cost. It is handed no
-        world: it reads what it is given, and changes nothing.
+        The function is called for every edge whose operation's name matches, at every arrival and
+        whenever facts change. ``state`` is the source state of the edge. ``scene`` maps
+        ``SB/digit`` to a sensed value or None. ``history`` has a pair (address, ``committed`` or
+        ``failed``) for each edge that was carried out, in order. The function gets no world, so it
+        cannot change it.
         """
 
         name = proper_name(name, "a cost")
 
         def keep(function: FunctionT) -> FunctionT:
-            """Register the cost function; PluginError where names and parameters do not fit."""
+            """Register the cost function. PluginError if names and parameters do not fit."""
             signature = signature_of(function, ("state", "scene", "history"))
             pattern = read_pattern(name, signature.types)
             _must_name_all(pattern, signature)
@@ -259,11 +279,11 @@ class OperationLibrary:
         return keep
 
     def fault(self, world: str, name: str) -> Callable[[FunctionT], FunctionT]:
-        """The decorated ``f(world, ...)`` makes something go wrong in that world, when asked to.
+        """Register a fault. The decorated ``f(world, ...)`` causes it when a user or a script asks.
 
-        A plain function does it at once. A generator is resumed at every tick, after the running
-        operation and before the world's step, until it ends or the world is opened again. A
-        StudioError says that it cannot be done.
+        A plain function acts at once. A generator is resumed at every tick, after the running
+        operation and before the world's step, until it ends or the world is opened again. The
+        function raises a StudioError if the fault is not possible now.
         """
         name, world = proper_name(name, "a fault"), proper_name(world, "a world")
         if not name.isidentifier() or (world, name) in self.faults:

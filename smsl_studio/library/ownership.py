@@ -1,7 +1,7 @@
-"""Who else could change a file or folder, by its owner and its permissions.
+"""Ownership: checks whether another user could change a file or folder.
 
-Code and decisions are believed only where nobody but the user and root can change them. On a
-system without such permissions nothing is checked.
+Code and decisions are trusted only if no user except this one and root can change them. On systems
+without such permissions (Windows) nothing is checked.
 """
 
 from __future__ import annotations
@@ -27,23 +27,23 @@ _MOST_LINKS = 40
 
 @dataclass(frozen=True, slots=True)
 class Exposure:
-    """A path that somebody else could change: which one, why, and what to do about it."""
+    """A path that another user could change, with the reason and an advice."""
 
     path: Path
     words: str
     advice: str
 
     def error(self, subject: Path) -> PluginError:
-        """The error that tells it of ``subject``, which lies there or below."""
+        """Return the error for ``subject``, which is this path or lies below it."""
         what = "it" if self.path == subject else str(self.path)
         return PluginError(f"{what} {self.words}", advice=self.advice)
 
 
 def exposure_of(path: Path, found: os.stat_result, *, passed: bool = False) -> Exposure | None:
-    """How somebody else could change what stands at ``path``; ``found`` is what lstat told of it.
+    """Say how another user could change the entry at ``path``, or return None.
 
-    ``passed`` is for a folder that a path only goes through: there a sticky bit is enough, because
-    it leaves every entry to the entry's own owner.
+    ``found`` is the result of ``lstat`` for the path. ``passed`` is for a folder that a path only
+    goes through. There a sticky bit is enough, because then only an entry's owner can replace it.
     """
     if os.name != "posix":
         return None
@@ -69,9 +69,9 @@ def exposure_of(path: Path, found: os.stat_result, *, passed: bool = False) -> E
 
 
 def exposure_on_the_way(path: Path) -> Exposure | None:
-    """The first of the folders and links that lead to ``path`` that somebody else could change.
+    """Return the first folder or link on the way to ``path`` that another user could change.
 
-    What stands at ``path`` itself counts as passed, too. OSError where there is nothing.
+    The entry at ``path`` itself counts as passed, too. OSError if there is no such entry.
     """
     if os.name != "posix":
         return None
@@ -80,7 +80,8 @@ def exposure_on_the_way(path: Path) -> Exposure | None:
 
 
 def _way(path: Path) -> Iterator[Path]:
-    """Every folder and every link on the way to a path, the root first, none seen through."""
+    """Yield every folder and every link on the way to a path, the root first. A link is yielded
+    itself before the folders that it leads through."""
     left = list(reversed((Path.cwd() / path).parts))
     here, links = Path(left.pop()), 0
     yield here
@@ -105,10 +106,11 @@ def _way(path: Path) -> Iterator[Path]:
 
 
 def _is_own_group(path: Path, group: int) -> bool:
-    """Whether a group is the user's private one, as many systems give each user.
+    """Whether a group is the private group that many systems give to each user.
 
-    It has the user's name and no other member. Root's never counts: processes that are not root
-    run with it. An access list may hide behind the bits of the group, so there is none.
+    Such a group has the user's name and no other member. Root's group never counts, because some
+    processes of other users run with it. A path with an access list never counts, because the
+    list may be hidden behind the permission bits of the group.
     """
     if group == ROOT or group != os.getegid():
         return False

@@ -1,9 +1,9 @@
-"""Name patterns such as ``Op_{disk}{peg}``, and the one way they are read.
+"""Name patterns such as ``Op_{disk}{peg}``, and the rule for reading names with them.
 
-Reading is unambiguous: from the left, an ``int``, ``float`` or ``bool`` takes as many characters as
-it can, a ``str`` as few as it can (at least one), under the condition that the whole name matches.
-So ``Op_{disk}{peg}`` with ``disk: int, peg: str`` reads ``Op_12b`` as disk 12 and peg ``b``.
-``{{`` and ``}}`` stand for braces.
+The rule gives one result for each name. From the left, an ``int``, ``float`` or ``bool`` takes as
+many characters as possible, and a ``str`` as few as possible (at least one), so that the whole name
+matches. So ``Op_{disk}{peg}`` with ``disk: int, peg: str`` reads ``Op_12b`` as disk 12 and peg
+``b``. ``{{`` and ``}}`` stand for braces.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from typing import NamedTuple
 from smsl_studio.errors import PluginError
 
 MOST = 16
-"""Parameters in one pattern."""
+"""The largest number of parameters in one pattern."""
 
 LONGEST = 500
-"""Characters of one pattern."""
+"""The largest length of one pattern, in characters."""
 
 _DIGITS = re.compile("[0-9]*")
 
 
 class _Piece(NamedTuple):
-    """Fixed characters, and the parameter behind them (none where it is empty)."""
+    """Fixed characters, and the parameter behind them. An empty name means no parameter."""
 
     fixed: str
     name: str
@@ -35,7 +35,7 @@ class _Piece(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """A pattern: its text, the parameters in it, and how many of its characters are fixed."""
+    """A pattern: its text, its parameters, and the number ``literal`` of its fixed characters."""
 
     text: str
     parameters: tuple[str, ...]
@@ -43,9 +43,9 @@ class Pattern:
     _pieces: tuple[_Piece, ...] = field(repr=False)
 
     def match(self, name: str) -> dict[str, str] | None:
-        """The text each parameter has in ``name``, or None where the name does not fit.
+        """Return the text of each parameter in ``name``, or None if the name does not match.
 
-        It takes time in proportion to the pattern times the name, whatever they are.
+        The time is at most in proportion to the length of the pattern times that of the name.
         """
         pieces = self._pieces
         if not pieces:
@@ -59,14 +59,14 @@ class Pattern:
         return dict(zip(self.parameters, values, strict=True))
 
     def fill(self, values: Mapping[str, object]) -> str:
-        """The name that has these values."""
+        """Return the name that the pattern gives with these values."""
         return "".join(
             piece.fixed + (str(values[piece.name]) if piece.name else "") for piece in self._pieces
         )
 
 
 class _PatternMatch:
-    """One name read by one pattern, from the left; what has failed once is not tried again."""
+    """Reads one name with one pattern, from the left. It never tries a failed position again."""
 
     def __init__(self, pieces: tuple[_Piece, ...], name: str) -> None:
         self._pieces = pieces
@@ -74,7 +74,10 @@ class _PatternMatch:
         self._dead: dict[tuple[int, int], int] = {}
 
     def ends(self, at: int, start: int) -> list[tuple[int, int]] | None:
-        """Where the parameters from piece ``at`` on begin and end, the last one first."""
+        """Return begin and end of each parameter from piece ``at`` on, the last parameter first.
+
+        ``start`` is the position in the name. The result is None if the rest does not match.
+        """
         name = self._name
         if at == len(self._pieces):
             return [] if start == len(name) else None
@@ -85,7 +88,7 @@ class _PatternMatch:
         if not parameter:
             return self.ends(at + 1, start)
         furthest = _furthest(name, start, kind)
-        # Where one that began at ``dead`` has failed, every end behind that has been tried.
+        # A parameter that began at ``dead`` has failed, so every end behind ``dead`` was tried.
         dead = self._dead.get((at, furthest))
         if dead is not None and start >= dead:
             return None
@@ -99,9 +102,10 @@ class _PatternMatch:
 
 
 def _furthest(name: str, start: int, kind: object) -> int:
-    """The last place where a parameter could end: behind the digits, or at the end of the name.
+    """Return the last position where a parameter could end: behind the digits, or at the end of
+    the name.
 
-    A truth value has only its own places, so that this says nothing of any other.
+    For a truth value it is ``start``, because its ends depend on nothing but ``start``.
     """
     if kind is bool:
         return start
@@ -112,7 +116,7 @@ def _furthest(name: str, start: int, kind: object) -> int:
 
 
 def _possible(name: str, start: int, furthest: int, kind: object) -> Iterator[int]:
-    """The ends up to ``furthest`` that a parameter may have, the one that is tried first first."""
+    """Yield the possible ends of a parameter up to ``furthest``, in the order of the attempts."""
     if kind is bool:
         yield from (start + len(word) for word in ("true", "false") if name.startswith(word, start))
     elif kind is int or kind is float:
@@ -124,10 +128,10 @@ def _possible(name: str, start: int, furthest: int, kind: object) -> Iterator[in
 
 
 def read_pattern(text: str, types: Mapping[str, object]) -> Pattern:
-    """The pattern a text means; ``types`` gives the types of its parameters, ``str`` by default.
+    """Read a pattern. ``types`` has the types of its parameters; the default is ``str``.
 
-    Raises PluginError where the braces do not close, hold no plain name, or name one twice, and
-    where it is no text or too long.
+    PluginError if the value is no text, if it is too long, if a brace is not closed, or if braces
+    contain no plain name or the same name twice.
     """
     if type(text) is not str:
         raise PluginError(f"a pattern is of type {type(text).__name__}, not a text")

@@ -1,4 +1,4 @@
-"""Allowing and forbidding a plugin: what the command line and the window do alike."""
+"""Allows and forbids plugins, for the command line and the window."""
 
 from __future__ import annotations
 
@@ -9,22 +9,24 @@ from smsl_studio.library.survey import USER, FoundPlugin, PluginState
 
 
 def allow(found: FoundPlugin) -> FoundPlugin:
-    """Allow a plugin to be loaded; one in the user's folder only as long as its files stay so.
+    """Allow a plugin to be loaded.
 
-    It is what was found that is allowed: files that have changed since are not. PluginError for
-    one that cannot be loaded at all; SaveError where the decision cannot be written.
+    For a plugin in the user's folder this holds only for the files that were found: changed files
+    need a new decision. PluginError if the plugin cannot be loaded at all. SaveError if the
+    decision cannot be written.
     """
     if found.error is not None:
         raise found.error
     decision = PluginDecision(
         location=found.location, name=found.name, decision="allowed", digest=found.digest
     )
-    # What needs no permission is not written down.
+    # Only plugins in the user's folder need a permission, so no other permission is written.
     decide(decision, forget=found.source != USER)
     return replace(found, state=PluginState.ALLOWED)
 
 
 def forbid(found: FoundPlugin) -> FoundPlugin:
-    """Let no code of a plugin be loaded, whatever its files become; SaveError as above."""
+    """Forbid a plugin, even if its files change later. SaveError if the decision cannot be
+    written."""
     decide(PluginDecision(location=found.location, name=found.name, decision="forbidden"))
     return replace(found, state=PluginState.FORBIDDEN, error=None)

@@ -1,4 +1,4 @@
-"""Importing a plugin folder as a package, and finding the line of a mistake in it."""
+"""Imports a plugin folder as a package, and finds the line of an error in it."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from smsl_studio.library.sources import Sources
 def import_plugin(name: str, folder: Path, sources: Sources | None = None) -> ModuleType:
     """Run ``plugin.py`` of a folder as a private package, so that ``from . import x`` works.
 
-    With ``sources`` its modules are those that were digested, whatever stands on the disk by now.
-    ``sys.path`` is left alone. Modules of an earlier load are forgotten first, so that an edited
-    plugin is read anew. Whatever the plugin raises goes through.
+    With ``sources`` the modules come from the digested bytes, even if the files on the disk have
+    changed. ``sys.path`` does not change. Modules of an earlier load are removed first, so an
+    edited plugin is read anew. Errors of the plugin's code are not caught.
     """
     file = folder / "plugin.py"
     if not (file.is_file() if sources is None else "plugin.py" in sources.modules):
@@ -46,7 +46,7 @@ def import_plugin(name: str, folder: Path, sources: Sources | None = None) -> Mo
 
 
 def place_of(error: BaseException, location: str) -> Place | None:
-    """The innermost line of the plugin in ``location`` that a mistake came from."""
+    """Return the innermost line of the plugin in ``location`` that led to an error, or None."""
     if isinstance(error, SyntaxError) and error.filename and error.lineno:
         return Place(error.filename, error.lineno, max(error.offset or 1, 1))
     place = None
@@ -58,7 +58,10 @@ def place_of(error: BaseException, location: str) -> Place | None:
 
 
 def where(error: BaseException, location: str) -> str:
-    """`` (hanoi/plugin.py:12)``: the same on every machine, empty where no line is the plugin's."""
+    """Return the place of an error as `` (hanoi/plugin.py:12)``, the same text on every machine.
+
+    The text is empty if no line of the plugin led to the error.
+    """
     place = place_of(error, location)
     if place is None or not Path(place.file).is_relative_to(location):
         return ""

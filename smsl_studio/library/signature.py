@@ -1,4 +1,4 @@
-"""What a library function wants to be called with, and whether given arguments fit."""
+"""The parameters of a library function, and the check that arguments fit them."""
 
 from __future__ import annotations
 
@@ -15,18 +15,24 @@ _WORDS = {int: "a whole number", float: "a number", str: "a text", bool: "true o
 
 @dataclass(frozen=True, slots=True)
 class Signature:
-    """The parameters after the world (or what else is given): types, required ones, any name."""
+    """The parameters of a function after the given ones, such as the world.
+
+    ``types`` has the type of each parameter. ``required`` are the parameters without a default.
+    ``any_name`` says that the function has ``**kwargs``.
+    """
 
     types: Mapping[str, object]
     required: frozenset[str]
     any_name: bool
 
     def converted(self, texts: Mapping[str, str]) -> dict[str, Any]:
-        """Arguments from the texts of a name, each made what the function says it is."""
+        """Convert texts from a name to the types of the parameters. PluginError if a number is too
+        long."""
         return {name: self._from_text(name, text) for name, text in texts.items()}
 
     def checked(self, arguments: Mapping[str, Any]) -> dict[str, Any]:
-        """The arguments as the function takes them; PluginError where one does not fit."""
+        """Return the arguments with the types of the parameters. PluginError if one does not
+        fit."""
         for name in arguments:
             if name not in self.types and not self.any_name:
                 raise PluginError(
@@ -43,7 +49,7 @@ class Signature:
             return text == "true"
         try:
             return kind(text) if kind in (int, float) else text
-        except ValueError:  # Python reads no whole number of thousands of digits
+        except ValueError:  # Python refuses to read a whole number of thousands of digits
             raise PluginError(f"{name} is too long a number") from None
 
     def _checked(self, name: str, value: Any) -> Any:
@@ -56,8 +62,8 @@ class Signature:
 
 
 def signature_of(function: Callable[..., Any], given: Sequence[str] = ("world",)) -> Signature:
-    """The signature of ``f(world, ...)``, or of what is ``given`` first by position; PluginError
-    where it does not take that."""
+    """Return the signature of ``f(world, ...)``. ``given`` are the first parameters, which are
+    passed by position. PluginError if the function does not take them."""
     parameters = list(inspect.signature(function).parameters.values())
     first = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
     leading = [item.kind in first for item in parameters[: len(given)]]
@@ -89,7 +95,7 @@ def signature_of(function: Callable[..., Any], given: Sequence[str] = ("world",)
 def _hints(function: Callable[..., Any]) -> dict[str, object]:
     try:
         return dict(typing.get_type_hints(function))
-    except Exception:  # a hint that names what does not exist: fall back on the plain words
+    except Exception:  # a hint names something that does not exist: only the plain types are known
         plain = {kind.__name__: kind for kind in _WORDS}
         raw = getattr(function, "__annotations__", {})
         return {name: plain.get(hint, object) for name, hint in raw.items()}

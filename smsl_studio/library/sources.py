@@ -1,8 +1,8 @@
-"""What a plugin's folder holds: who may change it, its digest, and the code that was digested.
+"""The content of a plugin's folder: its permissions, its digest, and its code.
 
-The code of a plugin that was allowed is imported from here and not from the disk again, so that
-what runs is what was digested. Files that a plugin reads by itself are in the digest too, but
-nobody can hold them still between the digest and the moment it reads them.
+The code of an allowed plugin is imported from these bytes and not from the disk, so exactly the
+digested code runs. The digest also covers files that a plugin reads by itself. Such a file may
+still change between the digest and the moment when the plugin reads it.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from smsl_studio.library.ownership import exposure_of, exposure_on_the_way
 
 MOST_FILES = 20_000
 MOST_BYTES = 100_000_000
-"""What a plugin's folder holds at most, so that looking at it stays quick."""
+"""The largest number of files and bytes in a plugin's folder, so that a digest stays quick."""
 
 APART = ("__pycache__", ".git")
-"""Folders beside the digest: what is in them is not imported."""
+"""Folders that are left out of the digest. Their files are never imported."""
 
 _CODE = (".py", *EXTENSION_SUFFIXES)
 
@@ -43,9 +43,9 @@ class Sources:
 
 
 def check_sources(folder: Path) -> None:
-    """PluginError where somebody else could change what is in a plugin's folder.
+    """Raise PluginError if another user could change the content of a plugin's folder.
 
-    Links that lead out of it are followed, to see who could change what they lead to.
+    Links that lead out of the folder are followed, and their targets are checked, too.
     """
     waiting, seen = [folder], {folder}
     while waiting:
@@ -55,7 +55,7 @@ def check_sources(folder: Path) -> None:
             try:
                 there = path.resolve(strict=True)
                 exposed = exposure_on_the_way(path)
-            except (OSError, RuntimeError):  # it leads nowhere, or round in a circle
+            except (OSError, RuntimeError):  # the link leads nowhere, or in a circle
                 continue
             if exposed is not None:
                 raise exposed.error(folder)
@@ -65,10 +65,10 @@ def check_sources(folder: Path) -> None:
 
 
 def read_sources(folder: Path) -> Sources:
-    """Digest and code of a plugin's folder.
+    """Read the digest and the code of a plugin's folder.
 
-    PluginError where somebody else could change it, where a link leads out of it, and where it
-    holds what is no ordinary file, or more than ``MOST_FILES`` or ``MOST_BYTES``.
+    PluginError if another user could change the folder, if a link leads out of it, if an entry is
+    no ordinary file, or if there is more than ``MOST_FILES`` or ``MOST_BYTES``.
     """
     whole, left = hashlib.sha256(), MOST_BYTES
     modules: dict[str, bytes] = {}
@@ -100,9 +100,10 @@ def read_sources(folder: Path) -> Sources:
 
 
 def _entries(folder: Path, apart: tuple[str, ...] = ()) -> Iterator[tuple[Path, os.stat_result]]:
-    """The folder and everything in it by name, with what lstat tells; no link is followed.
+    """Yield the folder and all its entries in the order of their names, with the result of
+    ``lstat``. No link is followed.
 
-    PluginError where somebody else could change one of them, or where there are too many.
+    PluginError if another user could change an entry, or if there are too many entries.
     """
     waiting, count = [folder], 0
     while waiting:
@@ -127,15 +128,16 @@ def _entries(folder: Path, apart: tuple[str, ...] = ()) -> Iterator[tuple[Path, 
 
 
 def _stays(link: Path, folder: Path) -> bool:
-    """Whether a link leads to something in the folder."""
+    """Whether a link leads to an entry of the folder."""
     try:
         return link.resolve(strict=True).is_relative_to(folder)
-    except (OSError, RuntimeError):  # it leads nowhere, or round in a circle
+    except (OSError, RuntimeError):  # the link leads nowhere, or in a circle
         return False
 
 
 def _read(path: Path, name: str, most: int) -> bytes:
-    """The bytes of an ordinary file."""
+    """Return the bytes of an ordinary file. PluginError for any other file, or more than ``most``
+    bytes."""
     flags = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     try:
         handle = os.open(path, flags)
@@ -158,6 +160,6 @@ def _no_file(name: str) -> PluginError:
 
 
 def _line(whole: Callable[[bytes], object], kind: str, name: str, value: bytes) -> None:
-    """Add one entry to a digest; lengths keep names and values apart."""
+    """Add one entry to a digest. The lengths separate names from values."""
     for part in (kind.encode(), os.fsencode(name), value):
         whole(len(part).to_bytes(8, "big") + part)

@@ -1,4 +1,4 @@
-"""What library code is made of right now: a value that changes when a plugin is edited."""
+"""The stamp of library code: a value that changes when a plugin is edited."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ from smsl_studio.library.folders import plugin_path
 from smsl_studio.shipped import plugins_dir
 
 MOST = 5000
-"""Files that are looked at; a folder with more is no plugin's."""
+"""The largest number of files in a stamp, so that it stays quick."""
 
 _SKIPPED = ("__pycache__", ".git")
 
 
 def library_stamp(extra: Sequence[Path] = (), beside: str = "") -> tuple[object, ...]:
-    """Name, time and size of every file of every plugin folder, of the user's decisions about
-    plugins, and of the bindings ``beside``.
+    """Return name, time and size of every file in the plugin folders, of the user's decisions, and
+    of the bindings file beside the blueprint file ``beside``.
 
-    Installed packages are not looked at: they change when Python is started anew.
+    ``extra`` are further plugin folders. Installed packages are left out, because a change of them
+    counts only when Python is started anew.
     """
     folders = [*extra, *plugin_path(), user_folder() / "plugins", plugins_dir()]
     files = [decisions_file()]

@@ -1,10 +1,11 @@
-"""Which plugins there are and which of them may be loaded, found without running any of their code.
+"""The survey of plugins: it finds all plugins and decides which may be loaded. None of their code
+runs.
 
-A plugin's own words (``plugin.toml``, what a package says of itself) are read; who else could
-change its folder is looked at; and the user's decisions are asked. A plugin in the user's folder
-is loaded once it was allowed, and as long as its files stay what they were then. All others are
-loaded until they are forbidden: they ship with the program, are installed like it, or were named
-by whoever started it.
+The survey reads a plugin's own description (``plugin.toml``, or the metadata of a package), checks
+whether another user could change its folder, and reads the user's decisions. A plugin in the user's
+folder is loaded after the user has allowed it, as long as its files do not change. All other
+plugins are loaded unless they are forbidden: they ship with the program, are installed packages, or
+were named at the start of the program.
 """
 
 from __future__ import annotations
@@ -32,11 +33,11 @@ ASKED, PATH, USER, INSTALLED, SHIPPED = (
     "installed",
     "shipped",
 )
-"""Where a plugin may come from."""
+"""The possible sources of a plugin."""
 
 
 class PluginState(enum.Enum):
-    """The state of a plugin before any of its code runs; only an allowed one is loaded."""
+    """The state of a plugin before any of its code runs. Only an allowed plugin is loaded."""
 
     ALLOWED = "allowed"
     NEW = "new"
@@ -47,11 +48,11 @@ class PluginState(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class FoundPlugin:
-    """A plugin that was found; nothing of it has run.
+    """A plugin that was found. None of its code has run.
 
-    ``manifest`` is what it says about itself. ``sources`` are its files where they decide whether
-    it may be loaded, ``point`` is where an installed package begins. ``error`` is why it cannot be
-    loaded at all, whatever was decided.
+    ``manifest`` is its own description. ``sources`` are its files if they decide whether it may be
+    loaded. ``point`` is the entry point of an installed package. ``error`` says why it cannot be
+    loaded, whether it is allowed or not.
     """
 
     name: str
@@ -65,12 +66,12 @@ class FoundPlugin:
 
     @property
     def digest(self) -> str:
-        """The digest of its files, empty where it decides nothing."""
+        """The digest of its files. It is empty if the files do not decide whether it is loaded."""
         return self.sources.digest if self.sources else ""
 
     @property
     def reason(self) -> str:
-        """Why it is not loaded, and the way out; empty for one that is allowed."""
+        """The reason why it is not loaded, with an advice. It is empty for an allowed plugin."""
         allow = f"smsl-studio plugins allow {self.name}"
         return {
             PluginState.ALLOWED: "",
@@ -83,7 +84,8 @@ class FoundPlugin:
 
 
 def survey(extra: Sequence[Path] = ()) -> tuple[FoundPlugin, ...]:
-    """Every plugin there is, in the order in which they are loaded, each location once."""
+    """Find all plugins, in the order of loading, each location once. ``extra`` are further folders
+    of plugins."""
     decisions: Mapping[str, PluginDecision] | None
     try:
         decisions = read_decisions()
@@ -107,7 +109,7 @@ def survey(extra: Sequence[Path] = ()) -> tuple[FoundPlugin, ...]:
 def _in_folder(
     folder: Path, source: str, decisions: Mapping[str, PluginDecision] | None, *, must_exist: bool
 ) -> Iterator[FoundPlugin]:
-    """The plugin in a folder, or those in the folders in it."""
+    """Yield the plugin in a folder, or the plugins in its subfolders."""
     try:
         exposed = None if source == SHIPPED else exposure_on_the_way(folder)
         alone = (folder / MANIFEST).is_file()
@@ -129,7 +131,7 @@ def _fault(name: str, source: str, place: Path, error: PluginError) -> FoundPlug
 
 
 def _is_plugin(path: Path) -> bool:
-    """Whether a folder is a plugin, or means to be one; one that may not be looked at is none."""
+    """Whether a folder has the files of a plugin. A folder that cannot be read has none."""
     try:
         return (path / MANIFEST).is_file() or (path / "plugin.py").is_file()
     except OSError:
@@ -139,7 +141,7 @@ def _is_plugin(path: Path) -> bool:
 def _plugin_in(
     folder: Path, source: str, decisions: Mapping[str, PluginDecision] | None
 ) -> FoundPlugin:
-    """The plugin in a folder as far as it can be told: its own words, and whether it is allowed."""
+    """Return the plugin in a folder, with its own description and its state."""
     whole = folder.resolve()
     name, location = whole.name, str(whole)
     manifest = sources = error = None
@@ -166,7 +168,7 @@ def _plugin_in(
 
 
 def _is_text(path: str) -> bool:
-    """Whether a path can be kept in a file: not every name on a disk is valid UTF-8."""
+    """Whether a path can be written to a file. Not every file name is valid UTF-8."""
     try:
         path.encode("utf-8")
     except UnicodeEncodeError:
@@ -178,7 +180,7 @@ def _state(
     location: str, source: str, digest: str, decisions: Mapping[str, PluginDecision] | None
 ) -> PluginState:
     if decisions is None:
-        # Whatever was forbidden may stand here.
+        # The decisions cannot be read, so any plugin may be forbidden.
         return PluginState.ALLOWED if source in (ASKED, SHIPPED) else PluginState.NEW
     decided = decisions.get(location)
     if decided is not None and decided.decision == "forbidden":
@@ -189,7 +191,7 @@ def _state(
 
 
 def _packages(decisions: Mapping[str, PluginDecision] | None) -> Iterator[FoundPlugin]:
-    """The installed packages that offer a plugin. Their metadata is read, their code is not."""
+    """Yield the plugins of installed packages. Only their metadata is read, not their code."""
     for point in sorted(metadata.entry_points(group=GROUP), key=lambda point: point.name):
         state = _state(point.value, INSTALLED, "", decisions)
         dist = point.dist

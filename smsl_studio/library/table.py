@@ -1,8 +1,8 @@
-"""The table world's library, which is built in: any blueprint is carried out without physics.
+"""The built-in library of the table world: it carries out every blueprint without physics.
 
-The function of an edge writes down its target's facts in one tick, except digits that a sub-SB
-expands; with ``subs: load`` it also writes those of the subs' states, recursively. Every fact is
-sensed at every tick (clause 14).
+The function of an edge sets the facts of its target in one tick, except digits that a sub-SB
+expands. With ``subs: load`` it also sets the facts of the sub-SBs' states, and of the sub-SBs below
+them. Every fact is sensed at every tick (clause 14).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ TIMEOUT = 20.0
 def set_facts(
     world: TableWorld, blueprint: Blueprint, edge: Address
 ) -> Generator[None, None, bool | None]:
-    """Set the facts that the edge changes, within the first tick, unless a fault is set."""
+    """Set the facts of an edge's target within the first tick, unless a fault was injected."""
     how, other = world.befalling()
     if how:
         return (yield from befallen(world, how, other))
@@ -39,19 +39,19 @@ def set_facts(
 
 
 def table_bindings(blueprint: Blueprint) -> Bindings:
-    """Every edge and every leaf fact, bound to the table."""
+    """Return the bindings of the table world: every edge and every sensed fact is bound."""
     sensors = tuple(_sensor(branch, digit) for branch, digit in leaf_facts(blueprint))
     return Bindings(_TableOperations(blueprint), sensors)
 
 
 def facts_of(branch: StateBranch, state: str) -> dict[FactKey, str]:
-    """The facts of a state that are read by sensors, without those a sub-SB expands."""
+    """Return the facts of a state, without the facts that a sub-SB expands."""
     name, subs, values = branch.name, branch.subs, enumerate(branch.facts(state))
     return {(name, digit): value for digit, value in values if digit not in subs}
 
 
 def facts_of_edge(blueprint: Blueprint, edge: Address) -> dict[FactKey, str]:
-    """The facts that carrying out an edge brings about by its own function."""
+    """Return the facts that the function of an edge sets."""
     branch = blueprint[edge.branch]
     target = branch.table[edge.state][edge.operation]
     if target not in branch.table:
@@ -67,7 +67,8 @@ def facts_of_edge(blueprint: Blueprint, edge: Address) -> dict[FactKey, str]:
 
 
 def _facts_below(blueprint: Blueprint, name: str, on: bool, above: set[str]) -> dict[FactKey, str]:
-    """The facts of a sub-SB put into its ACTIVATING (INITIAL) state, and of all below it."""
+    """Return the facts of a sub-SB in its ACTIVATING (``on``) or INITIAL state, and of the SBs
+    below it. ``above`` are the SBs above it, to end at a cycle."""
     branch = blueprint[name]
     state = branch.activating if on else branch.initial
     if name in above or state not in branch.table:
@@ -80,7 +81,8 @@ def _facts_below(blueprint: Blueprint, name: str, on: bool, above: set[str]) -> 
 
 
 class _TableOperations(Mapping[Address, BoundOperation]):
-    """Every edge of a blueprint, bound when it is asked for: files have up to 177,144 of them."""
+    """The bindings of all edges of a blueprint. Each is made when it is asked for, because a file
+    may have 177,144 edges."""
 
     def __init__(self, blueprint: Blueprint) -> None:
         self._blueprint = blueprint

@@ -1,6 +1,6 @@
-"""The faults of the table world, with which any blueprint can be tested.
+"""The faults of the table world. They work with every blueprint, for tests and exercises.
 
-``set`` changes one fact without an operation; the others act on the next operation.
+The fault ``set`` changes one fact without an operation. All other faults act on the next operation.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 
 
 def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
-    """The faults of the table world for a blueprint, by name."""
+    """Return the faults of the table world for a blueprint, by name."""
 
     def set_fact(world: TableWorld, fact: str, value: str) -> None:
-        """Set one sensed fact, written ``SB/digit``, to a value."""
+        """Set one sensed fact (``SB/digit``) to a value."""
         world.set_facts({_fact(blueprint, fact): value})
 
     def fail(world: TableWorld) -> None:
-        """Let the next operation say that it failed."""
+        """Let the next operation report a failure."""
         world.spoil("fail")
 
     def break_down(world: TableWorld) -> None:
@@ -41,11 +41,11 @@ def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
         world.spoil("hang")
 
     def nothing(world: TableWorld) -> None:
-        """Let the next operation end well without changing a fact."""
+        """Let the next operation report success without changing a fact."""
         world.spoil("nothing")
 
     def elsewhere(world: TableWorld, state: str) -> None:
-        """Let the next operation end well, with the facts of another state."""
+        """Let the next operation report success, but set the facts of another state."""
         world.spoil("elsewhere", _facts_of(blueprint, state))
 
     named: dict[str, Callable[..., None]] = {
@@ -62,9 +62,10 @@ def table_faults(blueprint: Blueprint) -> dict[str, FaultEntry]:
 def befallen(
     world: TableWorld, how: str, facts: Mapping[FactKey, str]
 ) -> Generator[None, None, bool | None]:
-    """An operation with a fault: it fails, raises, hangs, does nothing or ends elsewhere.
+    """Run an operation with the fault ``how``: it fails, raises an error, hangs, does nothing, or
+    sets the facts of another state.
 
-    Only ``fail`` reports this itself; ``nothing`` and ``elsewhere`` report success.
+    Only ``fail`` reports a failure. ``nothing`` and ``elsewhere`` report success.
     """
     if how == "raise":
         raise RuntimeError("it was made to raise")
@@ -86,7 +87,8 @@ def _fact(blueprint: Blueprint, text: str) -> FactKey:
 
 
 def _facts_of(blueprint: Blueprint, text: str) -> dict[FactKey, str]:
-    """The facts of a state written ``SB/State``, or ``State`` where the blueprint has one root."""
+    """Return the facts of a state. ``text`` is ``SB/State``, or ``State`` if the blueprint has only
+    one root."""
     name, _, state = text.rpartition("/")
     if not name and len(blueprint.roots) == 1:
         name = blueprint.roots[0]

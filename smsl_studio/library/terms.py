@@ -1,6 +1,6 @@
-"""What a plugin may register: names that can be shown, times that are numbers.
+"""Checks the names, times and truth values that a plugin registers.
 
-Library code may hand over anything. What comes out of here is a plain text, float or truth value.
+Library code may pass any object. These functions return a plain text, float or truth value.
 """
 
 from __future__ import annotations
@@ -12,14 +12,14 @@ from smsl_studio.errors import PluginError
 from smsl_studio.legible import DIRECTIONS
 
 LONGEST = 300
-"""Characters of the longest name."""
+"""The largest length of a name, in characters."""
 
 
 def unfit_name(value: object, most: int = LONGEST) -> str:
-    """Why a value is no name that can be shown, empty where it is one.
+    """Say why a value cannot be shown as a name. The text is empty for a proper name.
 
-    A name is a text with no control characters, surrogates, line breaks or characters that change
-    the direction of writing.
+    A name is a text without control characters, surrogates, line breaks, and characters that
+    change the direction of writing.
     """
     if type(value) is not str:
         return f"is a value of type {type(value).__name__[:60]!r}, not a text"
@@ -36,7 +36,7 @@ def unfit_name(value: object, most: int = LONGEST) -> str:
 
 
 def proper_name(value: object, what: str) -> str:
-    """A name; PluginError where it is none."""
+    """Return the name. PluginError if the value is no proper name. ``what`` is its subject."""
     wrong = unfit_name(value)
     if wrong:
         raise PluginError(f"the name of {what} {wrong}")
@@ -44,7 +44,8 @@ def proper_name(value: object, what: str) -> str:
 
 
 def seconds(value: object, what: str, zero: bool = False) -> float:
-    """A time in seconds above 0, or ``zero``; PluginError for anything else. It may be for ever."""
+    """Return a time in seconds, above 0 or infinite. ``zero`` allows 0, too. PluginError for any
+    other value."""
     if isinstance(value, (int, float)) and type(value) is not bool:
         try:
             time = float(value)
@@ -60,14 +61,14 @@ def seconds(value: object, what: str, zero: bool = False) -> float:
 
 
 def truth(value: object, what: str) -> bool:
-    """True or False; PluginError for anything else."""
+    """Return True or False. PluginError for any other value."""
     if type(value) is not bool:
         raise PluginError(f"{what} is of type {type(value).__name__!r}, not True or False")
     return value
 
 
 def words_of_values(words: Mapping[str, str]) -> dict[str, str]:
-    """What values mean, for people; PluginError where these are no texts."""
+    """Return the words that explain values to people. PluginError if they are no texts."""
     found = dict(words)
     for value, word in found.items():
         if type(value) is not str or type(word) is not str:

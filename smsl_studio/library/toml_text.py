@@ -1,4 +1,4 @@
-"""TOML files with the places of keys, which the standard library's parser does not give."""
+"""TOML files with the places of their keys, which the parser of the standard library leaves out."""
 
 from __future__ import annotations
 
@@ -13,24 +13,25 @@ from smsl_studio.errors import Place, PluginError
 from smsl_studio.smsl.inputs import read_ordinary
 
 LARGEST = 4_000_000
-"""Bytes of the longest TOML file that is read."""
+"""The largest size of a TOML file, in bytes."""
 
 _AT = re.compile(r" ?\(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
 @dataclass(frozen=True, slots=True)
 class TomlText:
-    """The lines of a TOML file, to find where a key stands."""
+    """The lines of a TOML file, to find the places of keys."""
 
     file: str
     lines: tuple[str, ...]
 
     def line_of(self, key: str) -> int:
-        """The line (from 1) on which ``key`` is set or heads a table, 1 where it is not found."""
+        """Return the line (from 1) on which ``key`` is set or heads a table. It is 1 if the key is
+        not found."""
         return self._find(key) or 1
 
     def has(self, key: str) -> bool:
-        """Whether ``key`` is set or heads a table anywhere."""
+        """Whether ``key`` is set or heads a table in the file."""
         return self._find(key) is not None
 
     def _find(self, key: str) -> int | None:
@@ -42,7 +43,8 @@ class TomlText:
         return None
 
     def place(self, key: str) -> Place:
-        """Where a key stands in the file; its first character where the key is not found."""
+        """Return the place of a key in the file. It is the first character if the key is not
+        found."""
         line = self.line_of(key)
         text = self.lines[line - 1] if line <= len(self.lines) else ""
         return Place(self.file, line, max(text.find(key), 0) + 1)
@@ -51,11 +53,11 @@ class TomlText:
 def read_toml(
     path: Path, largest: int = LARGEST, inside: str = ""
 ) -> tuple[TomlText, dict[str, Any]]:
-    """The text and values of a TOML file; PluginError with the place of a mistake.
+    """Read the text and the values of a TOML file.
 
-    A file that is no ordinary one, or has more than ``largest`` bytes, is a mistake too. With
-    ``inside``, the real path of a folder, the file is read only where it lies below that, links
-    resolved.
+    ``inside`` is the real path of a folder. If it is given, the file must lie below it after links
+    are resolved. PluginError, with its place, if the file is no valid TOML, no ordinary file, or
+    larger than ``largest`` bytes.
     """
     file = str(path)
     try:
