@@ -9,8 +9,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from functools import partial
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -18,12 +19,15 @@ from PySide6.QtGui import QInputMethodEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from smsl_studio import front
+from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.front.request import RunRequest
+from smsl_studio.front.runs import open_request
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
 from smsl_studio.studio.features.draw.canvas.name_field import NameField
+from smsl_studio.studio.running import run_session
 from smsl_studio.studio.running.runner import FASTEST
 from smsl_studio.studio.shell.plugins import Plugins
 from smsl_studio.studio.shell.window import Window
@@ -140,7 +144,7 @@ class Seat:
     def step(self) -> None:
         """One operation of a run, which begins where there is none."""
         run = self.window.run_pane.run
-        with patch.object(front, "open_run", partial(front.open_run, host="local")):
+        with patch.object(run_session, "open_request", _in_this_process):
             self.act("run_step")
             self._until(lambda: not run.exists or run.phase != "opening")
         self._until(lambda: not run.exists or (run.phase in STANDING and not run.pausing))
@@ -170,3 +174,8 @@ class Seat:
             patch.object(Dialogs, "may_lose", lambda *_: True),
         ):
             yield
+
+
+def _in_this_process(request: RunRequest, *given: Any) -> Dispatcher:
+    """A run without a child process: what is looked at is the window, and it begins at once."""
+    return open_request(replace(request, host="local"), *given)
