@@ -28,6 +28,7 @@ from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.host.local import LocalHost
 from smsl_studio.library.loading import Loaded, Plugin
@@ -86,7 +87,9 @@ def _route(made: Blueprint, world: str) -> float:
     """The quickest of several runs, from when the route is planned until the goal is reached."""
     found: list[float] = []
     for _ in range(9):
-        dispatcher = Dispatcher(made, LocalHost(made, world, loaded=_blind()), goals=[GOAL])
+        dispatcher = Dispatcher(
+            made, LocalHost(made, world, loaded=_blind()), RunTerms(goals=[GOAL])
+        )
         heard = list(dispatcher.open())
         heard.extend(dispatcher.tick())
         begin = time.process_time()

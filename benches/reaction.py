@@ -21,7 +21,8 @@ from benches.row import Row
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
-from smsl_studio.host.process import ProcessHost
+from smsl_studio.dispatch.drive.terms import RunTerms
+from smsl_studio.host.process import ChildTerms, ProcessHost
 from smsl_studio.host.protocol import Tick
 from smsl_studio.runlog.events import Commanded, Held
 from smsl_studio.smsl.json_form import parse
@@ -105,7 +106,7 @@ class _Said:
 
 def _commands(folder: Path, count: int) -> Iterator[Row]:
     host = Counting(_blueprint("Walk"), "walk", plugin_paths=[folder])
-    dispatcher = Dispatcher(_blueprint("Walk"), host, attended=True)
+    dispatcher = Dispatcher(_blueprint("Walk"), host, RunTerms(attended=True))
     dispatcher.open()
     random, steps = Random(1), []
     said: list[_Said] = []
@@ -156,8 +157,8 @@ def _going(dispatcher: Dispatcher) -> None:
 def _until_held(folder: Path, operation: str, harm: Callable[[ProcessHost], None]) -> float:
     """Wall seconds from the harm, done while an operation is under way, to the event ``held``."""
     blueprint = _blueprint(operation)
-    host = ProcessHost(blueprint, "walk", plugin_paths=[folder], hang_limit=HANG)
-    dispatcher = Dispatcher(blueprint, host, attended=True)
+    host = ProcessHost(blueprint, "walk", plugin_paths=[folder], terms=ChildTerms(hang_limit=HANG))
+    dispatcher = Dispatcher(blueprint, host, RunTerms(attended=True))
     events = list(dispatcher.open())
     try:
         while dispatcher.status.running is None:

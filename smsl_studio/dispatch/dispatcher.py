@@ -7,22 +7,18 @@ clock or a file or starts a thread.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable
 from contextlib import suppress
-from types import MappingProxyType
 
-from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.drive.driver import Driver
-from smsl_studio.dispatch.drive.loop_guard import VISITS, LoopGuard
 from smsl_studio.dispatch.drive.review import Reviewer
-from smsl_studio.dispatch.drive.run_state import RunState
 from smsl_studio.dispatch.drive.start import begin_run
 from smsl_studio.dispatch.drive.supervisor import Supervisor
+from smsl_studio.dispatch.drive.terms import USUAL, RunTerms
 from smsl_studio.dispatch.execution.status import DispatchStatus
-from smsl_studio.dispatch.execution.trouble import Trouble
 from smsl_studio.dispatch.route.course import Course
 from smsl_studio.dispatch.status_now import Standing, look, look_at_nothing, stand
 from smsl_studio.dispatch.supervision.departure import leave
@@ -36,23 +32,14 @@ from smsl_studio.runlog.events import Event, Held, RunFinished
 from smsl_studio.runlog.phase import phase_at_end
 from smsl_studio.stop import BrokenOff, Stopped, restartable
 
-NOWHERE: Mapping[str, str] = MappingProxyType({})
-
 
 class Dispatcher(Commands):
-    """Runs one blueprint on one host.
-
-    ``start`` names the state of an SB, ``goals`` are states; ``avoid`` are edges that neither
-    routing nor a person may use. ``on_mismatch``: ``hold`` waits for a person, ``adopt`` goes on
-    from the one configuration the scene agrees with. ``attended`` says whether someone is there
-    to decide; where nobody is (by default in an automatic run), a hold or a stop ends the run.
-    ``supervisor`` is asked before every operation, last of all guards. ``visits`` is how often the
-    automatic route may begin one edge from one configuration before the run holds.
+    """Runs one blueprint on one host, on the terms that were settled before.
 
     ``levels`` say who acts, senses, inspects and supervises (by default as the blueprint has it).
-    ``someone`` says whether anybody will answer what people are asked; where it is not given, that
-    is whoever attends the run. ``findings`` are words of inspection that a person must accept
-    before anything moves; empty where nobody has to.
+    ``supervisor`` is asked before every operation, last of all guards. ``someone`` says whether
+    anybody will answer what people are asked; where it is not given, that is whoever attends the
+    run.
 
     Commands are taken while the run is open; the record of a finished one is closed.
     """
@@ -61,31 +48,17 @@ class Dispatcher(Commands):
         self,
         blueprint: Blueprint,
         host: Host,
+        terms: RunTerms = USUAL,
         *,
-        start: Mapping[str, str] = NOWHERE,
-        goals: Sequence[Address] = (),
-        seed: int = 0,
-        avoid: Collection[Address] = (),
-        on_mismatch: str = "hold",
-        automatic: bool = True,
-        attended: bool | None = None,
-        supervisor: Supervisor | None = None,
-        visits: int = VISITS,
         levels: Levels | None = None,
+        supervisor: Supervisor | None = None,
         someone: Callable[[], bool] | None = None,
-        findings: str = "",
     ) -> None:
         self.host = host
         self._waiting: list[Command] = []
-        self._blueprint = blueprint
-        self._start, self._goals, self._seed = dict(start), tuple(goals), seed
-        self._avoid = dict.fromkeys(avoid, "avoided")
-        self._adopts = on_mismatch == "adopt"
-        self._automatic = automatic
-        self._attended = not automatic if attended is None else attended
+        self._blueprint, self._terms = blueprint, terms
         self._reviewer = Reviewer(supervisor)
-        self._visits = visits
-        self._levels, self._someone, self._findings = levels, someone, findings
+        self._levels, self._someone = levels, someone
         self._leaving = False
         self._driver: Driver | None = None
         self._ended: RunFinished | None = None
@@ -109,22 +82,13 @@ class Dispatcher(Commands):
         WorldError and PluginError where the world cannot be built at all.
         """
         try:
+            terms = self._terms
             run, goals = begin_run(
-                self._blueprint, self.host, self._start, self._goals, self._levels
+                self._blueprint, self.host, terms.start, terms.goals, self._levels
             )
-            course = Course(run.hierarchy, goals, run.bound, self._avoid)
-            self._driver = Driver(
-                run,
-                course,
-                RunState(by_hand=not self._automatic),
-                Trouble(run, course, self._adopts),
-                reviewer=self._reviewer,
-                loops=LoopGuard(self._visits),
-                attended=self._attended,
-                someone=self._someone,
-                seed=self._seed,
-                findings=self._findings,
-            )
+            avoid = dict.fromkeys(terms.avoid, "avoided")
+            course = Course(run.hierarchy, goals, run.bound, avoid)
+            self._driver = Driver(run, course, self._reviewer, terms, self._someone)
             self._driver.starting.go_on()
         except RunRefused as refused:
             return self._end("refused", f"{refused.sentence}. {refused.advice}".strip())
@@ -235,7 +199,7 @@ class Dispatcher(Commands):
                 self._status = (
                     look(driver, self.phase, ended)
                     if driver
-                    else look_at_nothing(self.phase, self._goals, ended)
+                    else look_at_nothing(self.phase, self._terms.goals, ended)
                 )
         return self._status
 

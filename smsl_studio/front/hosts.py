@@ -31,10 +31,10 @@ def make_host(
         from smsl_studio.host.local import LocalHost
 
         return LocalHost(blueprint, world, seed, request.plugin_paths, loaded)
-    from smsl_studio.host.process import ProcessHost
+    from smsl_studio.host.process import ChildTerms, ProcessHost
 
-    only = _locations(loaded, world)
-    return ProcessHost(blueprint, world, seed, request.plugin_paths, only=only, spare=spare)
+    terms = ChildTerms(_locations(loaded, world))
+    return ProcessHost(blueprint, world, seed, request.plugin_paths, terms, spare)
 
 
 def make_ready(
@@ -44,9 +44,10 @@ def make_ready(
 
     It is ready for a run that is given the same ``loaded``.
     """
-    from smsl_studio.host.process import ProcessHost
+    from smsl_studio.host.process import ChildTerms, ProcessHost
 
-    spare.warm(ProcessHost(blueprint, world, seed, only=_locations(loaded, world)).recipe)
+    terms = ChildTerms(_locations(loaded, world))
+    spare.warm(ProcessHost(blueprint, world, seed, terms=terms).recipe)
 
 
 def _locations(loaded: Loaded | None, world: str) -> tuple[str, ...] | None:

@@ -12,6 +12,7 @@ from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.supervisor import Supervisor
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.errors import RunRefused, SaveError, WorldError
 from smsl_studio.front.acceptance import to_accept
@@ -121,9 +122,7 @@ def open_request(
     blueprint, chosen = checked.blueprint, Levels(checked.blueprint, checked.levels)
     _refuse_nonsense(blueprint)
     refuse_too_large(Hierarchy(blueprint))
-    return Dispatcher(
-        blueprint,
-        with_remote(checked, make_host(checked, loaded, spare)),
+    terms = RunTerms(
         start={at.branch: at.state for at in states_at(blueprint, checked.starts, "start")},
         goals=states_at(blueprint, checked.goals, "goal"),
         seed=checked.seed,
@@ -131,10 +130,10 @@ def open_request(
         on_mismatch=checked.on_mismatch,
         automatic=not checked.by_hand,
         attended=checked.attended,
-        levels=chosen,
-        supervisor=checked.supervisor,
         findings=to_accept(blueprint, chosen),
     )
+    host = with_remote(checked, make_host(checked, loaded, spare))
+    return Dispatcher(blueprint, host, terms, levels=chosen, supervisor=checked.supervisor)
 
 
 def run(

@@ -9,6 +9,7 @@ from smsl_studio.blueprint.check import Scene, state_check
 from smsl_studio.blueprint.configuration import Hierarchy
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.words import truth_word
 from smsl_studio.dispatch.route.effort import refuse_too_large
 from smsl_studio.front.hosts import make_host
@@ -73,7 +74,8 @@ def edge_alone(
     if start is None:
         words = f"no start agrees with {edge.branch} in {edge.state}"
         return _verdict(edge, sentence=words), False
-    dispatcher = Dispatcher(hierarchy.blueprint, host, start=start, seed=seed, automatic=False)
+    terms = RunTerms(start, seed=seed, automatic=False)
+    dispatcher = Dispatcher(hierarchy.blueprint, host, terms)
     events = list(dispatcher.open())
     source = "unknown"
     if not dispatcher.finished:

@@ -15,6 +15,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -43,12 +44,29 @@ _QUICK = frozenset(("sense", "begin", "tick", "costs", "disturb", "inject"))
 """The verbs that are answered at once. A run that is stopped may still wait for these answers."""
 
 
+@dataclass(frozen=True, slots=True)
+class ChildTerms:
+    """What a child may load, how long it may take (wall seconds), and how much memory it may have.
+
+    ``only`` are the places of the plugins that it loads; None: all there are. ``hang_limit`` holds
+    for one answer, ``open_limit`` for the first, ``silence_limit`` for the time without a pulse.
+    ``memory`` is in bytes; None: half of the machine's.
+    """
+
+    only: tuple[str, ...] | None = None
+    hang_limit: float = 10.0
+    silence_limit: float = 3.0
+    open_limit: float = 60.0
+    memory: int | None = None
+
+
+USUAL = ChildTerms()
+
+
 class ProcessHost:
     """A child process that contains a world and the code that is bound to a blueprint.
 
-    ``only`` are the locations of the plugins that the child loads (None: all plugins). ``memory``
-    is the largest memory of the child in bytes (None: half of the machine's memory). The three
-    limits are in seconds of wall time; ``open_limit`` is for building the world.
+    ``spare`` has a child in waiting, which serves the run if it was prepared for that run.
     """
 
     def __init__(
@@ -57,23 +75,15 @@ class ProcessHost:
         world: str,
         seed: int = 0,
         plugin_paths: Sequence[Path] = (),
-        *,
-        only: Sequence[str] | None = None,
-        hang_limit: float = 10.0,
-        silence_limit: float = 3.0,
-        open_limit: float = 60.0,
-        memory: int | None = None,
+        terms: ChildTerms = USUAL,
         spare: Spare | None = None,
     ) -> None:
         texts = tuple((one.file, one.form, one.text) for one in blueprint.documents)
         paths = tuple(str(path) for path in plugin_paths)
-        chosen = None if only is None else tuple(only)
-        self._recipe = Recipe(texts, world, seed, paths, chosen, memory)
+        self._recipe = Recipe(texts, world, seed, paths, terms.only, terms.memory)
+        self._terms = terms
         self._blueprint = blueprint
         self._answers: RunAnswers | None = None
-        self._hang_limit = hang_limit
-        self._silence_limit = silence_limit
-        self._open_limit = open_limit
         self._spare = spare
         self._child: Child | None = None
         self._ticks, self._step = 0, 0.0
@@ -103,7 +113,7 @@ class ProcessHost:
             if self._child is None and self._gone is None:
                 self._start()
             opened: OpenedWorld
-            asked = self._ask("open", dict(start), limit=self._open_limit)
+            asked = self._ask("open", dict(start), limit=self._terms.open_limit)
             opened, self._status, self._poses = asked
             if opened.world != self._recipe.world:
                 raise self._lost(f"the simulation process opened the world {opened.world!r}")
@@ -178,7 +188,7 @@ class ProcessHost:
             now = time.monotonic()
             if self._child.beats():
                 self._beat = now
-            elif now - self._beat > self._silence_limit:
+            elif now - self._beat > self._terms.silence_limit:
                 silent = f"{now - self._beat:.1f} s{self._doing}"
                 raise self._lost(f"the simulation process has shown no pulse for {silent}")
 
@@ -197,7 +207,8 @@ class ProcessHost:
         if self._child is not None:
             verb = "prepare" if self._child.prepared else "warm"
             try:
-                self._answer(verb, self._open_limit)  # to the command that the spare got
+                # The answer to the command that the spare got.
+                self._answer(verb, self._terms.open_limit)
             except HostError:
                 if self._closing:
                     raise
@@ -205,7 +216,7 @@ class ProcessHost:
         if self._child is None:
             self._child = self._started()
         if not self._child.prepared:
-            self._ask("prepare", self._recipe, limit=self._open_limit)
+            self._ask("prepare", self._recipe, limit=self._terms.open_limit)
 
     def _started(self) -> Child:
         try:
@@ -224,7 +235,7 @@ class ProcessHost:
                 self._child.wire.send(verb, arguments)
             except OSError:
                 raise self._died() from None
-            return self._answer(verb, limit or self._hang_limit)
+            return self._answer(verb, limit or self._terms.hang_limit)
 
     def _answer(self, verb: str, limit: float) -> Any:
         """Return the answer to the last command. HostError if no answer can come any more."""
@@ -279,7 +290,7 @@ class ProcessHost:
                 )
             if child.beats() or not self._opened or verb == "open":
                 heard = now
-            elif now - heard > self._silence_limit:
+            elif now - heard > self._terms.silence_limit:
                 silent = f"{now - heard:.1f} s{self._doing}"
                 raise self._lost(f"the simulation process has shown no pulse for {silent}")
 

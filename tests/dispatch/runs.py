@@ -11,6 +11,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.host.protocol import Host
 from smsl_studio.runlog.events import Event
 from smsl_studio.smsl.files import read_document
@@ -51,6 +52,10 @@ def goals(blueprint: Blueprint, *texts: str) -> list[Address]:
     return [blueprint.resolve(text) for text in texts]
 
 
+BESIDE = {"levels", "supervisor", "someone"}
+"""What a dispatcher is given beside the terms of its run."""
+
+
 class Story:
     """A run, driven by a test; every event that it told."""
 
@@ -59,7 +64,8 @@ class Story:
             choices[key] = goals(blueprint, *choices.get(key, ()))
         self.blueprint = blueprint
         self.host = host if host is not None else FakeHost(blueprint)
-        self.dispatcher = Dispatcher(blueprint, self.host, **choices)
+        beside = {key: choices.pop(key) for key in BESIDE & set(choices)}
+        self.dispatcher = Dispatcher(blueprint, self.host, RunTerms(**choices), **beside)
         self.events: list[Event] = list(self.dispatcher.open())
 
     def tick(self, count: int = 1) -> Self:

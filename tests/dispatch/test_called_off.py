@@ -8,6 +8,7 @@ from smsl_studio.blueprint.configuration import Hierarchy, start_configuration
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.search import Move, PlanSearch
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.route.planner import Planner
 from smsl_studio.host.protocol import Tick
 from smsl_studio.runlog.events import Event
@@ -119,7 +120,7 @@ class MuteHost(FakeHost):
 
 def test_a_world_that_does_not_answer_holds_up_no_stop() -> None:
     host = MuteHost(blueprint(wide(2)), lasts=5)
-    dispatcher = Dispatcher(host.blueprint, host, attended=True)
+    dispatcher = Dispatcher(host.blueprint, host, RunTerms(attended=True))
     dispatcher.open()
     while dispatcher.status.running is None:
         dispatcher.tick()
@@ -135,7 +136,7 @@ def test_a_world_that_does_not_answer_holds_up_no_stop() -> None:
 
 
 def _opened(made: Blueprint) -> Dispatcher:
-    dispatcher = Dispatcher(made, FakeHost(made), attended=True)
+    dispatcher = Dispatcher(made, FakeHost(made), RunTerms(attended=True))
     dispatcher.open()
     return dispatcher
 

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.front.inputs import read
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.process import ProcessHost
@@ -53,7 +54,7 @@ def test_nothing_disturbed_it_gets_there() -> None:
 
 def test_with_a_lost_sensor_nothing_begins() -> None:
     host = LocalHost(HANOI, "table")
-    dispatcher = Dispatcher(HANOI, host, automatic=False)
+    dispatcher = Dispatcher(HANOI, host, RunTerms(automatic=False))
     dispatcher.open()
     host.disturb("SB1/0", "dropout")
     for _ in range(7):

@@ -12,6 +12,7 @@ from typing import Any
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.front.inputs import refusals
 from smsl_studio.runlog.events import Event
 from tests.dispatch.fake_host import FakeHost
@@ -170,7 +171,7 @@ def run(plain: Plain, goal: Address, fault: tuple[int, Fact, str | None] | None)
     made = blueprint(plain)
     told: list[Event] = []
     host = FakeHost(made, lasts=4, stop=random.Random(str(plain)).choice(["hold", "finish"]))
-    dispatcher = Dispatcher(made, host, goals=[goal], attended=fault is not None)
+    dispatcher = Dispatcher(made, host, RunTerms(goals=[goal], attended=fault is not None))
     observer = Observer(plain)
     events = dispatcher.open()
     for tick in range(200):

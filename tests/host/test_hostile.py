@@ -15,7 +15,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import HostError, StudioError
 from smsl_studio.front.runs import run
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.process import ChildTerms, ProcessHost
 from smsl_studio.host.protocol import Host, Outcome, Tick
 from tests.plugin_folder import LAMP, blueprint_of, write_plugin
 
@@ -84,9 +84,8 @@ def child(folder: Callable[..., Path]) -> Iterator[Make]:
 
     def make(limit: float = 10.0, memory: int | None = None, **code: str) -> ProcessHost:
         paths = [folder(**code)]
-        host = ProcessHost(
-            blueprint_of(LAMP), "lamp", 0, paths, hang_limit=limit, open_limit=limit, memory=memory
-        )
+        terms = ChildTerms(hang_limit=limit, open_limit=limit, memory=memory)
+        host = ProcessHost(blueprint_of(LAMP), "lamp", 0, paths, terms)
         hosts.append(host)
         return host
 

@@ -13,7 +13,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
 from smsl_studio.front.runs import run
 from smsl_studio.host.plugin_offers import describe
-from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.process import ChildTerms, ProcessHost
 from smsl_studio.host.protocol import Outcome
 from smsl_studio.library.loading import Loaded
 from tests.hostile_files import write_files
@@ -76,7 +76,7 @@ def test_each_that_does_it_in_a_run_is_one_error_of_that_run(
 ) -> None:
     write_running(folder, marks, name)
     blueprint = blueprint_of(LAMP)
-    host = ProcessHost(blueprint, name, 0, [folder], hang_limit=LIMIT, open_limit=5.0)
+    host = ProcessHost(blueprint, name, 0, [folder], ChildTerms(hang_limit=LIMIT, open_limit=5.0))
     said: list[str] = []
     try:
         opened = host.open({"LAMP": "State_0"})

@@ -24,7 +24,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import HostError, WorldError
 from smsl_studio.front.inputs import read
 from smsl_studio.host.local import LocalHost
-from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.process import ChildTerms, ProcessHost
 from smsl_studio.host.protocol import Host, Outcome
 from smsl_studio.stop import StopListener, Stopped, heeding
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin
@@ -40,7 +40,7 @@ def lamp(tmp_path: Path) -> Iterator[Callable[..., ProcessHost]]:
     hosts: list[ProcessHost] = []
 
     def make(**limits: Any) -> ProcessHost:
-        hosts.append(ProcessHost(blueprint_of(LAMP), "lamp", 0, [tmp_path], **limits))
+        hosts.append(ProcessHost(blueprint_of(LAMP), "lamp", 0, [tmp_path], ChildTerms(**limits)))
         return hosts[-1]
 
     yield make
@@ -314,10 +314,11 @@ import sys
 from pathlib import Path
 from smsl_studio.blueprint.address import Address
 from smsl_studio.front.inputs import read
-from smsl_studio.host.process import ProcessHost
+from smsl_studio.host.process import ChildTerms, ProcessHost
 
 if __name__ == "__main__":
-    host = ProcessHost(read(sys.argv[1]), "lamp", 0, [Path(sys.argv[2])], hang_limit=60.0)
+    terms = ChildTerms(hang_limit=60.0)
+    host = ProcessHost(read(sys.argv[1]), "lamp", 0, [Path(sys.argv[2])], terms)
     host.open({"LAMP": "State_0"})
     host.begin(Address("LAMP", "State_0", "Op_spin"))
     host.tick()

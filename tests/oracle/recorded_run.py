@@ -17,6 +17,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.supervisor import Proposal, Verdict
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.smsl.json_form import parse_json
 from tests.oracle.recorded_host import RecordedHost
 
@@ -37,18 +38,16 @@ def record(case: Mapping[str, Json]) -> list[dict[str, Json]]:
     asked = case["asked"]
     host = RecordedHost(blueprint, case.get("world", {}), int(case.get("seed", 0)))
     agent = Agent(case["agent"], host) if case.get("agent") else None
-    dispatcher = Dispatcher(
-        blueprint,
-        host,
+    terms = RunTerms(
         start=asked.get("start", {}),
         goals=[_address(one) for one in asked.get("goals", ())],
         avoid=[_address(one) for one in asked.get("avoid", ())],
         on_mismatch=asked.get("on_mismatch", "hold"),
         automatic=asked.get("automatic", True),
         attended=asked.get("attended", None),
-        levels=Levels(blueprint, asked.get("levels", {})),
-        supervisor=agent,
     )
+    levels = Levels(blueprint, asked.get("levels", {}))
+    dispatcher = Dispatcher(blueprint, host, terms, levels=levels, supervisor=agent)
     voice = Voice(case, dispatcher)
     kept: list[dict[str, Json]] = []
 

@@ -18,6 +18,7 @@ from smsl_studio.dispatch.drive.loop_guard import REPEATS, LoopGuard
 from smsl_studio.dispatch.drive.review import Reviewer
 from smsl_studio.dispatch.drive.run_state import RunState
 from smsl_studio.dispatch.drive.start_tasks import StartTasks
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.bypass import Bypasses
 from smsl_studio.dispatch.execution.carrier import Carrier
 from smsl_studio.dispatch.execution.desk import Desk
@@ -41,29 +42,26 @@ from smsl_studio.stop import restartable
 
 class Driver:
     """One opened run. ``ended`` is None until it is over; ``sentence`` says why it ended or does
-    not go on. ``attended`` says whether someone is there to decide when it holds, ``someone``
+    not go on. ``attended`` says whether somebody is there to decide when it holds, ``someone``
     whether anybody will answer what people are asked (where it is not given: whoever attends).
-    ``findings`` are words that a person must accept before anything moves, if any."""
+    """
 
     def __init__(
         self,
         run: LiveRun,
         course: Course,
-        state: RunState,
-        trouble: Trouble,
-        *,
         reviewer: Reviewer,
-        loops: LoopGuard,
-        attended: bool,
+        terms: RunTerms,
         someone: Callable[[], bool] | None = None,
-        seed: int = 0,
-        findings: str = "",
     ) -> None:
-        self.run, self.course, self.state, self.trouble = run, course, state, trouble
-        self.reviewer, self.loops, self.attended = reviewer, loops, attended
+        self.run, self.course, self.reviewer = run, course, reviewer
+        self.state = RunState(by_hand=not terms.automatic)
+        self.trouble = trouble = Trouble(run, course, terms.adopts)
+        self.loops = loops = LoopGuard(terms.visits)
+        self.attended = terms.somebody_decides
         self.repeats = LoopGuard(REPEATS)
         self.desk = Desk(run, someone or (lambda: self.attended))
-        self.starting = StartTasks(run, self.desk, self, seed, course.goals, findings)
+        self.starting = StartTasks(run, self.desk, self, terms.seed, course.goals, terms.findings)
         self.integrity = Integrity(run, self.desk, trouble, self)
         self.admission = Admission(run, course, self.desk, reviewer, loops, self)
         self.outlook = Outlook(run, course)

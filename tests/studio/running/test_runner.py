@@ -9,6 +9,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import HostError
@@ -100,7 +101,7 @@ def test_a_stop_calls_off_a_plan_that_has_no_end(
 
     monkeypatch.setattr("smsl_studio.dispatch.route.planner.Planner.legs", legs)
     made = blueprint(wide(2))
-    runner = Runner(lambda: Dispatcher(made, FakeHost(made), attended=True), 1.0)
+    runner = Runner(lambda: Dispatcher(made, FakeHost(made), RunTerms(attended=True)), 1.0)
     runner.start()
     qtbot.waitUntil(planning.is_set)
     seen: list[DispatchStatus] = []

@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint.check import Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.host.local import LocalHost
 from smsl_studio.monitor.aggregate import FactRule
@@ -52,7 +53,7 @@ def hanoi() -> Blueprint:
 
 def _status(hanoi: Blueprint, **said: str | None) -> DispatchStatus:
     """How a run stands 0.2 s after its sensors said this; who says nothing did so a second ago."""
-    dispatcher = Dispatcher(hanoi, LocalHost(hanoi, "table"), automatic=False)
+    dispatcher = Dispatcher(hanoi, LocalHost(hanoi, "table"), RunTerms(automatic=False))
     dispatcher.open()
     status = dispatcher.status
     dispatcher.close()
@@ -148,7 +149,7 @@ def test_what_nobody_senses_is_believed(hanoi: Blueprint) -> None:
 
 def test_a_sub_sb_is_followed() -> None:
     hfsm = sample("hfsm")
-    dispatcher = Dispatcher(hfsm, LocalHost(hfsm, "table"), automatic=False)
+    dispatcher = Dispatcher(hfsm, LocalHost(hfsm, "table"), RunTerms(automatic=False))
     dispatcher.open()
     rows = _rows(hfsm, dispatcher.status)
     assert rows["SB1", "1"].cells[3] == "follows the state check of SB2"
