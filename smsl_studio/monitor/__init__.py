@@ -1,1 +1,2 @@
-"""C_fact and aggregation: samples become facts with age, quality and reason."""
+"""The monitor: it makes facts, with age and reason, from the samples of sensors (paper, Eq. 5
+``C_fact``, and State Monitoring Wireless Sensor Network)."""

@@ -1,7 +1,9 @@
-"""Aggregation: what several sources say of one fact becomes one value, or unknown with a reason.
+"""Aggregation: makes one value, or unknown with a reason, from the sources of a fact (paper, Eq.
+5).
 
-Values are opaque, so sources can agree or disagree, and nothing in between. Every mode is a pure
-function; ``docs/running.md`` has their truth tables. Unknown never becomes a value here.
+Values have no numeric meaning, so two sources can only agree or disagree. Every mode is a pure
+function; ``docs/running.md`` has their truth tables. Aggregation never invents a value for an
+unknown fact.
 """
 
 from __future__ import annotations
@@ -11,15 +13,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 NOBODY = "nobody has answered yet"
-"""Why a fact that only a person may answer is unknown."""
+"""The reason why a fact that only a person may answer is unknown."""
 NO_SENSOR = "no sensor reads it"
 
 
 @dataclass(frozen=True, slots=True)
 class SourceValue:
-    """What one source says of a fact now: its value, or None with the reason; ``age`` in s.
+    """The present value of one source for a fact, or None with the reason. ``age`` is in seconds.
 
-    ``human`` says that a person answered, ``contested`` that several programs speak for it.
+    ``human`` says that a person answered. ``contested`` says that several programs send samples for
+    this source.
     """
 
     source: str
@@ -32,7 +35,7 @@ class SourceValue:
 
 @dataclass(frozen=True, slots=True)
 class Aggregate:
-    """The value of a fact, or None with the reason; ``conflict`` says that sources disagree."""
+    """The value of a fact, or None with the reason. ``conflict`` says that sources disagree."""
 
     value: str | None
     reason: str = ""
@@ -42,12 +45,13 @@ class Aggregate:
 
 @dataclass(frozen=True, slots=True)
 class FactRule:
-    """How a fact is made of its sources, as ``_facts`` says.
+    """The rule that makes a fact from its sources, as ``_facts`` declares it.
 
-    ``k`` None asks for all of them. ``conflict_after`` is how long (s) they may disagree before
-    the fact is unknown. ``sensors`` are those that are named, in order; one of them that nobody
-    has is a source that says nothing. ``max_age`` (s) is that of a person's answer, None: it holds
-    until it is given anew. ``shared``: where its sensors leave it unknown, an answer counts, too.
+    ``k`` is the number of sources that must agree; None means all. ``conflict_after`` is the time
+    (s) that sources may disagree before the fact is unknown. ``sensors`` are the named sensors, in
+    order; a named sensor that does not exist counts as a source without a value. ``max_age`` (s)
+    is the largest age of a person's answer; None means that it holds until the next answer.
+    ``shared`` says that a person's answer counts if the sensors leave the fact unknown.
     """
 
     aggregation: str = "single"
@@ -60,17 +64,18 @@ class FactRule:
 
     @property
     def people(self) -> bool:
-        """Whether a person may say what it is."""
+        """Whether a person may answer the fact."""
         return self.shared or self.aggregation == "human"
 
     @property
     def awaits_all(self) -> bool:
-        """Whether a sensor that is named and missing counts."""
+        """Whether a named sensor that does not exist counts as a source without a value."""
         return self.aggregation in ("all", "k_of_n")
 
 
 def aggregate(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
-    """What ``said``, in the order of the sensors, amounts to under ``rule``."""
+    """Return the value of a fact by its rule. ``said`` has the values of its sources, in the order
+    of the sensors."""
     if rule.aggregation == "human":
         said = [one for one in said if one.human]
         return _first(rule, said) if said else Aggregate(None, NOBODY)
@@ -78,7 +83,7 @@ def aggregate(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
     said = [one for one in said if not one.human]
     contested = next((one for one in said if one.contested), None)
     if contested is not None:
-        # Somebody says what is not so. Under no rule may the others outvote or replace that.
+        # One of the programs sends false values. No rule may outvote or replace this source.
         verdict = Aggregate(None, contested.reason, contested.age)
     else:
         verdict = MODES[rule.aggregation](rule, said) if said else Aggregate(None, NO_SENSOR)
@@ -88,7 +93,7 @@ def aggregate(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
 
 
 def _agreeing(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
-    """Those that have a reading must agree; one is enough."""
+    """All sources with a reading must agree. One source is enough."""
     valid = _valid(said)
     if not valid:
         return _silent(said)
@@ -98,7 +103,7 @@ def _agreeing(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
 
 
 def _all(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
-    """Everyone must have a reading, and all must agree."""
+    """All sources must have a reading, and all must agree."""
     verdict = _agreeing(rule, said)
     missing = [one for one in said if one.value is None]
     if verdict.value is None or not missing:
@@ -109,7 +114,8 @@ def _all(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
 
 
 def _k_of_n(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
-    """At least k must agree. Of a critical fact nobody may say otherwise; of any other, no k."""
+    """At least k sources must agree. For a critical fact no other source may disagree. For any
+    other fact, no k sources may agree on another value."""
     k = len(said) if rule.k is None else rule.k
     valid = _valid(said)
     votes = Counter(one.value for one in valid)
@@ -125,8 +131,8 @@ def _k_of_n(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
 
 
 def _first(rule: FactRule, said: Sequence[SourceValue]) -> Aggregate:
-    """The first that has a reading decides; the others are what it falls back on. Of a critical
-    fact none of them may say otherwise."""
+    """The first source with a reading decides. For a critical fact no other source may
+    disagree."""
     valid = _valid(said)
     if not valid:
         return _silent(said)

@@ -1,8 +1,8 @@
 """The fact bus: it carries samples from sensors to monitors in this process.
 
-It needs no broker. It is bounded: of each speaker of a source only the newest sample waits, so that
-one which floods costs its own older samples and nothing else; what was left out is counted. Any
-thread may publish. Whoever subscribes fetches what waits when it suits its clock.
+It needs no broker. It is bounded: only the newest sample of each speaker of a source waits. So a
+speaker that sends too many samples loses only its own older samples. Lost samples are counted. Any
+thread may publish. A subscriber fetches the waiting samples at its own times.
 """
 
 from __future__ import annotations
@@ -17,13 +17,14 @@ from smsl_studio.monitor.sample import Sample
 from smsl_studio.monitor.speaker import same_word
 
 MOST_SOURCES = 4096
-"""Sources of facts that may wait at once: far more than any site has."""
+"""The largest number of sources with waiting samples. It is far more than any site has."""
 
 MOST_SPEAKERS = 4
-"""Speakers of one source that may wait at once; two are enough to make it unknown."""
+"""The largest number of speakers of one source with waiting samples. Two make it unknown
+already."""
 
 LONGEST = 1000
-"""Characters of a name, a value or a reason: far more than any of them needs."""
+"""The largest length of a name, a value or a reason, in characters."""
 
 SourceKey = tuple[str, int, str]
 """Branch, digit and source."""
@@ -31,11 +32,11 @@ SourceKey = tuple[str, int, str]
 
 @dataclass(frozen=True, slots=True)
 class BusCounts:
-    """What went over a bus: every sample was published; of these some were not handed on.
+    """The numbers of samples on a bus: all ``published`` samples, and those not handed on.
 
-    ``replaced`` were overtaken by a newer one of their source before they were fetched, or were
-    older themselves; ``refused`` are too long, or of one source too many; ``retained`` were kept
-    by a broker, and so say nothing of now.
+    ``replaced`` samples were older than another sample of their source when they were fetched.
+    ``refused`` samples were too long, or there were too many sources. ``retained`` samples were
+    kept by a broker, so they say nothing about the present.
     """
 
     published: int = 0
@@ -45,15 +46,15 @@ class BusCounts:
 
 
 class Mailbox:
-    """What waits for one subscriber."""
+    """The samples that wait for one subscriber."""
 
     def __init__(self, bus: FactBus) -> None:
         self._bus = bus
         self._waiting: dict[SourceKey, list[Sample]] = {}
 
     def take(self) -> tuple[Sample, ...]:
-        """The newest sample of every speaker of every source since the last time, in the order in
-        which the sources first spoke."""
+        """Return the newest sample of every speaker since the last call, in the order in which the
+        sources first sent samples."""
         if not self._waiting:
             return ()
         with self._bus.lock:
@@ -61,12 +62,13 @@ class Mailbox:
         return tuple([sample for samples in waiting.values() for sample in samples])
 
     def close(self) -> None:
-        """End the subscription; calling it twice is harmless."""
+        """End the subscription. A second call does nothing."""
         self._bus.forget(self)
         self._waiting = {}
 
     def put(self, samples: Iterable[Sample]) -> list[tuple[str, SourceKey]]:
-        """Let samples wait (the bus holds its lock); what was left out for them, and of whom."""
+        """Add waiting samples, while the bus holds its lock. Return a pair (kind of loss, source)
+        for each sample that was left out."""
         waiting, left_out = self._waiting, []
         for sample in samples:
             key = (sample.branch, sample.digit, sample.source)
@@ -82,7 +84,7 @@ class Mailbox:
 
 
 class FactBus:
-    """Samples from many to many, newest first."""
+    """Carries samples from many publishers to many subscribers."""
 
     def __init__(self) -> None:
         self.lock = threading.Lock()
@@ -91,19 +93,19 @@ class FactBus:
         self._floods: Counter[SourceKey] = Counter()
 
     def subscribe(self) -> Mailbox:
-        """A new inbox; what was published before is not in it."""
+        """Return a new mailbox. It gets only samples that are published from now on."""
         inbox = Mailbox(self)
         with self.lock:
             self._inboxes = (*self._inboxes, inbox)
         return inbox
 
     def forget(self, inbox: Mailbox) -> None:
-        """Hand nothing more to an inbox."""
+        """Hand no more samples to a mailbox."""
         with self.lock:
             self._inboxes = tuple(one for one in self._inboxes if one is not inbox)
 
     def publish(self, samples: Iterable[Sample], *, retained: bool = False) -> None:
-        """Hand samples to everyone who subscribed; retained ones are only counted."""
+        """Hand samples to all subscribers. Retained samples are only counted."""
         with self.lock:
             heard = list(samples)
             self._counts["published"] += len(heard)
@@ -121,18 +123,18 @@ class FactBus:
 
     @property
     def counts(self) -> BusCounts:
-        """What went over it so far."""
+        """The numbers of samples so far."""
         with self.lock:
             return BusCounts(**self._counts)
 
     def replaced(self, fact: FactKey, source: str) -> int:
-        """How many samples of one source were left out for a newer one."""
+        """Return the number of samples of one source that a newer sample replaced."""
         with self.lock:
             return self._floods[(*fact, source)]
 
     @property
     def flooding(self) -> SourceKey | None:
-        """The source of which most samples were left out for newer ones, if any were."""
+        """The source with the most replaced samples. None if no sample was replaced."""
         with self.lock:
             return max(self._floods, key=self._floods.__getitem__, default=None)
 
@@ -142,10 +144,10 @@ class FactBus:
 
 
 def _beside(waiting: list[Sample], sample: Sample) -> bool:
-    """Let one more sample of a source wait; whether that one, or one before it, was left out.
+    """Add a waiting sample of a source. Return whether this sample or an earlier one was left out.
 
-    Samples of one speaker grow in sequence and clock together. Any other two wait side by side, so
-    that whoever fetches them sees that two speak.
+    Sequence and clock of one speaker's samples grow together. Two samples for which this is not so
+    wait side by side, so that the subscriber sees two speakers.
     """
     for at, known in enumerate(waiting):
         if (known.node, known.boot) != (sample.node, sample.boot):
@@ -165,7 +167,7 @@ def _beside(waiting: list[Sample], sample: Sample) -> bool:
 
 
 def too_long(sample: Sample) -> bool:
-    """Whether a bus refuses a sample for the length of what it says."""
+    """Whether a bus refuses a sample because one of its texts is too long."""
     return (
         len(sample.branch) > LONGEST
         or len(sample.source) > LONGEST

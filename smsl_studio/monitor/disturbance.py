@@ -1,9 +1,9 @@
-"""Disturbances between a sensor and the monitor, switched on for a test.
+"""Disturbances between a sensor and the monitor, for tests.
 
-Kinds, each at most once on a sensor, and in this order: ``stuck``, ``drift`` and ``noise`` change
-what is said, ``dropout`` loses it, ``delay`` holds it up. They are seeded: equal runs are disturbed
-equally. Values are opaque, so a drift moves along a fact's values in their order, and noise puts
-any other of them in the place of the one that was read.
+The kinds act in this order, each at most once on a sensor: ``stuck``, ``drift`` and ``noise``
+change the value, ``dropout`` loses the sample, ``delay`` delays it. A seed makes equal runs have
+equal disturbances. Values have no numeric meaning. So a drift moves along the fact's values in
+their order, and noise replaces a value by any other value of the fact.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.monitor.sample import BAD, GOOD, Sample
 
 NONE = "none"
-"""The kind that switches all others off."""
+"""The kind that ends all disturbances of a sensor."""
 
 HAIR = 1e-9
 
@@ -25,22 +25,22 @@ Parameter = str | float
 
 
 class Disturbance(Protocol):
-    """One thing that goes wrong with the samples of one sensor, from the moment it is made."""
+    """One kind of disturbance of the samples of one sensor, from its creation on."""
 
     def passes(self, sample: Sample) -> Sample | None:
-        """The sample as it goes on; None where it is lost."""
+        """Return the disturbed sample. None if it is lost."""
         ...
 
 
 class Stuck:
-    """The sensor always reads the same: ``value``, or what it read first."""
+    """The sensor always reads the same value: ``value``, or its first reading if that is None."""
 
     def __init__(self, value: str | None) -> None:
         self._value = value
         self._caught = value is not None
 
     def passes(self, sample: Sample) -> Sample | None:
-        """The sample with the value at which the sensor is stuck."""
+        """Return the sample with the value at which the sensor is stuck."""
         if not self._caught:
             self._value, self._caught = sample.value, True
         if self._value is None:
@@ -49,14 +49,14 @@ class Stuck:
 
 
 class Drift:
-    """Every ``every`` seconds the sensor reads one value further on; at the last one it stays."""
+    """The reading moves on by one value every ``every`` seconds, and stays at the last value."""
 
     def __init__(self, every: float, values: Sequence[str]) -> None:
         self._every, self._values = every, tuple(values)
         self._since: float | None = None
 
     def passes(self, sample: Sample) -> Sample | None:
-        """The sample with a value further on, by the time since the first sample."""
+        """Return the sample with its value moved on by the time since the first sample."""
         if self._since is None:
             self._since = sample.time
         if sample.value not in self._values:
@@ -67,13 +67,13 @@ class Drift:
 
 
 class Noise:
-    """A share of all samples (``rate``, 0 to 1) has another value."""
+    """A share of the samples (``rate``, 0 to 1) gets another value."""
 
     def __init__(self, rate: float, values: Sequence[str], chance: Random) -> None:
         self._rate, self._values, self._chance = rate, tuple(values), chance
 
     def passes(self, sample: Sample) -> Sample | None:
-        """The sample, by chance with another value."""
+        """Return the sample, by chance with another value."""
         wrong = self._chance.random() < self._rate
         others = [value for value in self._values if value != sample.value]
         if not wrong or sample.value is None or not others:
@@ -82,13 +82,13 @@ class Noise:
 
 
 class Dropout:
-    """A share of all samples (``rate``, 0 to 1) is lost."""
+    """A share of the samples (``rate``, 0 to 1) is lost."""
 
     def __init__(self, rate: float, chance: Random) -> None:
         self._rate, self._chance = rate, chance
 
     def passes(self, sample: Sample) -> Sample | None:
-        """The sample, or by chance None: it is lost."""
+        """Return the sample, or by chance None."""
         return None if self._chance.random() < self._rate else sample
 
 
@@ -106,7 +106,8 @@ PARAMETERS: Mapping[str, tuple[str, Parameter | None]] = {
 
 
 def checked(kind: str, parameters: Mapping[str, Any]) -> Parameter | None:
-    """The parameter of a kind, as given or as it is by default; UsageError says what is wrong."""
+    """Return the parameter of a kind, or its default. UsageError if the kind or the parameter is
+    not valid."""
     if kind == NONE and not parameters:
         return None
     if kind not in KINDS:
@@ -131,9 +132,9 @@ def checked(kind: str, parameters: Mapping[str, Any]) -> Parameter | None:
 
 
 class DisturbedSensor:
-    """One sensor's samples on their way through what was switched on for it.
+    """Applies the disturbances of one sensor to its samples.
 
-    ``values`` are those its fact can have, in order; ``seed`` decides every chance.
+    ``values`` are the possible values of its fact, in order. ``seed`` decides all random choices.
     """
 
     def __init__(self, values: Sequence[str], seed: str) -> None:
@@ -145,9 +146,9 @@ class DisturbedSensor:
         self._held: list[tuple[float, Sample]] = []
 
     def switch(self, kind: str, parameter: Parameter | None) -> None:
-        """Let one kind begin anew with its checked parameter, or all of them end.
+        """Begin one kind of disturbance anew with its checked parameter. ``NONE`` ends all kinds.
 
-        What a delay held up still comes at its time.
+        Samples that are already delayed still arrive at their times.
         """
         self._switched += 1
         chance = Random(f"{self._seed} {kind} {self._switched}")
@@ -164,7 +165,7 @@ class DisturbedSensor:
             self._on[kind] = self._made(kind, parameter, chance)
 
     def take(self, sample: Sample, now: float) -> None:
-        """Take a sample that the sensor sends at ``now`` (s)."""
+        """Accept a sample that the sensor sends at ``now`` (s)."""
         for kind in ORDER:
             if kind in self._on:
                 passed = self._on[kind].passes(sample)
@@ -174,7 +175,7 @@ class DisturbedSensor:
         self._held.append((now + self._delay, sample))
 
     def release(self, now: float) -> tuple[Sample, ...]:
-        """The samples that arrive by ``now`` (s), in the order in which they were sent."""
+        """Return the samples that arrive by ``now`` (s), in the order in which they were sent."""
         arrived = tuple(sample for due, sample in self._held if due <= now + HAIR)
         self._held = [one for one in self._held if one[0] > now + HAIR]
         return arrived

@@ -1,9 +1,10 @@
-"""The fact monitor: samples become facts with age, quality and reason.
+"""The fact monitor: makes facts, with age and reason, from samples (paper, Eq. 5).
 
-Ages are measured on the receiver's clock, from the moment a sample was accepted: that of the run
-(simulated time in simulation), and the monotonic one for samples that came from elsewhere. Only a
-growing (boot, sequence) of a source refreshes its fact: late, repeated and retained samples do not.
-``aggregate`` makes one value of several sources; ``ledger`` decides who speaks for a source.
+Ages are measured on the receiver's clock, from the arrival of a sample. For sensors of the run this
+is the clock of the run (simulated time in simulation). For remote sensors it is the monotonic
+clock. Only a growing (boot, sequence) of a source refreshes its fact; late, repeated and retained
+samples do not. ``aggregate`` makes one value from several sources. ``ledger`` finds the speaker of
+a source.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ NO_RULES: Mapping[FactKey, FactRule] = MappingProxyType({})
 
 
 class FactSource(Protocol):
-    """What the monitor must know of a sensor: which fact, and when it is stale (s).
+    """The properties of a sensor that the monitor needs: its fact and its largest age (s).
 
-    ``aggregation`` counts where no rule is declared for the fact.
+    ``aggregation`` counts if no rule is declared for the fact.
     """
 
     @property
@@ -37,7 +38,7 @@ class FactSource(Protocol):
 
     @property
     def branch(self) -> str:
-        """The SB whose fact it reads."""
+        """The SB of the fact that the sensor reads."""
 
     @property
     def digit(self) -> int:
@@ -45,21 +46,21 @@ class FactSource(Protocol):
 
     @property
     def max_age(self) -> float:
-        """How old (s) its newest sample may be; an older one makes the fact unknown."""
+        """The largest age (s) of its newest sample. An older sample makes the fact unknown."""
 
     @property
     def aggregation(self) -> str:
-        """How several sensors of this fact become one value; see ``aggregate``."""
+        """The mode that makes one value from several sensors of this fact (see ``aggregate``)."""
 
 
 @dataclass(frozen=True, slots=True)
 class SourceState:
-    """One source of one fact, as a person wants to see it; times in seconds.
+    """The state of one source of one fact, for people. Times are in seconds.
 
-    ``sample`` is the newest that came. ``latency`` is the delay beyond that of the quickest sample
-    since its source started. ``counted``, ``repeated`` and ``late`` are numbers of samples; only
-    the counted ones refreshed the fact. ``limit`` is how old it may be; None: what a person said
-    holds until it is said anew.
+    ``sample`` is its newest sample. ``latency`` is its delay beyond the quickest sample since the
+    source started. ``counted``, ``repeated`` and ``late`` are numbers of samples; only counted
+    samples refresh the fact. ``limit`` is the largest age; None means that a person's answer holds
+    until the next answer.
     """
 
     fact: FactKey
@@ -74,9 +75,9 @@ class SourceState:
 
 @dataclass(slots=True)
 class _Fact:
-    """One fact: its rule, its sources in order, a person's answer, and what was agreed last.
+    """One fact: its rule, its sources in order, a person's answer, and the last agreed value.
 
-    ``alone`` is the only source of a fact that any one source makes known.
+    ``alone`` is its only source, if one source is enough for the rule. It allows a short cut.
     """
 
     rule: FactRule
@@ -87,10 +88,10 @@ class _Fact:
 
 
 class FactMonitor:
-    """C_fact: from the samples of the sensors to the scene.
+    """Makes the scene from the samples of the sensors (paper, Eq. 5, ``C_fact``).
 
-    The order of the sensors of one fact is their priority. Samples of other sensors are dropped and
-    counted as ``strangers``. What a person says of a fact comes only through ``answer``.
+    The order of the sensors of one fact is their priority. Samples of unknown sensors are dropped
+    and counted as ``strangers``. A person's answer comes only through ``answer``.
     """
 
     def __init__(
@@ -119,7 +120,7 @@ class FactMonitor:
                 fact.alone = next(iter(fact.sources.values()))
 
     def accept(self, samples: Iterable[Sample], now: float) -> None:
-        """Take in what the sensors said, at ``now`` (s) on the receiver's clock."""
+        """Take in samples, at ``now`` (s) on the clock of the run."""
         for sample in samples:
             ledger = self._ledgers.get((sample.branch, sample.digit, sample.source))
             if ledger is None:
@@ -128,9 +129,9 @@ class FactMonitor:
                 ledger.take(sample, now)
 
     def answer(self, branch: str, digit: int, value: str | None, who: str, now: float) -> None:
-        """A person says what a fact is, at ``now`` (s); None takes back what was said.
+        """Take in the answer of a person ``who`` to a fact, at ``now`` (s). None takes it back.
 
-        UsageError where the fact is not one that a person may answer.
+        UsageError if a person may not answer this fact.
         """
         fact = self._facts.get((branch, digit))
         if fact is None or not fact.rule.people:
@@ -142,13 +143,14 @@ class FactMonitor:
         fact.answer = (said, now)
 
     def answered(self) -> tuple[FactKey, ...]:
-        """The facts of which a person has said what they are."""
+        """Return the facts that have an answer of a person."""
         return tuple(key for key, fact in self._facts.items() if _says(fact))
 
     def scene(self, now: float, live: float = 0.0) -> Scene:
-        """Every sensed fact as it stands at ``now`` (s): its value, or unknown with the reason.
+        """Return the scene at ``now`` (s): each sensed fact with its value, or with the reason why
+        it is unknown.
 
-        ``live`` is the same instant on the monotonic clock, for sources that are elsewhere.
+        ``live`` is the same instant on the monotonic clock, for remote sources.
         """
         if not self._facts:
             if self._bare.time != now:
@@ -158,7 +160,7 @@ class FactMonitor:
         return Scene(MappingProxyType(readings), now)
 
     def sources(self, now: float, live: float = 0.0) -> tuple[SourceState, ...]:
-        """Every source of every fact at ``now`` (s), also those that do not count."""
+        """Return the state of every source at ``now`` (s), even of sources that do not count."""
         found = []
         for key, fact in self._facts.items():
             for ledger in fact.sources.values():
@@ -183,9 +185,10 @@ class FactMonitor:
 
 
 def _others(fact: _Fact, now: float) -> list[SourceValue]:
-    """A person's answer, and unknown for every named sensor that this world does not have.
+    """Return a person's answer, and an unknown value for each named sensor that the world does not
+    have.
 
-    Where no named sensor exists, nobody reads the fact, so it is unknown and not believed.
+    If none of the named sensors exists, the fact is unknown.
     """
     answers = [_answered(fact, now)] if fact.rule.people and fact.answer else []
     if fact.sources and not fact.rule.awaits_all:
@@ -215,7 +218,7 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
     if alone is not None:
         newest = alone.said_now(now)
         if newest is not None:
-            return _just_read(newest.value)
+            return _fresh_reading(newest.value)
         only = alone.said(now, live)
         return Reading(only.value, only.reason, only.age)
     said = [ledger.said(now, live) for ledger in fact.sources.values()]
@@ -227,14 +230,16 @@ def _reading(fact: _Fact, now: float, live: float) -> Reading:
 
 
 @lru_cache(maxsize=256)
-def _just_read(value: str | None) -> Reading:
-    """What is known of a fact whose only source says it at this very moment."""
+def _fresh_reading(value: str | None) -> Reading:
+    """Return the reading of a fact whose only source has sent a sample at this instant."""
     return Reading(value)
 
 
 def _patient(fact: _Fact, verdict: Aggregate, said: list[SourceValue], now: float) -> Aggregate:
-    """Keep the value agreed on last, with its growing age, while sources disagree for no longer
-    than declared and one of them still gives it."""
+    """Keep the last agreed value, with its growing age, during a short conflict.
+
+    It is kept for at most ``conflict_after`` seconds, and only while one source still has it.
+    """
     if not verdict.conflict:
         fact.agreed = (verdict, now) if verdict.value is not None else None
         return verdict

@@ -1,10 +1,10 @@
 """The ledger of one source: its speakers, its newest sample, and the samples that did not count.
 
-A fact ages on the receiver's clock, from the moment a sample was taken in. Repeated, retained and
-overtaken samples do not have a growing (boot, sequence) and refresh nothing. Neither does a late
-one, which was held up on its way for longer than its fact may be old: the clocks of source and
-receiver need not agree, so a sample is late by how much longer it took than the quickest of its
-boot. While more than one speaker is heard within that age, the source says nothing.
+The age of a fact is measured on the receiver's clock, from the arrival of a sample. Repeated,
+retained and overtaken samples do not have a growing (boot, sequence), so they do not refresh the
+fact. A late sample does not refresh it either: its delay is longer than the largest age of the
+fact. The clocks of source and receiver may differ, so the delay is measured against the quickest
+sample of the same boot. While the source has more than one live speaker, its fact is unknown.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from smsl_studio.monitor.sample import GOOD, Sample
 from smsl_studio.monitor.speaker import HAIR, Fit, Speaker, speaker_words
 
 MOST = 8
-"""So many speakers of one source are remembered. Two are enough to make it unknown."""
+"""The largest number of speakers of one source that are remembered. Two make it unknown already."""
 
 
 class Ledger:
-    """What was said for one source of one fact, and by whom.
+    """The samples of one source of one fact, with their speakers.
 
-    ``max_age`` is in seconds. ``counted``, ``repeated`` (overtaken, too) and ``late`` are how many
-    samples came; only those that counted refreshed the fact.
+    ``max_age`` is in seconds. ``counted``, ``repeated`` (with overtaken samples) and ``late`` are
+    numbers of samples. Only counted samples refresh the fact.
     """
 
     def __init__(self, name: str, max_age: float) -> None:
@@ -32,9 +32,9 @@ class Ledger:
         self._only: Speaker | None = None
 
     def take(self, sample: Sample, now: float) -> None:
-        """Take a sample in, if it is newer than all before of its speaker and came in time.
+        """Accept a sample if it is newer than all earlier samples of its speaker and not late.
 
-        It came at ``now`` (s), or when it says itself that it was received.
+        It arrived at ``now`` (s), or at its own ``received`` time.
         """
         if sample.received is not None:
             now = sample.received
@@ -50,15 +50,18 @@ class Ledger:
             self._weigh(sample, now)
 
     def speaker(self, now: float, live: float = 0.0) -> Speaker | None:
-        """The speaker of the newest sample at ``now`` (``live`` on the monotonic clock); None:
-        nobody yet."""
+        """Return the speaker of the newest sample, or None if there is no sample yet.
+
+        ``now`` (s) is the time of the run, ``live`` the same instant on the monotonic clock.
+        """
         if self._only is not None:
             return self._only
         heard = self._heard(now, live) or self._speakers
         return min(heard, key=lambda one: (one.over, one.age(now, live)), default=None)
 
     def said_now(self, now: float) -> Sample | None:
-        """The sample of its only speaker, if that came at this very moment and is evidence."""
+        """Return the sample of the only speaker if it arrived exactly at ``now`` and is
+        evidence."""
         only = self._only
         if only is None or only.received != now or only.live:
             return None
@@ -66,8 +69,8 @@ class Ledger:
         return sample if sample.value is not None and sample.quality == GOOD else None
 
     def said(self, now: float, live: float = 0.0) -> SourceValue:
-        """What it says as things stand at ``now``, or ``live`` on the monotonic clock: its value,
-        or nothing with the reason."""
+        """Return the value of the source at ``now`` (``live`` on the monotonic clock), or None with
+        the reason."""
         speaker = self.speaker(now, live)
         if speaker is None:
             return SourceValue(self.name, None, "no reading yet", now)
@@ -89,16 +92,17 @@ class Ledger:
 
     @property
     def live(self) -> bool:
-        """Whether anybody who speaks for it is elsewhere, so that the monotonic clock counts."""
+        """Whether it has a remote speaker, so that the monotonic clock counts."""
         return any(one.live for one in self._speakers)
 
     def _heard(self, now: float, live: float) -> list[Speaker]:
-        """The speakers heard within the age of the fact, in the order in which they first spoke."""
+        """Return the speakers with a sample within the largest age, in the order of their first
+        samples."""
         most = self.max_age + HAIR
         return [one for one in self._speakers if one.age(now, live) <= most]
 
     def _weigh(self, sample: Sample, now: float) -> None:
-        """Take a sample that is not simply the next one of the only speaker."""
+        """Accept or count a sample that is not simply the next sample of the only speaker."""
         same = [one for one in self._speakers if one.called(sample)]
         fits = [one.fit(sample, now, self.max_age) for one in same]
         by_fit = {fit: [one for one, is_ in zip(same, fits, strict=True) if is_ is fit]
@@ -124,12 +128,12 @@ class Ledger:
             self.repeated += over
 
     def _is_over(self, sample: Sample, speaker: Speaker | None) -> bool:
-        """Whether its node has said something newer already, by another speaker than this one."""
+        """Whether another speaker of the same node has sent a newer sample already."""
         others = (one for one in self._speakers if one is not speaker and one.node == sample.node)
         return any(one.knows_newer(sample) for one in others)
 
     def _add(self, speaker: Speaker) -> None:
-        """One more speaker; of too many, who has been silent for longest is forgotten."""
+        """Add a speaker. If there are too many, the one with the longest silence is forgotten."""
         if len(self._speakers) == MOST:
             self._speakers.remove(min(self._speakers[1:], key=lambda one: one.heard))
         self._speakers.append(speaker)

@@ -1,4 +1,4 @@
-"""The messages of a node: JSON with a version, read as if an attacker had written it.
+"""The messages of a node: JSON with a version. The reader trusts no message.
 
 A fact::
 
@@ -6,7 +6,7 @@ A fact::
      "value": "1", "quality": "good", "reason": ""}
 
 A status: ``{"version": 1, "boot": 1763654321000, "state": "alive"}``, or ``gone``.
-``docs/monitoring.md`` has what each word means.
+``docs/monitoring.md`` explains each word.
 """
 
 from __future__ import annotations
@@ -20,26 +20,27 @@ from smsl_studio.monitor.topics import FactTopic
 
 VERSION = 1
 LARGEST = 8192
-"""Bytes of a message: far more than any fact needs."""
+"""The largest size of a message, in bytes. It is far more than any fact needs."""
 MOST = 2**53 - 1
-"""The largest boot or sequence: every JSON reader has integers up to this."""
+"""The largest boot or sequence. Every JSON reader reads whole numbers up to this one exactly."""
 ALIVE, GONE = "alive", "gone"
 
 
 class UnreadableError(Exception):
-    """A message that cannot be used; its text is the reason, for people."""
+    """A message cannot be used. The text is the reason, for people."""
 
 
 @dataclass(frozen=True, slots=True)
 class Status:
-    """What a node says of itself: ``alive`` at its birth, ``gone`` by its will or in parting."""
+    """The state of a node: ``alive`` after its start, ``gone`` at its end. The broker sends
+    ``gone`` if the node's connection is lost (its MQTT will)."""
 
     boot: int
     state: str
 
 
 def read_status(payload: bytes) -> Status:
-    """A status; UnreadableError says why it is none."""
+    """Read a status message. UnreadableError if it is not valid."""
     said = _object(payload)
     state = said.get("state")
     if state not in (ALIVE, GONE):
@@ -50,8 +51,11 @@ def read_status(payload: bytes) -> Status:
 def read_fact(
     topic: FactTopic, payload: bytes, received: float | None = None
 ) -> tuple[str, Sample]:
-    """The node that speaks, and its sample, which came at ``received``; UnreadableError says why it
-    is none."""
+    """Read a fact message. Return the name of the node and the sample.
+
+    ``received`` is the time (s) of its arrival on the monotonic clock. UnreadableError if the
+    message is not valid.
+    """
     said = _object(payload)
     if "value" not in said:
         raise UnreadableError("value is missing")
@@ -77,12 +81,12 @@ def read_fact(
 
 
 def status_payload(status: Status) -> bytes:
-    """A status as it is sent."""
+    """Return the bytes of a status message."""
     return _bytes({"version": VERSION, "boot": status.boot, "state": status.state})
 
 
 def fact_payload(node: str, sample: Sample) -> bytes:
-    """A sample as it is sent."""
+    """Return the bytes of a fact message."""
     return _bytes(
         {
             "version": VERSION,
@@ -152,7 +156,7 @@ def _text(said: dict[str, Any], name: str) -> str:
 
 
 def _is_text(value: object) -> bool:
-    """Whether it is a text that can be written: JSON can escape halves of characters, too."""
+    """Whether a value is a text that UTF-8 can encode. JSON may contain half surrogate pairs."""
     if not isinstance(value, str):
         return False
     try:

@@ -1,10 +1,11 @@
-"""MQTT 5, by paho: the one file that knows it, loaded where a broker is named.
+"""The MQTT 5 connections of a run. Only this file uses paho; it is loaded if a broker is named.
 
-There is one connection for the nodes, one for each declared source, so that none is held up by what
-another floods, and one for whatever else is said of the run, so that a source nobody declared is
-seen and counted. paho reads each in a thread of its own. Each message gets the monotonic time at
-which it was read, and goes to the ``Reception``. Sessions begin clean at every connection, so that
-a broker hands out nothing that it kept while we were away; they are connected again by themselves.
+There is one connection for the nodes and one for each declared source, so that a flood from one
+source delays no other. One more connection reads all other messages of the run, so that undeclared
+sources are counted. paho reads each connection in a thread of its own. Each message goes to the
+``Reception`` with the monotonic time at which it was read. Every connection begins a clean session,
+so the broker sends no messages that it kept during an interruption. A lost connection is made again
+without a call.
 """
 
 from __future__ import annotations
@@ -24,22 +25,22 @@ if TYPE_CHECKING:
 
 PORT = 1883
 KEEPALIVE = 2
-"""Seconds of silence after which both sides ask whether the other is there."""
+"""The time (s) of silence after which each side checks the connection."""
 ANSWER = 3.0
-"""Seconds that a broker may take to answer the connection."""
+"""The time (s) that a broker may take to accept a connection."""
 WAITS = 1, 4
-"""The shortest and longest wait (s) before it is connected again."""
+"""The shortest and the longest wait (s) before a new attempt to connect."""
 LARGEST_PACKET = 65536
-"""Bytes: a broker keeps larger ones for itself."""
+"""The largest packet in bytes. A broker does not send larger packets."""
 IN_FLIGHT = 20
-"""Messages of a source under way at once; further ones wait at the broker, and are dropped
-there."""
+"""The largest number of unconfirmed messages of one connection. The broker drops further ones."""
 BUFFER = 16384
-"""Bytes that may wait in this system: a hundred messages."""
+"""The size of the system's receive buffer in bytes: about a hundred messages."""
 
 
 def host_and_port(text: str) -> tuple[str, int]:
-    """``HOST``, ``HOST:PORT`` or ``[V6]:PORT``; UsageError where it is neither."""
+    """Read the address of a broker: ``HOST``, ``HOST:PORT`` or ``[V6]:PORT``. UsageError for any
+    other text."""
     host, port = text.strip(), str(PORT)
     if host.startswith("["):
         host, _, rest = host[1:].partition("]")
@@ -53,24 +54,24 @@ def host_and_port(text: str) -> tuple[str, int]:
 
 
 class BrokerLink:
-    """The connections to one broker, for one reception."""
+    """The connections to one broker. Their messages go to one reception."""
 
     def __init__(self, broker: str, reception: Reception) -> None:
         self.broker = broker
         self._where = host_and_port(broker)
         self._reception = reception
-        self._ears: list[_Ear] = []
-        self._nodes: _Ear | None = None
+        self._subscriptions: list[_Subscription] = []
+        self._nodes: _Subscription | None = None
         self._left = False
         self._since = monotonic()
 
     def open(self) -> None:
-        """Connect and subscribe; RunRefused where there is no broker, or it does not answer."""
+        """Connect and subscribe. RunRefused if there is no broker, or if it does not answer."""
         reception = self._reception
         site, run = written(reception.site), written(reception.run)
-        nodes = _Ear(f"{START}{site}/node/+/status", self._hear)
-        sources = [_Ear(topic, self._hear) for topic in reception.topics]
-        others = _Ear(f"{START}{site}/run/{run}/fact/#", self._overhear, quality=0)
+        nodes = _Subscription(f"{START}{site}/node/+/status", self._hear)
+        sources = [_Subscription(topic, self._hear) for topic in reception.topics]
+        others = _Subscription(f"{START}{site}/run/{run}/fact/#", self._hear_undeclared, quality=0)
         self._nodes = nodes
         try:
             words = nodes.connect(*self._where)
@@ -86,51 +87,51 @@ class BrokerLink:
                 f"there is no broker at {self._where[0]}:{self._where[1]}: {words}",
                 advice="Start one, such as mosquitto, or name another: --broker HOST:PORT.",
             )
-        for ear in (*sources, others):
-            ear.connect_later(*self._where)
-        self._ears = [nodes, *sources, others]
+        for one in (*sources, others):
+            one.connect_later(*self._where)
+        self._subscriptions = [nodes, *sources, others]
         if self._left:
             self.close()
 
     @property
     def connected(self) -> bool:
-        """Whether the broker is there, as far as is known."""
+        """Whether the broker is connected, as far as is known."""
         return self.lost is None
 
     @property
     def lost(self) -> float | None:
-        """For how long (s) the broker has been gone; None while it is there."""
-        if not self._ears:
+        """The time (s) since the connection was lost. None while there is a connection."""
+        if not self._subscriptions:
             return monotonic() - self._since
-        since = self._ears[0].lost
+        since = self._subscriptions[0].lost
         return None if since is None else monotonic() - since
 
     @property
     def connections(self) -> int:
-        """How often it was connected."""
-        return self._ears[0].connections if self._ears else 0
+        """The number of connections made so far."""
+        return self._subscriptions[0].connections if self._subscriptions else 0
 
     def close(self) -> None:
-        """Close all connections; calling it twice is harmless."""
+        """Close all connections. A second call does nothing."""
         self._left = True
-        ears, self._ears, self._since = self._ears, [], monotonic()
+        subscriptions, self._subscriptions, self._since = self._subscriptions, [], monotonic()
         nodes, self._nodes = self._nodes, None
-        if not ears and nodes is not None:
+        if not subscriptions and nodes is not None:
             nodes.leave()
-        for ear in ears:
-            ear.leave()
-        for ear in ears:
-            ear.close()
+        for one in subscriptions:
+            one.leave()
+        for one in subscriptions:
+            one.close()
 
     def _hear(self, topic: str, payload: bytes, retained: bool) -> None:
         self._reception.receive(topic, payload, retained, monotonic())
 
-    def _overhear(self, topic: str, payload: bytes, retained: bool) -> None:
+    def _hear_undeclared(self, topic: str, payload: bytes, retained: bool) -> None:
         if topic not in self._reception.topics:
             self._hear(topic, payload, retained)
 
 
-class _Ear:
+class _Subscription:
     """One connection that subscribes to one topic, or to one pattern of topics."""
 
     def __init__(
@@ -153,7 +154,8 @@ class _Ear:
         client.on_message = self._on_message
 
     def connect(self, host: str, port: int) -> str:
-        """Connect now; the empty text, or why the broker is none. OSError: nobody is there."""
+        """Connect now. Return the empty text, or the reason why the broker refused. OSError if no
+        server answers."""
         self._client.connect(host, port, KEEPALIVE, clean_start=True, properties=_asking())
         self._client.loop_start()
         with self._changed:
@@ -168,20 +170,20 @@ class _Ear:
         self._client.loop_start()
 
     def leave(self) -> None:
-        """Disconnect; a thread that waits for the broker's answer stops waiting."""
+        """Disconnect, and end the wait of a thread for the broker's answer."""
         self._client.disconnect()
         with self._changed:
             self._refused = "it was left"
             self._changed.notify_all()
 
     def close(self) -> None:
-        """End the thread, also one that is just being connected."""
+        """End the thread, even during an attempt to connect."""
         self._client.disconnect()
         self._client.loop_stop()
         left = self._client.socket()
         if left is not None:
             left.close()
-        # paho frees what it holds besides when nothing points at it any more.
+        # paho frees its other resources when no reference to them is left.
         self._client.on_connect = self._client.on_disconnect = None
         self._client.on_message = self._client.on_socket_open = None
 
@@ -192,7 +194,7 @@ class _Ear:
             if code.is_failure:
                 self._refused = str(code)
             else:
-                # A fact that was kept shall be seen as one, so that it is refused and counted.
+                # With the retained flag a retained fact can be recognised, refused and counted.
                 options = SubscribeOptions(qos=self._quality, retainAsPublished=True)
                 client.subscribe(self._topic, options=options)
                 self.lost = None
@@ -211,7 +213,7 @@ class _Ear:
 
 
 def _keep_little(client: Client, data: Any, opened: Any) -> None:
-    """What waits in the system's buffers is old when it is read."""
+    """Make the receive buffer small, because a message that waits in it is old when it is read."""
     opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
 
 

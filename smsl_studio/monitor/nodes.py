@@ -1,7 +1,7 @@
 """Nodes: the programs that send samples of network sensors, and the state of each.
 
-This is for people alone: no fact is fresh because a node says that it lives, and none is stale
-because its will came. A will counts only for the boot that left it.
+These states are only for people. They make no fact fresh or stale. The MQTT will of a node counts
+only for the boot that left it.
 """
 
 from __future__ import annotations
@@ -13,19 +13,20 @@ from smsl_studio.monitor.message import ALIVE, GONE, Status
 from smsl_studio.monitor.sample import Sample
 
 MOST_NODES = 256
-"""Nodes that are remembered: far more than a site has."""
+"""The largest number of nodes that are remembered. It is far more than a site has."""
 
 EXPECTED, FROZEN = "expected", "frozen"
-"""Nobody spoke yet; it lives as far as anybody knows, and its samples stopped."""
+"""``expected``: the node has sent no sample yet. ``frozen``: its samples have stopped, although it
+has not reported its end."""
 
 
 @dataclass(frozen=True, slots=True)
 class NodeState:
-    """One node as it stands: ``state`` is alive, frozen, gone or expected.
+    """The state of one node: ``state`` is alive, frozen, gone or expected.
 
-    ``heard`` is how long ago (s) its newest sample came, None: never. ``since`` is how long (s) it
-    has been so. ``boots`` counts how often it was seen to start. ``speaks`` are its sources, as
-    ``SB/digit source``.
+    ``heard`` is the age (s) of its newest sample; None means that it has sent none. ``since`` is
+    the time (s) that it has been in this state. ``boots`` is the number of its starts.
+    ``speaks`` are its sources, as ``SB/digit source``.
     """
 
     name: str
@@ -49,13 +50,14 @@ class _Node:
 
 
 class Nodes:
-    """The nodes of one site that were heard of; all times on the receiver's clock."""
+    """The known nodes of one site. All times are seconds on the receiver's monotonic clock."""
 
     def __init__(self) -> None:
         self._nodes: dict[str, _Node] = {}
 
     def said(self, name: str, status: Status, now: float) -> str:
-        """A node's birth or will; the empty text, or why it counts for nothing."""
+        """Take in the status of a node. Return the empty text, or the reason why the status does
+        not count."""
         node = self._nodes.get(name)
         if node is not None and status.boot < node.boot:
             return f"{status.state} of boot {status.boot}, which is over"
@@ -69,7 +71,8 @@ class Nodes:
         return ""
 
     def spoke(self, name: str, sample: Sample, max_age: float, now: float) -> None:
-        """A sample of one of the run's facts came from a node."""
+        """Note that a node has sent a sample of one of the run's facts. ``max_age`` is in
+        seconds."""
         known = self._nodes.get(name)
         if known is not None and sample.boot < known.boot:
             return
@@ -82,7 +85,7 @@ class Nodes:
             node.speaks = (*node.speaks, speaks)
 
     def states(self, now: float) -> tuple[NodeState, ...]:
-        """Every node at ``now``, by name."""
+        """Return the state of every node at ``now`` (s), in the order of their names."""
         return tuple(_state(name, node, now) for name, node in sorted(self._nodes.items()))
 
     def _of(self, name: str, boot: int, now: float) -> _Node | None:

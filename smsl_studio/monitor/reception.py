@@ -1,8 +1,8 @@
 """The reception: it checks every network message before the monitor uses it.
 
-It needs no network itself. What is of a declared source and can be read waits as a sample, the
-newest of each source; everything else is counted under a name, with its newest example, and
-refreshes nothing. Any thread may call it.
+It needs no network itself. A readable message from a declared source becomes a sample; the newest
+sample of each source waits. Every other message is counted under the kind of its fault, with the
+newest example, and refreshes no fact. Any thread may call it.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ TOPIC, SITE, RUN, RETAINED, STRANGER, PAYLOAD, STATUS, LONG, OVERTAKEN = (
     "too long",
     "overtaken before it was read",
 )
-"""Why a message counted for nothing."""
+"""The kinds of messages that do not count."""
 
 FEW = 100
-"""Samples that are no flood yet."""
+"""The number of samples below which a source never counts as flooding."""
 SHOWN = 120
-"""Characters of an example that are kept."""
+"""The largest length of an example, in characters."""
 
 
 @dataclass(frozen=True, slots=True)
 class RefusedMessages:
-    """Messages that counted for nothing, for one reason: how many, and the newest in words."""
+    """The messages that do not count for one reason: their number, and the newest in words."""
 
     kind: str
     count: int
@@ -49,9 +49,10 @@ class RefusedMessages:
 
 @dataclass(frozen=True, slots=True)
 class Received:
-    """What came so far: all messages, the samples among them, and every kind of refusal.
+    """The numbers of received messages, of samples among them, and of every kind of refusal.
 
-    ``replaced`` are samples that a newer one of their source overtook before they were fetched.
+    ``replaced`` is the number of samples that a newer sample of their source replaced before they
+    were fetched.
     """
 
     messages: int
@@ -62,7 +63,10 @@ class Received:
 
 @dataclass(frozen=True, slots=True)
 class RemoteView:
-    """The network as people want to see it: the broker, its nodes, and what came."""
+    """The state of the network, for people: the broker, its nodes, and the received messages.
+
+    ``lost`` is the time (s) since the connection was lost; None means that it is connected.
+    """
 
     broker: str
     site: str
@@ -74,7 +78,7 @@ class RemoteView:
 
 
 class Reception:
-    """Hears for one run of one site the sources that are declared."""
+    """Receives the messages of the declared sources, for one run of one site."""
 
     def __init__(self, site: str, run: str, sources: Iterable[FactSource]) -> None:
         self.site, self.run = site, run
@@ -83,7 +87,7 @@ class Reception:
         }
         topics = (FactTopic(site, run, *key) for key in self._declared)
         self.topics: Mapping[str, FactTopic] = {str(topic): topic for topic in topics}
-        """Where the declared sources speak."""
+        """The topics of the declared sources."""
         self._bus = FactBus()
         self._inbox = self._bus.subscribe()
         self._lock = threading.Lock()
@@ -94,7 +98,7 @@ class Reception:
         self._silent = set(self._declared)
 
     def receive(self, topic: str, payload: bytes, retained: bool, now: float) -> None:
-        """One message that arrived at ``now`` (s, the receiver's monotonic clock)."""
+        """Take in one message, which arrived at ``now`` (s, the receiver's monotonic clock)."""
         about = self.topics.get(topic) or read_topic(topic)
         with self._lock:
             self._messages += 1
@@ -111,23 +115,23 @@ class Reception:
                     self._refuse(RUN, run)
 
     def take(self) -> tuple[Sample, ...]:
-        """The newest sample of every source since the last time."""
+        """Return the newest sample of every source since the last call."""
         return self._inbox.take()
 
     @property
     def silent(self) -> tuple[SourceKey, ...]:
-        """The declared sources that have not said anything yet."""
+        """The declared sources that have sent no sample yet."""
         with self._lock:
             return tuple(sorted(self._silent))
 
     def nodes(self, now: float) -> tuple[NodeState, ...]:
-        """Every node that was heard of, as it stands at ``now``."""
+        """Return the state of every known node at ``now`` (s)."""
         with self._lock:
             return self._nodes.states(now)
 
     @property
     def received(self) -> Received:
-        """What came so far."""
+        """The numbers of messages so far."""
         with self._lock:
             refusals = [
                 RefusedMessages(kind, *said) for kind, said in sorted(self._refused.items())
@@ -140,7 +144,7 @@ class Reception:
             return Received(self._messages, self._samples, replaced, tuple(refusals))
 
     def _floods(self, key: SourceKey) -> bool:
-        """Whether a source sends ten times as many samples as can be read."""
+        """Whether a source sends ten times as many samples as are fetched."""
         spoken = self._spoken[key]
         left_out = self._bus.replaced(key[:2], key[2])
         return spoken > FEW and left_out > 0.9 * spoken

@@ -1,4 +1,4 @@
-"""Sample: what one source says of one fact at one instant."""
+"""Sample: the reading of one source for one fact at one instant."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from typing import NamedTuple
 from smsl_studio.blueprint.check import FactKey
 
 GOOD, UNCERTAIN, BAD = "good", "uncertain", "bad"
-"""What a source thinks of its own reading. Only a good one is evidence."""
+"""The quality that a source gives to its own reading. Only a good reading is evidence."""
 
 
 class Sample(NamedTuple):
     """One reading on its way to the monitor. It is a light value, because most are never used.
 
-    ``value`` None means the source has no valid reading (its ``reason`` says why). ``time`` is the
-    source's clock in seconds, which never goes back; ``sequence`` grows with every sample of a
-    (source, boot), ``boot`` with every start of the source. ``received`` is when a sample of a
-    sensor that is elsewhere came in, on this computer's monotonic clock; None: it is the run's own.
-    ``node`` is the program elsewhere that says so; empty for those of this program.
+    A ``value`` of None means that the source has no valid reading; ``reason`` says why. ``time`` is
+    the source's clock in seconds, which never goes back. ``sequence`` grows with every sample of a
+    source, and ``boot`` with every start of the source. ``received`` is the time (s) at which a
+    sample of a remote sensor arrived, on this computer's monotonic clock. It is None for sensors of
+    the run itself. ``node`` is the name of the remote program; it is empty for this program.
     """
 
     branch: str
@@ -34,10 +34,10 @@ class Sample(NamedTuple):
 
     @property
     def fact(self) -> FactKey:
-        """The fact it speaks of."""
+        """The fact that the sample is about."""
         return self.branch, self.digit
 
     @property
     def order(self) -> tuple[int, int]:
-        """What must grow from one sample of a source to the next one that counts."""
+        """The pair (boot, sequence). It must grow from one sample of a source to the next."""
         return self.boot, self.sequence

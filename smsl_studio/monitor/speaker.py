@@ -1,9 +1,9 @@
 """The speakers of a source: the programs whose samples carry its name.
 
-A source is bound to the node and boot that spoke first. Whoever else speaks under its name within
-its age is a second speaker, and then nobody can say which of them is right. Two programs may even
-use one node name and one boot. They are told apart by their sequences and clocks: those of one
-program grow together, those of two do not.
+A source is bound to the node and boot of its first sample. Another program that uses its name
+within its largest age is a second speaker, and then it is not known which of them is right. Two
+programs may even use the same node name and boot. Their sequences and clocks show the difference:
+sequence and clock of one program grow together, those of two programs do not.
 """
 
 from __future__ import annotations
@@ -15,20 +15,20 @@ from math import inf, isfinite, nan
 from smsl_studio.monitor.sample import Sample
 
 HAIR = 1e-9
-"""Seconds by which an age, a sum of ticks, may exceed the maximum without being too old."""
+"""The tolerance (s) for ages: an age is a sum of ticks and has rounding errors."""
 
 CREEP = 1e-3
-"""A source's clock may be slow by one part in a thousand without its samples seeming late."""
+"""The tolerance for a slow clock of a source: one part in a thousand makes no sample late."""
 
 LONG = 40
-"""Characters of a node's name that are told in a reason."""
+"""The largest length of a node's name in a reason, in characters."""
 
 HERE, NAMELESS = "this program", "a node without a name"
 
 
 class Fit(Enum):
-    """What a sample is to a speaker: its next word, one of its former words, one that was held up
-    for too long, or a word of somebody else."""
+    """The relation of a sample to a speaker: its next sample, an earlier sample, a late sample, or
+    a sample of another program."""
 
     NEXT = "next"
     FORMER = "former"
@@ -37,12 +37,13 @@ class Fit(Enum):
 
 
 class Speaker:
-    """One program that speaks for a source, as far as its samples show.
+    """One program that sends samples for a source, as its samples show it.
 
-    ``sample`` is its newest sample and ``received`` when it came (s): on the monotonic clock where
-    it is ``live``, that is elsewhere, else on the clock of the run. ``heard`` is when anything of
-    it came last, also what refreshed nothing. ``latency`` (s) is beyond the quickest way seen.
-    ``over`` says that its word does not count, because it is not newer than what was known.
+    ``sample`` is its newest sample, and ``received`` (s) the time of its arrival. A ``live``
+    speaker is remote, and its times are on the monotonic clock; other times are on the clock of the
+    run. ``heard`` (s) is the arrival of its last sample of any kind. ``latency`` (s) is the delay
+    beyond the quickest sample. ``over`` says that its samples do not count, because they are not
+    newer than the known ones.
     """
 
     def __init__(self, sample: Sample, now: float, over: bool = False) -> None:
@@ -59,24 +60,26 @@ class Speaker:
         return self.node == sample.node and self.boot == sample.boot
 
     def age(self, now: float, live: float) -> float:
-        """How long ago (s) anything of it came; ``live`` is now on the monotonic clock."""
-        # A sample may come in after the clock was read.
+        """Return the time (s) since its last sample of any kind. ``live`` is now on the monotonic
+        clock."""
+        # A sample may arrive after the clock was read.
         return max(0.0, live - self.heard) if self.live else now - self.heard
 
     def read_age(self, now: float, live: float) -> float:
-        """How old (s) its newest sample is."""
+        """Return the age (s) of its newest sample."""
         return max(0.0, live - self.received) if self.live else now - self.received
 
     def knows_newer(self, sample: Sample) -> bool:
-        """Whether a sample of the same node is older than what this one has said: by its boot, or
-        by its sequence and clock."""
+        """Whether a sample of the same node is older than this speaker's newest sample: by its
+        boot, or by its sequence and clock."""
         if self.boot != sample.boot:
             return self.boot > sample.boot
         clock = sample.time <= self._time or not isfinite(sample.time)
         return sample.sequence <= self.sample.sequence and clock
 
     def fit(self, sample: Sample, now: float, max_age: float) -> Fit:
-        """What a sample of this node and boot that came at ``now`` (s) is to it."""
+        """Return the relation of a sample with the same node and boot, which came at ``now``
+        (s)."""
         newest, time = self.sample, sample.time
         on = time - self._time if isfinite(time) else 0.0  # NaN where it had no clock yet
         if sample.sequence > newest.sequence:
@@ -93,12 +96,12 @@ class Speaker:
         return Fit.FOREIGN if on > HAIR else Fit.FORMER
 
     def follow(self, sample: Sample, now: float, max_age: float) -> bool:
-        """Take its next word, if a sample is no doubt that; else nothing is done."""
+        """Accept a sample if it is without doubt the next one. Return whether it was accepted."""
         time = sample.time
         way = now - time
         quickest = self._quickest + CREEP * (now - self.received)
         latency = way - quickest
-        # All comparisons are false where a clock shows no number.
+        # All comparisons are false if a clock is NaN.
         grows = sample.sequence > self.sample.sequence and time >= self._time
         if not (grows and -max_age < latency < max_age):
             return False
@@ -112,17 +115,17 @@ class Speaker:
         return True
 
     def take(self, sample: Sample, now: float) -> None:
-        """Its next word, which came at ``now`` (s)."""
+        """Accept its next sample, which came at ``now`` (s)."""
         self._clocked(sample, now)
         self.sample, self.received, self.heard = sample, now, now
         self.live = sample.received is not None
 
     def shadowed(self, sample: Sample, now: float, max_age: float) -> bool:
-        """Whether former words that still come in are those of a second program.
+        """Whether earlier samples that still arrive come from a second program.
 
-        A program that copies another's name, boot and clock, and runs a little ahead, makes the
-        other's samples look overtaken. What a network held up comes all at once; what a program
-        says comes as its clock goes on.
+        A program may copy another's name, boot and clock and run a little ahead. Then the other's
+        samples look overtaken. Samples that a network has delayed arrive all at once, but samples
+        of a program arrive at the pace of its clock.
         """
         if sample.received is None or same_word(sample, self.sample):
             return False
@@ -143,7 +146,8 @@ class Speaker:
 
 
 def speaker_words(source: str, speakers: Sequence[Speaker]) -> str:
-    """``two speakers for camera: bench, intruder``, in the order in which they were first heard."""
+    """Name the speakers of a source, in the order of their first samples: ``two speakers for
+    camera: bench, intruder``."""
     many = {2: "two", 3: "three"}.get(len(speakers), "several")
     boots: dict[str, set[int]] = {}
     for one in speakers:
@@ -162,7 +166,7 @@ def _name(speaker: Speaker) -> str:
 
 
 def same_word(one: Sample, other: Sample) -> bool:
-    """Whether a sample is another one once more: the same reading under the same sequence."""
+    """Whether two samples are the same reading with the same sequence."""
     times = one.time == other.time or not (isfinite(one.time) or isfinite(other.time))
     return one.sequence == other.sequence and one.value == other.value and times
 

@@ -1,12 +1,12 @@
-"""MQTT topics: where a node says how it is, and where it says what a fact is.
+"""MQTT topics: one for the status of each node, and one for each source of a fact.
 
 ::
 
     smsl/1/<site>/node/<node>/status                               retained: birth and will
     smsl/1/<site>/run/<run>/fact/<sb>/<index>/<source>             never retained
 
-Every name is percent-encoded, all but letters, digits, ``_``, ``.``, ``-`` and ``~``, so that any
-character may stand in one, ``/``, ``+`` and ``#`` too. A name has one spelling only.
+Every name is percent-encoded, except letters, digits, ``_``, ``.``, ``-`` and ``~``. So a name may
+contain any character, even ``/``, ``+`` and ``#``. Each name has exactly one spelling.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ START = "smsl/1/"
 
 @dataclass(frozen=True, slots=True)
 class StatusTopic:
-    """Where a node of a site tells that it lives."""
+    """The topic of the status of one node."""
 
     site: str
     node: str
@@ -30,7 +30,7 @@ class StatusTopic:
 
 @dataclass(frozen=True, slots=True)
 class FactTopic:
-    """Where one source tells one fact of one run; ``digit`` counts from 0."""
+    """The topic of one source of one fact in one run. ``digit`` counts from 0."""
 
     site: str
     run: str
@@ -44,12 +44,12 @@ class FactTopic:
 
 
 def written(name: str) -> str:
-    """A name as one level of a topic."""
+    """Encode a name as one level of a topic."""
     return quote(name, safe="", errors="surrogatepass")
 
 
 def read_topic(topic: str) -> StatusTopic | FactTopic | None:
-    """What a topic is about; None where it is none of ours."""
+    """Read a topic. None if it is not a topic of this program."""
     if not topic.startswith(START):
         return None
     match topic.removeprefix(START).split("/"):
