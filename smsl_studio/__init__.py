@@ -17,66 +17,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-if TYPE_CHECKING:
-    from smsl_studio.front import (
-        Run,
-        RunRequest,
-        account,
-        allow_plugin,
-        convert,
-        converted,
-        diff,
-        digest,
-        fmt,
-        forbid_plugin,
-        inspect,
-        open_request,
-        open_run,
-        plan_route,
-        plugins,
-        read,
-        read_script,
-        refusals,
-        render,
-        replay,
-        run,
-        run_request,
-        sweep,
-        try_edge,
-        verify,
-        worlds,
-        worlds_for,
-    )
+from smsl_studio.front import __all__ as __all__
 
-__all__ = [
-    "Run",
-    "RunRequest",
-    "account",
-    "allow_plugin",
-    "convert",
-    "converted",
-    "diff",
-    "digest",
-    "fmt",
-    "forbid_plugin",
-    "inspect",
-    "open_request",
-    "open_run",
-    "plan_route",
-    "plugins",
-    "read",
-    "read_script",
-    "refusals",
-    "render",
-    "replay",
-    "run",
-    "run_request",
-    "sweep",
-    "try_edge",
-    "verify",
-    "worlds",
-    "worlds_for",
-]
+if TYPE_CHECKING:
+    from smsl_studio.front import *  # noqa: F403
 
 
 def __getattr__(name: str) -> Any:
