@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.canvas import Canvas
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import LIGHT
 
 Size = tuple[int, int]

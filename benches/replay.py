@@ -75,9 +75,9 @@ def _opened(path: Path) -> Iterator[Row]:
     from PySide6.QtWidgets import QApplication, QMainWindow
 
     from smsl_studio.front.inputs import read
+    from smsl_studio.front.recordings import open_recording
     from smsl_studio.studio.base.theme import LIGHT
     from smsl_studio.studio.features.replay.playback import ReplayVerbs
-    from smsl_studio.studio.features.replay.recorded_run import open_recording
 
     drawn = read(path.with_name("round.json"))
     spent = median_ms(lambda: open_recording(path, drawn), 3)

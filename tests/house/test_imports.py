@@ -81,7 +81,7 @@ def test_a_planted_violation_is_seen(tmp_path: Path, file: str, source: str, wor
         ("studio/shell/features.py", "from smsl_studio.studio.features.run.pane import RunPane"),
         ("studio/shell/a.py", "from smsl_studio.studio.shell.features import Features"),
         ("studio/features/run/a.py", "from smsl_studio.studio.features.run.pane import RunPane"),
-        ("studio/features/run/a.py", "from smsl_studio.studio.running.view import marks"),
+        ("studio/features/run/a.py", "from smsl_studio.studio.running.timeline import Timeline"),
         ("studio/document/a.py", "from smsl_studio.studio.base import words"),
         ("__init__.py", "from smsl_studio.front import read"),
         ("__main__.py", "from smsl_studio.studio.shell.application import main"),

@@ -9,8 +9,8 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from smsl_studio.front.views.card_view import CardView
 from smsl_studio.runlog.events import Event
-from smsl_studio.studio.features.people.card_view import CardView
 from smsl_studio.studio.features.people.people import People
 from smsl_studio.studio.features.people.task_card import TaskCard
 from smsl_studio.studio.running.persons import Person as Named

@@ -10,8 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
 
+from smsl_studio.front.views.monitor_rows import MonitorRow
 from smsl_studio.studio.features.monitor.page import MonitorPage
-from smsl_studio.studio.features.monitor.rows import MonitorRow
 from tests.monitor.broker import Broker, Node, with_ages
 from tests.stories.at_run import PATIENCE, AtRun
 from tests.stories.conftest import Sit

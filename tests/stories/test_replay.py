@@ -14,8 +14,8 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 import smsl_studio as smsl
 from smsl_studio.errors import ReadError
+from smsl_studio.front.recordings import open_recording, recordings_in
 from smsl_studio.studio.features.replay.pane import ReplayPane
-from smsl_studio.studio.features.replay.recorded_run import open_recording, recordings_in
 from smsl_studio.studio.features.replay.replay import Replay
 from tests.stories.at_run import AtRun
 from tests.stories.conftest import Sit

@@ -9,8 +9,7 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus, Offer, Possible
 from smsl_studio.dispatch.supervision.row import Command
 from smsl_studio.dispatch.supervision.table import COMMANDS
-from smsl_studio.studio.base.words import capital, counted
-from smsl_studio.studio.running.partial import (
+from smsl_studio.front.views.partial import (
     PAUSED,
     PRUNED,
     RISKY,
@@ -19,6 +18,7 @@ from smsl_studio.studio.running.partial import (
     WAITS,
     OperationCard,
 )
+from smsl_studio.studio.base.words import capital, counted
 
 
 @dataclass(frozen=True)

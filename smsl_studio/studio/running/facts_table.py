@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QKeyEvent, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import (
@@ -15,6 +13,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from smsl_studio.front.views.fact_rows import FactRow
+from smsl_studio.front.views.freshness import age_of, age_words, bars
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.chips import paint_chip
 from smsl_studio.studio.base.controls import name_parts
@@ -22,7 +22,6 @@ from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import BLANK
-from smsl_studio.studio.running.freshness import age_of, age_words, bars
 
 COLUMNS = ("Fact", "Believed", "Sensed", "Age", "  Quality")
 WIDTHS = (82, 62, 57, 58)
@@ -32,32 +31,6 @@ ROW = 32
 HEADS = 31
 """The names of the columns and the line below them."""
 Index = QModelIndex | QPersistentModelIndex
-
-
-@dataclass(frozen=True)
-class FactRow:
-    """One fact of one SB. ``sensed`` None: unknown; ``quality`` is agrees, differs, unknown,
-    transit or believed (nobody senses it).
-
-    ``chip`` draws what is believed as the canvas does (on, off, value), ``sub`` says that a sub-SB
-    stands under it; ``limit`` (s) is how old its reading may be, against which bars show its age.
-    """
-
-    name: str
-    believed: str
-    sensed: str | None
-    age: float | None
-    quality: str
-    words: str
-    group: bool = False
-    chip: str = ""
-    sub: bool = False
-    limit: float | None = None
-
-
-def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
-    """Rows of what is over: what was read last stands there, but nothing of it has an age now."""
-    return tuple(replace(row, age=None) for row in rows)
 
 
 class FactsModel(QAbstractTableModel):

@@ -8,13 +8,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame, QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.dispatch.execution.status import DispatchStatus, Offer
+from smsl_studio.front.views.phase_words import HOLDS, LATCHED, phase_words
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label, row
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, capital
 from smsl_studio.studio.running.decisions import Decision, offered, offers
-from smsl_studio.studio.running.phases import HOLDS, LATCHED, phase_words
 
 BUTTON = 132
 WIDEST, AROUND = 280, 30

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from PySide6.QtCore import Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QFontMetrics, QFontMetricsF, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
@@ -17,8 +15,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervision.table import COMMANDS
+from smsl_studio.front.views.possible_rows import PossibleRow
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.icons import icon, pixmap
@@ -36,24 +34,6 @@ WIDEST = (160, 80)
 """Pixels for the names of operations and of targets."""
 PADDING = 24
 """Pixels of a button beside its words."""
-
-
-@dataclass(frozen=True)
-class PossibleRow:
-    """One operation: what it is called, where it leads, and how it stands.
-
-    ``kind`` is running, route, possible, waits, refused, pruned, or next and later for what
-    follows the running operation; ``words`` say it in full. ``note`` stands beside its group.
-    """
-
-    address: Address
-    name: str
-    target: str
-    kind: str
-    words: str
-    cost: str
-    group: str
-    note: str = ""
 
 
 BESIDE = 2 * 12 + 16 + 5 * 8 + 30 + 26

@@ -12,19 +12,20 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QToolButton, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
+from smsl_studio.front.views.phase_words import phase_words
+from smsl_studio.front.views.run_marks import run_marks
+from smsl_studio.front.views.states import short_name
 from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is, capital, counted
 from smsl_studio.studio.document.places import Position
-from smsl_studio.studio.running import view
 from smsl_studio.studio.running.frames import laid_over, tool, tools_over, words_over
-from smsl_studio.studio.running.phases import phase_words
 from smsl_studio.studio.running.shown import DrawnPlaces, ShownRun
 
 TROUBLE = ("held", "failed", "no_route", "refused", "fault_hold", "stopped", "taken_over")
@@ -136,7 +137,7 @@ class RunCanvas(QWidget):
         self._steps.setText(self._step_words())
         self._fit_steps()
         if self._branch and self._run.blueprint is blueprint and status is not None:
-            marks = view.marks(blueprint, self._branch, status, self._run.story)
+            marks = run_marks(blueprint, self._branch, status, self._run.story)
         else:
             marks = Marks()
         if marks != self.canvas.marks:
@@ -276,7 +277,7 @@ class RunCanvas(QWidget):
         names = list(blueprint.branches)
         if len(names) < 2:
             return names
-        short = {n: view.short_name(blueprint[n], s) for n, s in states.items() if n in names}
+        short = {n: short_name(blueprint[n], s) for n, s in states.items() if n in names}
         full = [f"{name}  {short[name]}" if short.get(name) else name for name in names]
         metrics = QFontMetrics(text_font(13, 600))
         room = self.width() - self._tools_wide - PADDING * len(names)

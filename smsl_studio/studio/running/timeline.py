@@ -15,11 +15,11 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QScrollArea, QWidget
 
+from smsl_studio.front.views.timeline_lanes import Block, Lane
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Label
 from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.running.lanes import Block, Lane
 
 AXIS = 27
 LABELS, WIDEST, EMPTY = 94, 190, 160

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, QPoint, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.feature import Feature, Shell
 from smsl_studio.studio.features.draw.feature import DrawFeature
 from smsl_studio.studio.features.monitor.feature import MonitorFeature
@@ -16,7 +17,6 @@ from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.supervise.feature import SuperviseFeature
-from smsl_studio.studio.running.phases import phase_words
 from smsl_studio.studio.running.status_words import Words
 from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.windows import Windows

@@ -10,12 +10,13 @@ from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QTableView
 from pytestqt.qtbot import QtBot
 
+from smsl_studio.front.views.fact_rows import FactRow
+from smsl_studio.front.views.monitor_rows import COLUMNS, FACT, MonitorRow
 from smsl_studio.studio.base.theme import DARK
-from smsl_studio.studio.features.monitor.rows import COLUMNS, FACT, MonitorRow
 from smsl_studio.studio.features.monitor.table import MonitorTable
 from smsl_studio.studio.features.people.level_rows import LevelRow
 from smsl_studio.studio.features.people.level_table import LevelModel, LevelTable
-from smsl_studio.studio.running.facts_table import FactRow, FactsTable
+from smsl_studio.studio.running.facts_table import FactsTable
 
 
 def facts() -> QTableView:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from smsl_studio.dispatch.execution.status import Offer
+from smsl_studio.front.views.partial import OperationCard, partial_view
 from smsl_studio.studio.running import decisions
-from smsl_studio.studio.running.partial import OperationCard, partial_view
-from tests.studio.running.statuses import at, possible, sample, status
+from tests.front.views.statuses import at, possible, sample, status
 
 SAMPLE = sample("registration-digitization.json")
 HERE = {"REGISTRATION": "State110", "DIGITIZATION": "State1"}

@@ -10,7 +10,7 @@ from smsl_studio.blueprint.check import state_check
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.features.supervise.facts import check_view
 from smsl_studio.studio.running.state_check import StateCheckView
-from tests.studio.running.statuses import sample, scene, status
+from tests.front.views.statuses import sample, scene, status
 
 SAMPLE = sample("registration-digitization.json")
 HERE = {"REGISTRATION": "State110", "DIGITIZATION": "State1"}

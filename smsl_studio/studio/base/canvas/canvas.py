@@ -26,6 +26,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.graph.layout import place_states
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.canvas.accessible import words_for
 from smsl_studio.studio.base.canvas.branch_view import BranchView
@@ -35,7 +36,6 @@ from smsl_studio.studio.base.canvas.handles import pending_ends
 from smsl_studio.studio.base.canvas.overlays import Overlays
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 from smsl_studio.studio.base.canvas.tools import Hand
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens
 
 

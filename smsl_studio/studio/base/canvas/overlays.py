@@ -13,6 +13,7 @@ from PySide6.QtGui import QCursor
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.picture.levels import Level
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.branch_view import TOP, BranchView
 from smsl_studio.studio.base.canvas.hover_pad import HoverPad
 from smsl_studio.studio.base.canvas.mini_map import MiniMap
@@ -22,7 +23,6 @@ from smsl_studio.studio.base.overlays.focus_outline import FocusRing
 from smsl_studio.studio.base.overlays.key import Key
 from smsl_studio.studio.base.overlays.legend import Legend, RunLegend
 from smsl_studio.studio.base.overlays.notice import Banner, EmptyHint, PointerNote
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens
 
 EDGE = 14

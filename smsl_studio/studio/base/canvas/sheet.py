@@ -26,6 +26,7 @@ from smsl_studio.picture.levels import (
     spacing_of,
     unit_at,
 )
+from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import SMALL_STATES, Picture
 from smsl_studio.picture.shape import Floats
 from smsl_studio.studio.base.paint import edge_paint, node_paint
@@ -33,7 +34,6 @@ from smsl_studio.studio.base.paint.edge_paint import EdgeText, boxed_width, labe
 from smsl_studio.studio.base.paint.guard_sign import DECLARED
 from smsl_studio.studio.base.paint.ink import Ink
 from smsl_studio.studio.base.paint.looks import Looks
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.paint.node_paint import compact_width, full_width
 
 Position = tuple[float, float]

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.camera import Camera
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
 from smsl_studio.studio.base.canvas.layers import EdgeLayer, FarNodeLayer, LitLayer
@@ -21,7 +22,6 @@ from smsl_studio.studio.base.canvas.node_item import NodePool
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.ink import Ink
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens
 
 POOL = 320

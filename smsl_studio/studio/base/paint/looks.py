@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.picture import Picture
 from smsl_studio.studio.base.paint.edge_paint import EdgeLook
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.paint.node_paint import NodeLook
 
 

@@ -12,10 +12,10 @@ from smsl_studio.blueprint.estimate import Estimate
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.written_check import WrittenCheck, written_check
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.monitor_rows import estimate_words, moved, short
 from smsl_studio.legible import markup, plain_text
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.monitor.rows import estimate_words, moved, short
 
 SIGNS = {True: "✓", False: "✗", None: "?"}
 WORDS = {True: "true", False: "not true", None: "unknown"}

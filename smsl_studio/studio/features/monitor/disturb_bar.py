@@ -8,12 +8,12 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
 from smsl_studio.errors import UsageError
+from smsl_studio.front.views.monitor_rows import GROUP, MonitorRow
 from smsl_studio.legible import plain_text
 from smsl_studio.monitor.disturbance import NONE, PARAMETERS, Parameter, checked
 from smsl_studio.studio.base.controls import Combo, Elided, Field, label
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
-from smsl_studio.studio.features.monitor.rows import GROUP, MonitorRow
 
 CHOOSE = "Choose a row to disturb its sensor"
 NO_RUN = "Sensors can be disturbed while a run is there"

@@ -8,6 +8,14 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QDialog, QMenu, QStackedWidget, QVBoxLayout, QWidget
 
+from smsl_studio.front.views.monitor_rows import (
+    Estimates,
+    MonitorRow,
+    monitor_rows,
+    of_lost,
+    summary,
+)
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.monitor.disturbance import NONE
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.regulation import Commanded, FaultInjected
@@ -20,14 +28,11 @@ from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.monitor.checks import Checks
 from smsl_studio.studio.features.monitor.disturb_bar import KINDS, DisturbBar
-from smsl_studio.studio.features.monitor.estimates import Estimates
 from smsl_studio.studio.features.monitor.fault_bar import FaultBar
 from smsl_studio.studio.features.monitor.network import network_rows
-from smsl_studio.studio.features.monitor.rows import MonitorRow, monitor_rows, of_lost, summary
 from smsl_studio.studio.features.monitor.table import MonitorTable
 from smsl_studio.studio.running.frames import head, panel, split
 from smsl_studio.studio.running.phase_badge import PhaseBadge
-from smsl_studio.studio.running.phases import phase_words
 from smsl_studio.studio.running.run_session import RunSession
 
 SIZE = 1240, 720

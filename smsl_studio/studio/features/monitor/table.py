@@ -22,12 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.controls import name_parts
-from smsl_studio.studio.base.rows import TextInk, paint_text
-from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
-from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.monitor.rows import (
+from smsl_studio.front.views.monitor_rows import (
     BELIEVED,
     COLUMNS,
     CONFLICT,
@@ -39,6 +34,11 @@ from smsl_studio.studio.features.monitor.rows import (
     UNKNOWN,
     MonitorRow,
 )
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.controls import name_parts
+from smsl_studio.studio.base.rows import TextInk, paint_text
+from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, mono_font, text_font
+from smsl_studio.studio.base.tips import tip_text
 
 ROW, LINE_OF_GROUP = 30, 28
 WIDTHS = (150, 150, 48, 200, 58, 62, 66, 74, 44, 84)

@@ -6,11 +6,11 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
+from smsl_studio.front.views.card_view import CardView, OptionView
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.lines.line import Sentence
 from smsl_studio.studio.base.theme import CONTROL_DECISION
-from smsl_studio.studio.features.people.card_view import CardView, OptionView
 from smsl_studio.studio.features.people.who import Who
 from smsl_studio.studio.running.persons import Persons
 

@@ -6,8 +6,8 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QButtonGroup, QVBoxLayout, QWidget
 
+from smsl_studio.front.views.card_view import OptionView
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.people.card_view import OptionView
 from smsl_studio.studio.features.people.option_row import OptionRow
 
 

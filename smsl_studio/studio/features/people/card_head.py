@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QVBoxLayout, QWidget
 
+from smsl_studio.front.views.card_view import CardView
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.icons import pixmap
 from smsl_studio.studio.base.small_button import SmallButton
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.people.card_view import CardView
 from smsl_studio.studio.features.people.time_left import TimeLeft
 
 HEIGHT, PAD = 38, 14

@@ -6,10 +6,10 @@ from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy
 
+from smsl_studio.front.views.card_view import OptionView
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import CONTROL_DECISION, RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.people.card_view import OptionView
 
 LEFT, KEY, PAD = 34, 24, 12
 

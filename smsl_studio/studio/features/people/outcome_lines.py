@@ -6,12 +6,12 @@ from PySide6.QtCore import QRectF, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
+from smsl_studio.front.views.task_outcomes import TaskOutcome
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.small_button import SmallButton
 from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens
-from smsl_studio.studio.features.people.outcomes import TaskOutcome
 
 SIGNS = {"answered": "check", "disagreed": "warning", "timed_out": "clock", "withdrawn": "minus"}
 

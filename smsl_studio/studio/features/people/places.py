@@ -6,11 +6,11 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetrics, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
+from smsl_studio.front.views.card_view import PersonView
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.icons import draw
 from smsl_studio.studio.base.theme import RADIUS_CONTROL, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.features.people.card_view import PersonView
 
 HEIGHT, LINE, BOXED = 66, 26, 2
 """Pixels of a box, and of a line; more than so many places are lines."""

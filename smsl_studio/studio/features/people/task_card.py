@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.dispatch.people.task import Task
+from smsl_studio.front.views.card_view import CardView, card_view
+from smsl_studio.front.views.task_outcomes import Outcomes
 from smsl_studio.runlog.events import Event
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.room import Room
@@ -25,10 +27,8 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.people.answer_part import AnswerPart
 from smsl_studio.studio.features.people.answers import Answers
 from smsl_studio.studio.features.people.card_head import CardHead
-from smsl_studio.studio.features.people.card_view import CardView, card_view
 from smsl_studio.studio.features.people.option_row import OptionRow
 from smsl_studio.studio.features.people.outcome_lines import OutcomeLines
-from smsl_studio.studio.features.people.outcomes import Outcomes
 from smsl_studio.studio.features.people.places import PersonPlaces
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.running.run_session import RunSession

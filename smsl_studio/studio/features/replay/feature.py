@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from smsl_studio.front.recordings import is_recording
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Feature, Page, Shell
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.replay.actions import replay_actions
 from smsl_studio.studio.features.replay.playback import ReplayVerbs
-from smsl_studio.studio.features.replay.recorded_run import is_recording
 from smsl_studio.studio.running.window_parts import WindowParts
 
 

@@ -10,8 +10,8 @@ from PySide6.QtCore import QObject, Signal
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
+from smsl_studio.front.recordings import Recording, open_recording
 from smsl_studio.studio.base.beside import Beside
-from smsl_studio.studio.features.replay.recorded_run import Recording, open_recording
 
 SHORT = 1 << 19
 """Bytes of a log that is read before anybody could look up: some 3,000 events."""

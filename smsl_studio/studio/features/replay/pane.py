@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.recordings import ANOTHER, Recording
+from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.controls import Label, label
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.words import capital, counted
 from smsl_studio.studio.document.places import Places
 from smsl_studio.studio.features.replay.event_table import EventTable
-from smsl_studio.studio.features.replay.recorded_run import ANOTHER, Recording
 from smsl_studio.studio.features.replay.replay import Replay
-from smsl_studio.studio.running import view
 from smsl_studio.studio.running.facts_table import COLUMNS, FactsTable
 from smsl_studio.studio.running.frames import head, panel, split
-from smsl_studio.studio.running.phases import phase_words
 from smsl_studio.studio.running.run_canvas import TROUBLE, RunCanvas
 from smsl_studio.studio.running.state_check import StateCheckView
 from smsl_studio.studio.running.status_words import Words
@@ -116,9 +115,8 @@ class ReplayPane(QWidget):
             return
         self.canvas.refresh()
         # How old a reading was is in no record, only when it changed.
-        rows = (replace(row, age=None) for row in view.fact_rows(blueprint, status))
-        self.facts.show_rows(tuple(rows))
-        check = status.check or view.last_check(blueprint, status, lost=False)
+        self.facts.show_rows(as_they_were(fact_rows(blueprint, status)))
+        check = status.check or last_check(blueprint, status, lost=False)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         self.events.show_index(replay.index)
         self._count.setText(f"{replay.index:,} of {replay.count:,}")

@@ -10,18 +10,18 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.recordings import (
+    SUFFIX,
+    Recording,
+    recording_words,
+    recordings_in,
+)
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.base.words import as_it_is
 from smsl_studio.studio.features.replay.loader import RecordingLoader
 from smsl_studio.studio.features.replay.opening_card import OpeningCard
 from smsl_studio.studio.features.replay.pane import ReplayPane
-from smsl_studio.studio.features.replay.recorded_run import (
-    SUFFIX,
-    Recording,
-    recording_words,
-    recordings_in,
-)
 from smsl_studio.studio.features.replay.replay import Replay
 from smsl_studio.studio.features.replay.transport import ReplayTransport
 

@@ -10,9 +10,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.status_then import status_at
+from smsl_studio.front.recordings import Recording
 from smsl_studio.runlog.history import RunHistory, Story
 from smsl_studio.runlog.moment import RunMoment
-from smsl_studio.studio.features.replay.recorded_run import Recording
 
 FRAME = 33
 """Milliseconds between two moments while it plays."""

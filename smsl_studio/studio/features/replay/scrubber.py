@@ -9,9 +9,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from smsl_studio.front.views.event_marks import COMMIT, FAULT, HELD, KINDS, PERSON
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.replay.marks import COMMIT, FAULT, HELD, KINDS, PERSON
 
 HIGH, EDGE, LINE = 32, 8.0, 4.0
 """Pixels: its height, what is left free at its ends, and the thickness of its line."""

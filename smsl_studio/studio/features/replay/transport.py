@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
 
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.controls import Combo, Label, label, rule
 from smsl_studio.studio.base.key_button import KeyButton
 from smsl_studio.studio.base.precedence import Precedence
@@ -13,7 +14,6 @@ from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.replay.replay import Replay
 from smsl_studio.studio.features.replay.scrubber import Scrubber
-from smsl_studio.studio.running.phases import phase_words
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "16×": 16.0, "64×": 64.0}
 MARK = "REPLAY"

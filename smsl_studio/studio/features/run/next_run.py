@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.states import choices
 from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.transport import Transport
-from smsl_studio.studio.running import view
 from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_session import RunChoice, RunSession
 
@@ -72,7 +72,7 @@ class NextRun:
         elif not self._offered:
             self._offered = True
             blueprint = self._session.blueprint
-            starts, goals = view.choices(blueprint)
+            starts, goals = choices(blueprint)
             known = self.loaded is not None
             worlds = front.worlds_for(blueprint, loaded=self.loaded) if known else ()
             self._transport.offer(worlds, starts, goals)

@@ -12,6 +12,9 @@ from PySide6.QtWidgets import QMenu, QToolButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.errors import StudioError
+from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check, rate_words
+from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
+from smsl_studio.front.views.timeline_lanes import lanes
 from smsl_studio.library.loading import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.base.controls import label
@@ -26,8 +29,8 @@ from smsl_studio.studio.features.run.next_run import NextRun
 from smsl_studio.studio.features.run.possible_panel import PossiblePanel
 from smsl_studio.studio.features.run.transport import Transport
 from smsl_studio.studio.features.run.world_view import WorldView
-from smsl_studio.studio.running import decisions, view
-from smsl_studio.studio.running.facts_table import FactsTable, as_they_were
+from smsl_studio.studio.running import decisions
+from smsl_studio.studio.running.facts_table import FactsTable
 from smsl_studio.studio.running.frames import (
     head,
     laid_over,
@@ -37,7 +40,6 @@ from smsl_studio.studio.running.frames import (
     tools_over,
     words_over,
 )
-from smsl_studio.studio.running.lanes import lanes
 from smsl_studio.studio.running.next_levels import NextLevels
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import RunSession
@@ -338,13 +340,13 @@ class RunPane(QWidget):
             self._show_nothing()
             return
         lost = run.phase == "failed"
-        facts = view.fact_rows(blueprint, status, lost)
+        facts = fact_rows(blueprint, status, lost)
         self.facts.show_rows(facts if run.exists else as_they_were(facts))
-        rows = view.possible_rows(blueprint, status) if run.exists else ()
-        choosable = run.exists and status.phase in view.CHOOSABLE
+        rows = possible_rows(blueprint, status) if run.exists else ()
+        choosable = run.exists and status.phase in CHOOSABLE
         self.possible.show_rows(rows, choosable, capital(run.sentence) or "Nothing is possible")
         self.timeline.show_lanes(lanes(blueprint, status, run.story, run.sensors), run.time)
-        check = status.check or view.last_check(blueprint, status, lost)
+        check = status.check or last_check(blueprint, status, lost)
         self.check.show_check(blueprint, check, waiting=status.running is not None)
         running = status.running
         self._facts_note.setText(f"{running.operation} in transit" if running else "")
@@ -374,7 +376,7 @@ class RunPane(QWidget):
         name = self.run.choice.world if self.run.choice else ""
         self._world_name.setText(f"{name}, from poses" if self.run.shapes else name)
         self._world_tools.setVisible(bool(self.run.shapes))
-        self._facts_rate.setText(view.rate_words(self.run.sensors))
+        self._facts_rate.setText(rate_words(self.run.sensors))
         self.world.load(self.run.shapes, name)
         self._draw_world()
 

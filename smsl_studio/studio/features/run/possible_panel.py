@@ -6,13 +6,14 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.address import Address
+from smsl_studio.front.views.possible_rows import PossibleRow
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.confirmation import ConfirmBox
 from smsl_studio.studio.running.decisions import Decision
 from smsl_studio.studio.running.hold_card import HoldCard
-from smsl_studio.studio.running.possible_list import PRUNABLE, PossibleList, PossibleRow
+from smsl_studio.studio.running.possible_list import PRUNABLE, PossibleList
 from smsl_studio.studio.running.run_session import RunSession
 
 

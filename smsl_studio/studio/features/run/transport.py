@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QIntValidator, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Combo, Field, label, rule
 from smsl_studio.studio.base.key_button import KeyButton, command_button
@@ -15,7 +16,6 @@ from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.phase_badge import PhaseBadge
-from smsl_studio.studio.running.phases import phase_words
 from smsl_studio.studio.running.runner import FASTEST
 
 SPEEDS = {"¼×": 0.25, "½×": 0.5, "1×": 1.0, "2×": 2.0, "4×": 4.0, "8×": 8.0, "Max": FASTEST}

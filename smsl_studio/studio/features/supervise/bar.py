@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import label, rule
 from smsl_studio.studio.base.key_button import command_button
@@ -13,7 +14,6 @@ from smsl_studio.studio.base.precedence import Precedence
 from smsl_studio.studio.base.theme import CONTROL_DECISION, Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.running.phase_badge import PhaseBadge
-from smsl_studio.studio.running.phases import phase_words
 
 NARROW = 620
 """Pixels from which the buttons have their words."""

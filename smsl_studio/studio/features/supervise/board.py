@@ -8,12 +8,12 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.partial import PartialView
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.supervise.card import CardButton
 from smsl_studio.studio.features.supervise.columns import Columns
 from smsl_studio.studio.features.supervise.spot import StateSpot
 from smsl_studio.studio.features.supervise.surface import PartialSurface
-from smsl_studio.studio.running.partial import PartialView
 
 
 class Board(QScrollArea):

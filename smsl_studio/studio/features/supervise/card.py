@@ -6,12 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QAbstractButton, QWidget
 
-from smsl_studio.legible import plain_text
-from smsl_studio.studio.base.icons import ACTOR_ICON, draw
-from smsl_studio.studio.base.paint.ink import Type, draw_sub_mark, faded, hatch, pen, rounded_rect
-from smsl_studio.studio.base.theme import RADIUS_NODE, Tokens, text_font
-from smsl_studio.studio.base.tips import tip_text
-from smsl_studio.studio.running.partial import (
+from smsl_studio.front.views.partial import (
     NEXT,
     NUMBERED,
     ONE_AT_A_TIME,
@@ -26,6 +21,11 @@ from smsl_studio.studio.running.partial import (
     WAITS,
     OperationCard,
 )
+from smsl_studio.legible import plain_text
+from smsl_studio.studio.base.icons import ACTOR_ICON, draw
+from smsl_studio.studio.base.paint.ink import Type, draw_sub_mark, faded, hatch, pen, rounded_rect
+from smsl_studio.studio.base.theme import RADIUS_NODE, Tokens, text_font
+from smsl_studio.studio.base.tips import tip_text
 
 HEIGHT = 50
 ROOM = 160

@@ -8,14 +8,15 @@ from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.fact_rows import as_they_were
+from smsl_studio.front.views.partial import OutsideFact, PartialView, outside_facts
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.controls import Elided, Label, label
 from smsl_studio.studio.base.paint.ink import Ink, Type, draw_unknown
 from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.supervise.facts import check_view
-from smsl_studio.studio.running.facts_table import FactsTable, as_they_were
-from smsl_studio.studio.running.partial import OutsideFact, PartialView, outside_facts
+from smsl_studio.studio.running.facts_table import FactsTable
 
 HEAD = 36
 

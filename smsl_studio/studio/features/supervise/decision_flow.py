@@ -8,13 +8,13 @@ from shiboken6 import isValid
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.partial import PRUNED, RISKY, VETOED, OperationCard, PartialView
+from smsl_studio.front.views.phase_words import LATCHED
 from smsl_studio.runlog.events import Commanded, Event, OperationRefused
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.decisions import Decision
-from smsl_studio.studio.running.partial import PRUNED, RISKY, VETOED, OperationCard, PartialView
-from smsl_studio.studio.running.phases import LATCHED
 from smsl_studio.studio.running.run_session import RunSession
 
 

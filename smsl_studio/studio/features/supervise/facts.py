@@ -10,10 +10,10 @@ from smsl_studio.blueprint.check import CheckResult, Term, state_check, sub_belo
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.blueprint.written_check import written_check
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.fact_rows import FactRow
+from smsl_studio.front.views.freshness import age_of_nothing, limit_of, slow_words
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.base.chips import kind_of
-from smsl_studio.studio.running.facts_table import FactRow
-from smsl_studio.studio.running.freshness import age_of_nothing, limit_of, slow_words
 
 LOST = "process gone"
 SIGNS = {True: "true", False: "false", None: "unknown"}

@@ -6,11 +6,11 @@ from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QWidget
 
+from smsl_studio.front.views.partial import PRUNED, UNKNOWN
 from smsl_studio.legible import plain_text
 from smsl_studio.studio.base.paint.ink import Type, draw_sub_mark
 from smsl_studio.studio.base.theme import Tokens, text_font
 from smsl_studio.studio.features.supervise.wires import wire_pen
-from smsl_studio.studio.running.partial import PRUNED, UNKNOWN
 
 LINE, LEFT, WORDS = 22, 20, 62
 

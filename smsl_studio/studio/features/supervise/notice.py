@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.phase_words import phase_words
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.words import capital
-from smsl_studio.studio.running.phases import phase_words
 from smsl_studio.studio.running.run_session import RunSession
 
 

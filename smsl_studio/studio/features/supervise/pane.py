@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.execution.status import DispatchStatus
 from smsl_studio.dispatch.supervision.table import COMMANDS
+from smsl_studio.front.views.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.base.controls import rule
 from smsl_studio.studio.base.room import Room
 from smsl_studio.studio.base.theme import Tokens
@@ -30,7 +31,6 @@ from smsl_studio.studio.features.supervise.notice import Notice
 from smsl_studio.studio.features.supervise.step_in import StepIn
 from smsl_studio.studio.running import decisions
 from smsl_studio.studio.running.hold_card import HoldCard
-from smsl_studio.studio.running.partial import PartialView, partial_view, shown_branch
 from smsl_studio.studio.running.run_canvas import RunCanvas
 from smsl_studio.studio.running.run_session import RunSession
 

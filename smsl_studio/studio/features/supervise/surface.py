@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.front.views.partial import OperationCard, PartialView
 from smsl_studio.legible import plain_text
 from smsl_studio.picture.picture import Face, Picture
 from smsl_studio.studio.base.controls import Label
@@ -22,7 +23,6 @@ from smsl_studio.studio.features.supervise.columns import NARROWEST, Columns, co
 from smsl_studio.studio.features.supervise.legend import PartialLegend
 from smsl_studio.studio.features.supervise.spot import StateSpot
 from smsl_studio.studio.features.supervise.wires import LIT, draw_way, draw_wire, fan
-from smsl_studio.studio.running.partial import OperationCard, PartialView
 
 PITCH = 64
 TOP, BOTTOM = 8, 12

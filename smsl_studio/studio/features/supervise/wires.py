@@ -5,9 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPolygonF
 
-from smsl_studio.studio.base.paint.ink import faded, pen
-from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.running.partial import (
+from smsl_studio.front.views.partial import (
     NEXT,
     PAUSED,
     PRUNED,
@@ -18,6 +16,8 @@ from smsl_studio.studio.running.partial import (
     VETOED,
     WAITS,
 )
+from smsl_studio.studio.base.paint.ink import faded, pen
+from smsl_studio.studio.base.theme import Tokens
 
 HEAD = 8.0
 LIT = (WAITS, RUNNING, PAUSED, NEXT)

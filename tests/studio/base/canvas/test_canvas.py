@@ -15,8 +15,8 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint.address import Address
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.picture.levels import Level, Spacing, level_at, spacing_of, unit_at
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.node_item import NodeItem
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import DARK
 from smsl_studio.studio.shell import accessible_factory
 from tests.bombs.table import BY_NAME

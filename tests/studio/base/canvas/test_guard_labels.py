@@ -11,10 +11,10 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.guards import guarded_edges
 from smsl_studio.picture.labels import meet
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel, by_weight, lit_labels
 from smsl_studio.studio.base.canvas.sheet import Sheet
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import LIGHT
 from tests.stories.at_canvas import sample
 

@@ -10,9 +10,9 @@ from pytestqt.qtbot import QtBot
 from smsl_studio.blueprint.address import Address
 from smsl_studio.graph.layout import place_states
 from smsl_studio.picture.labels import meet
+from smsl_studio.picture.marks import Marks
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.canvas.lit_labels import by_weight, lit_labels
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import LIGHT
 from tests.stories.at_canvas import sample
 

@@ -19,7 +19,7 @@ from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import DARK, LIGHT
 from smsl_studio.studio.features.people.task_card import TaskCard
 from smsl_studio.studio.running.persons import Person, Persons
-from tests.studio.features.people.test_card_view import TASK
+from tests.front.views.test_card_view import TASK
 
 BRANDT, OKAFOR = Person("L. Brandt", "supervisor"), Person("A. Okafor", "surgeon")
 Show = Callable[..., TaskCard]

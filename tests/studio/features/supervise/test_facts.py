@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 
 from smsl_studio.blueprint.check import Reading, Scene, state_check
+from smsl_studio.front.views.freshness import bars
 from smsl_studio.monitor.aggregate import SourceValue
 from smsl_studio.monitor.facts import SourceState
 from smsl_studio.studio.features.supervise.facts import check_view, sensed_marks
-from smsl_studio.studio.running.freshness import bars
-from tests.studio.running.statuses import at, sample, scene, status
+from tests.front.views.statuses import at, sample, scene, status
 
 SAMPLE = sample("registration-digitization.json")
 HERE = {"REGISTRATION": "State110", "DIGITIZATION": "State1"}

@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.legible import plain_text
+from smsl_studio.picture.marks import Marks
 from smsl_studio.picture.shape import Point
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.controls import Elided
-from smsl_studio.studio.base.paint.marks import Marks
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 

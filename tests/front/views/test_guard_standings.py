@@ -9,7 +9,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.check import Reading, Scene
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.execution.status import DispatchStatus, Possible
-from smsl_studio.studio.running.guard_view import held_back, standings
+from smsl_studio.front.views.guard_standings import held_back, standings
 from tests.stories.person import sample
 
 MOVE = Address("ROBOT", "State10", "MoveToTarget")

@@ -5,16 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil
+from string import ascii_uppercase
 
 from smsl_studio.dispatch.people.names import same_name
 from smsl_studio.dispatch.people.seats import seated
 from smsl_studio.dispatch.people.task import Answered, Task
-from smsl_studio.studio.features.people.letters import letters
+from smsl_studio.dispatch.supervision.table import COMMANDS
 
 HAIR = 1e-6
 """Times are sums of ticks: half of 120 s may be a hair more than 60."""
 PLACES = ("First person", "Second person", "Third person", "Fourth person", "Fifth person")
 NUMBERS = ("no", "one", "two", "three", "four", "five")
+TAKEN = frozenset(row.key for row in COMMANDS.values() if len(row.key) == 1)
+"""Keys of commands (veto, prune, take over): they mean something else beside the card."""
 YOURS, A_DECISION, YOURS_IS_IN = (
     "Your decision is needed",
     "A decision is needed",
@@ -191,3 +194,18 @@ def _number(count: int) -> str:
 def capital_word(words: str) -> str:
     """The words with a capital letter in front, and no full stop."""
     return words[:1].upper() + words[1:]
+
+
+def letters(words: Sequence[str]) -> tuple[str, ...]:
+    """One letter each: the first of a word where it is free, else any other in it, else any."""
+    given: list[str] = []
+    for text in words:
+        upper = text.upper()
+        first = [word[0] for word in upper.split()]
+        free = (
+            one
+            for one in (*first, *upper, *ascii_uppercase)
+            if one in ascii_uppercase and one not in TAKEN and one not in given
+        )
+        given.append(next(free, ""))
+    return tuple(given)

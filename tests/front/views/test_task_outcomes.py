@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from smsl_studio.front.views.task_outcomes import MOST, Outcomes
 from smsl_studio.runlog.events import TaskAnswered, TaskClosed
-from smsl_studio.studio.features.people.outcomes import MOST, Outcomes
-from tests.studio.features.people.test_card_view import TASK
+from tests.front.views.test_card_view import TASK
 
 
 def _closed(outcome: str, answers: Mapping[str, str], answer: str = "") -> Outcomes:

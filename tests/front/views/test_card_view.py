@@ -7,8 +7,7 @@ from dataclasses import replace
 import pytest
 
 from smsl_studio.dispatch.people.task import Answered, Option, Task
-from smsl_studio.studio.features.people.card_view import CardView, card_view, clock
-from smsl_studio.studio.features.people.letters import TAKEN, letters
+from smsl_studio.front.views.card_view import TAKEN, CardView, card_view, clock, letters
 
 TASK = Task(
     name="task-1",

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from smsl_studio.dispatch.people.task import Task
-from smsl_studio.studio.running.view import possible_rows
-from tests.studio.running.statuses import at, possible, sample, status
+from smsl_studio.front.views.possible_rows import possible_rows
+from tests.front.views.statuses import at, possible, sample, status
 
 SAMPLE = sample("registration-digitization.json")
 HERE = {"REGISTRATION": "State110", "DIGITIZATION": "State1"}

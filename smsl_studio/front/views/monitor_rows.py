@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 from smsl_studio.blueprint.address import fact_text
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
-from smsl_studio.blueprint.estimate import Estimate
+from smsl_studio.blueprint.estimate import Estimate, estimate
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.freshness import age_words
 from smsl_studio.monitor.facts import SourceState
-from smsl_studio.studio.running.freshness import age_words
 
 COLUMNS = ("Fact", "Source", "Value", "Quality", "Age", "Latency", "Counted", "Repeated", "Late",
            "Disturbed")  # fmt: skip
@@ -216,3 +216,23 @@ def _standing(reading: Reading, sources: Sequence[SourceState]) -> tuple[str, st
     contested = any(source.said.contested for source in sources)
     conflict = contested or reading.reason.startswith("conflict")
     return CONFLICT if conflict else UNKNOWN, reading.reason or "no valid reading"
+
+
+class Estimates:
+    """The newest estimates of one run."""
+
+    def __init__(self) -> None:
+        self._key: object = None
+        self._found: Mapping[str, Estimate] = {}
+
+    def of(self, blueprint: Blueprint, status: DispatchStatus) -> Mapping[str, Estimate]:
+        """Where each SB is, going by what is sensed."""
+        values = tuple(reading.value for reading in status.scene.readings.values())
+        key = (id(blueprint), values, tuple(status.configuration.items()))
+        if key != self._key:
+            self._key = key
+            believed = status.configuration
+            self._found = {
+                name: estimate(blueprint, name, status.scene, believed) for name in believed
+            }
+        return self._found

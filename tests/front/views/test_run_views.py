@@ -1,22 +1,21 @@
-"""The story of a run, its lanes and its views: what the widgets of the run pane are told."""
+"""The story of a run, its lanes, rows and marks."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from pytestqt.qtbot import QtBot
-
 from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
+from smsl_studio.front.views.fact_rows import fact_rows, last_check
+from smsl_studio.front.views.possible_rows import possible_rows
+from smsl_studio.front.views.run_marks import run_marks
+from smsl_studio.front.views.states import choices
+from smsl_studio.front.views.timeline_lanes import lanes
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.runlog import events as told
 from smsl_studio.runlog.playback import RunObserver
-from smsl_studio.studio.base.theme import LIGHT
-from smsl_studio.studio.running import view
-from smsl_studio.studio.running.lanes import Block, Lane, lanes
-from smsl_studio.studio.running.timeline import Timeline, _seen, _wide
 
 SAMPLES = Path(__file__).parents[3] / "samples"
 
@@ -48,7 +47,7 @@ def test_the_story_keeps_states_trail_and_the_end() -> None:
     assert telling.story.moment.finished is not None
     assert telling.story.moment.finished.reason == "goal_reached"
     assert all(span.end is not None for span in telling.story.history.operations)
-    assert [row.group for row in view.fact_rows(blueprint, dispatcher.status)][:1] == [True]
+    assert [row.group for row in fact_rows(blueprint, dispatcher.status)][:1] == [True]
 
 
 def test_a_function_is_expected_to_take_what_it_took() -> None:
@@ -96,26 +95,26 @@ def test_lanes_say_held_for_a_value_no_state_has_and_mark_the_present() -> None:
 
 def test_rows_of_a_dead_world_know_nothing() -> None:
     blueprint, dispatcher, _ = _opened("hanoi-2.json")
-    rows = view.fact_rows(blueprint, dispatcher.status, lost=True)
+    rows = fact_rows(blueprint, dispatcher.status, lost=True)
     assert {(row.sensed, row.quality) for row in rows} == {(None, "unknown")}
-    assert view.last_check(blueprint, dispatcher.status, lost=True) is None
-    alive = view.last_check(blueprint, dispatcher.status, lost=False)
+    assert last_check(blueprint, dispatcher.status, lost=True) is None
+    alive = last_check(blueprint, dispatcher.status, lost=False)
     assert alive is not None
     assert alive.truth is True
 
 
 def test_possible_rows_put_what_may_be_done_first() -> None:
     blueprint, dispatcher, telling = _opened("registration.json", automatic=False)
-    rows = view.possible_rows(blueprint, dispatcher.status)
+    rows = possible_rows(blueprint, dispatcher.status)
     assert {row.kind for row in rows} == {"possible"}
     assert rows[0].group == "From State_0000"
     shut = Address("REGISTRATION", "State_0000", rows[0].name)
     dispatcher.prune(shut, "grip slipped")
     telling.tell(dispatcher.tick())
-    rows = view.possible_rows(blueprint, dispatcher.status)
+    rows = possible_rows(blueprint, dispatcher.status)
     assert rows[-1].kind == "pruned"
     assert "grip slipped" in rows[-1].words
-    marks = view.marks(blueprint, "REGISTRATION", dispatcher.status, telling.story)
+    marks = run_marks(blueprint, "REGISTRATION", dispatcher.status, telling.story)
     assert marks.pruned == {shut}
     assert shut in marks.possible
 
@@ -123,22 +122,22 @@ def test_possible_rows_put_what_may_be_done_first() -> None:
 def test_marks_show_where_the_run_is_and_what_comes() -> None:
     blueprint, dispatcher, telling = _opened("hanoi-corrected.json")
     _until(dispatcher, telling, 3)
-    marks = view.marks(blueprint, "SB1", dispatcher.status, telling.story)
+    marks = run_marks(blueprint, "SB1", dispatcher.status, telling.story)
     assert marks.active == "State_bba"
     assert len(marks.trail) == 3
     assert marks.goals == {"State_ccc"}
     assert marks.dimmed
     _until(dispatcher, telling, 99)
-    assert not view.marks(blueprint, "SB1", dispatcher.status, telling.story).planned
+    assert not run_marks(blueprint, "SB1", dispatcher.status, telling.story).planned
 
 
 def test_choices_begin_with_what_the_blueprint_says() -> None:
-    starts, goals = view.choices(front.read(SAMPLES / "hfsm.json"))
+    starts, goals = choices(front.read(SAMPLES / "hfsm.json"))
     assert starts[0] == ("SB1/000", "SB1/State000")
     assert goals[0] == ("SB1/111", "SB1/State111")
     assert ("SB2/1", "SB2/State1") in goals
     assert ("SB2/1", "SB2/State1") not in starts
-    starts, goals = view.choices(front.read(SAMPLES / "hanoi-2.json"))
+    starts, goals = choices(front.read(SAMPLES / "hanoi-2.json"))
     assert (starts[0], goals[0]) == (("aa", "SB1/State_aa"), ("cc", "SB1/State_cc"))
 
 
@@ -185,13 +184,6 @@ def test_a_base_goes_on_while_its_sub_commits_and_a_mismatch_ends_both() -> None
     ]  # fmt: skip
 
 
-def test_a_block_too_narrow_to_see_hides_none_that_follows_it() -> None:
-    blocks = [Block(0.0, 1.0, "a", "past"), *(Block(1.0, 1.0, "b", "past"),) * 3,
-              Block(1.0, 9.0, "c", "past"), Block(9.0, None, "d", "now")]  # fmt: skip
-    starts = [block.start for block in blocks]
-    assert list(_seen(blocks, starts, 0.0, 10.0, 0.1)) == [0, 1, 4, 5]
-
-
 def test_the_states_are_shown_while_people_are_asked_before_the_start() -> None:
     blueprint, dispatcher, telling = _opened("registration-people.json")
     found = lanes(blueprint, dispatcher.status, telling.story)
@@ -199,16 +191,3 @@ def test_the_states_are_shown_while_people_are_asked_before_the_start() -> None:
         ("HEAD", "state"), ("REGISTRATION", "state"), ("Operation", "operation"),
     ]  # fmt: skip
     assert [(b.words, b.look) for b in found[0].blocks] == [("0", "unknown")]
-
-
-def test_the_goal_of_a_long_run_has_room_for_its_words(qtbot: QtBot) -> None:
-    timeline = Timeline(LIGHT)
-    qtbot.addWidget(timeline)
-    timeline.resize(1200, 160)
-    timeline.show()
-    blocks = (Block(0.0, 60.0, "acc", "past"), Block(60.0, 60.02, "ccccccccc", "past"))
-    timeline.show_lanes((Lane("State", "state", blocks),), 60.02)
-    timeline.follow()
-    box = timeline.plot.getViewBox()
-    (left, right), _ = box.viewRange()
-    assert (right - 60.02) / (right - left) * box.width() >= _wide("state", "ccccccccc")

@@ -9,11 +9,13 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.status_then import status_at
 from smsl_studio.dispatch.supervision.table import COMMANDS
 from smsl_studio.errors import ReadError, StudioError
+from smsl_studio.front.inputs import read
+from smsl_studio.front.views.event_marks import marks_of
+from smsl_studio.front.views.timeline_lanes import Lane, lanes
 from smsl_studio.runlog.causes import Causes
 from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
@@ -22,8 +24,6 @@ from smsl_studio.runlog.log import FORMAT
 from smsl_studio.runlog.playback import Playback
 from smsl_studio.smsl.forms import SUFFIXES
 from smsl_studio.smsl.inputs import read_ordinary
-from smsl_studio.studio.features.replay.marks import marks_of
-from smsl_studio.studio.running.lanes import Lane, lanes
 
 SUFFIX = ".jsonl"
 _FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
@@ -133,7 +133,7 @@ def _candidates(path: Path, run: LoggedRun, drawn: Blueprint) -> Iterable[Bluepr
         if place.suffix.lower() not in SUFFIXES:
             continue  # A log comes from anybody, and may name any file.
         try:
-            yield front.read(place)
+            yield read(place)
         except StudioError:
             continue
 

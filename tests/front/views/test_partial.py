@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from smsl_studio.blueprint.check import Term
 from smsl_studio.dispatch.people.task import Task
-from smsl_studio.studio.running.partial import outside_facts, partial_view, shown_branch
-from tests.studio.running.statuses import at, possible, sample, status, written
+from smsl_studio.front.views.partial import outside_facts, partial_view, shown_branch
+from tests.front.views.statuses import at, possible, sample, status, written
 
 REGISTRATION = "REGISTRATION"
 SAMPLE = sample("registration-digitization.json")

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint, StateBranch
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.run_marks import expected_duration
+from smsl_studio.front.views.states import short_name
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.runlog.history import RunHistory, Span, Story
-from smsl_studio.studio.running.view import expected_duration, short_name
 
 
 @dataclass(frozen=True)
@@ -36,11 +37,8 @@ class Lane:
     blocks: tuple[Block, ...]
 
 
-Sensed = Sequence[SensorInfo]
-
-
 def lanes(
-    blueprint: Blueprint, status: DispatchStatus, story: Story, sensors: Sensed = ()
+    blueprint: Blueprint, status: DispatchStatus, story: Story, sensors: Sequence[SensorInfo] = ()
 ) -> tuple[Lane, ...]:
     """The rows of the timeline: states of each SB, operations, then facts."""
     words = {(sensor.branch, sensor.digit): sensor.words for sensor in sensors}

@@ -12,6 +12,15 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.monitor_rows import (
+    GONE,
+    Estimates,
+    MonitorRow,
+    monitor_rows,
+    of_lost,
+    short,
+    summary,
+)
 from smsl_studio.host.local import LocalHost
 from smsl_studio.monitor.aggregate import FactRule
 from smsl_studio.monitor.facts import FactMonitor
@@ -20,16 +29,7 @@ from smsl_studio.monitor.reception import Received, RefusedMessages, RemoteView
 from smsl_studio.monitor.sample import Sample
 from smsl_studio.studio.base.theme import LIGHT
 from smsl_studio.studio.features.monitor.checks import Checks
-from smsl_studio.studio.features.monitor.estimates import Estimates
 from smsl_studio.studio.features.monitor.network import network_rows
-from smsl_studio.studio.features.monitor.rows import (
-    GONE,
-    MonitorRow,
-    monitor_rows,
-    of_lost,
-    short,
-    summary,
-)
 from smsl_studio.studio.features.monitor.table import MonitorModel
 from tests.dispatch.runs import sample
 

@@ -1,0 +1,128 @@
+"""The facts of a run as rows: what is believed, what is sensed, and whether they agree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from smsl_studio.blueprint.check import CheckResult, Reading, state_check
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.dispatch.execution.status import DispatchStatus
+from smsl_studio.front.views.freshness import age_of_nothing, limit_of, slow_words
+from smsl_studio.host.protocol import SensorInfo
+
+LOST = "process gone"
+
+
+@dataclass(frozen=True)
+class FactRow:
+    """One fact of one SB. ``sensed`` None: unknown; ``quality`` is agrees, differs, unknown,
+    transit or believed (nobody senses it).
+
+    ``chip`` draws what is believed as the canvas does (on, off, value), ``sub`` says that a sub-SB
+    stands under it; ``limit`` (s) is how old its reading may be, against which bars show its age.
+    """
+
+    name: str
+    believed: str
+    sensed: str | None
+    age: float | None
+    quality: str
+    words: str
+    group: bool = False
+    chip: str = ""
+    sub: bool = False
+    limit: float | None = None
+
+
+def as_they_were(rows: tuple[FactRow, ...]) -> tuple[FactRow, ...]:
+    """Rows of what is over: what was read last stands there, but nothing of it has an age now."""
+    return tuple(replace(row, age=None) for row in rows)
+
+
+def fact_rows(
+    blueprint: Blueprint, status: DispatchStatus, lost: bool = False
+) -> tuple[FactRow, ...]:
+    """Every fact of every SB; with several SBs a line names each first.
+
+    ``lost``: the world is gone, and what was sensed last is no knowledge of now.
+    """
+    rows: list[FactRow] = []
+    expected = _expected(blueprint, status)
+    for branch in blueprint:
+        state = status.configuration.get(branch.name)
+        if state is None:
+            continue
+        if len(blueprint) > 1:
+            rows.append(FactRow(branch.name, state, "", None, "group", "", group=True))
+        for digit, believed in enumerate(branch.facts(state)):
+            name = branch.fact_name(digit)
+            if digit in branch.subs:
+                sub = branch.subs[digit]
+                words = f"follows {sub}, {status.configuration.get(sub, '')}"
+                rows.append(FactRow(name, believed, "", None, "believed", words))
+                continue
+            reading = status.scene.get(branch.name, digit)
+            if lost and reading is not None:
+                rows.append(FactRow(name, believed, None, None, "unknown", LOST))
+                continue
+            key = (branch.name, digit)
+            limit = None
+            if reading is not None:
+                limit = limit_of(status.sources, key, reading.value, reading.age)
+            rows.append(_fact_row(name, believed, reading, expected.get(key), limit))
+    return tuple(rows)
+
+
+def last_check(blueprint: Blueprint, status: DispatchStatus, lost: bool) -> CheckResult | None:
+    """How the state check stood where a run ended: of its first goal's SB, else of the first."""
+    branch = next((goal.branch for goal in status.goals), next(iter(status.configuration), ""))
+    state = status.configuration.get(branch)
+    if state is None or lost or not status.scene.readings:
+        return None
+    return state_check(blueprint, branch, state, status.scene, status.configuration)
+
+
+def rate_words(sensors: Sequence[SensorInfo]) -> str:
+    """How often facts are sensed."""
+    rates = sorted({round(1 / sensor.period) for sensor in sensors if sensor.period > 0})
+    if not rates:
+        return "nobody senses them"
+    return f"sensed at {' to '.join(str(rate) for rate in dict.fromkeys((rates[0], rates[-1])))} Hz"
+
+
+def _expected(blueprint: Blueprint, status: DispatchStatus) -> Mapping[tuple[str, int], str]:
+    """The facts the running operation is about to change, with what they should become."""
+    running = status.running
+    if running is None:
+        return {}
+    branch = blueprint[running.branch]
+    before = branch.facts(running.state)
+    after = branch.facts(branch.table[running.state][running.operation])
+    return {
+        (branch.name, digit): new
+        for digit, (old, new) in enumerate(zip(before, after, strict=True))
+        if old != new
+    }
+
+
+def _fact_row(
+    name: str,
+    believed: str,
+    reading: Reading | None,
+    expected: str | None,
+    limit: float | None = None,
+) -> FactRow:
+    if reading is None or not reading.sensed:
+        return FactRow(name, believed, "", None, "believed", "believed, nobody senses it")
+    if expected is not None:
+        words = f"moving, expects {expected}"
+        return FactRow(name, believed, reading.value, reading.age, "transit", words)
+    if reading.value is None:
+        words = reading.reason or "no reading"
+        return FactRow(name, believed, None, age_of_nothing(reading), "unknown", words)
+    quality, words = "differs", f"not {believed}"
+    if reading.value == believed:
+        quality = words = "agrees"
+    words += slow_words(reading.age, limit)
+    return FactRow(name, believed, reading.value, reading.age, quality, words, limit=limit)
