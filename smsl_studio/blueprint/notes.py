@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from smsl_studio.blueprint.address import note_key
@@ -95,6 +96,7 @@ NO_NOTES = Notes()
 """The notes of an SB without annotations."""
 
 
+@cache
 def _plain() -> OperationNote:
     """The note of an operation of which nothing is said."""
     from smsl_studio.blueprint.annotations import PLAIN
