@@ -6,7 +6,7 @@ Members that stay as they are cost nothing: the rows of keys are compared as a w
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from smsl_studio.smsl.document import Document, Member, Path
 from smsl_studio.smsl.document.arrangement import Placed, aligned, arranged, permuted, survivors
 from smsl_studio.smsl.document.likeness import same
+from smsl_studio.smsl.document.pieces import Piece, spliced
 from smsl_studio.smsl.document.stretches import Stretch, differing, stretches, whole
 from smsl_studio.smsl.json_form.spans import JsonSpans, MemberRow, Part, skip_space
 from smsl_studio.smsl.json_form.style import JsonStyle, render, scalar, style_of
@@ -22,28 +23,11 @@ Json = Any
 Values = dict[str, Json]
 
 
-class Piece(NamedTuple):
-    """What stands between two offsets of a text gives way to another text."""
-
-    start: int
-    end: int
-    text: str
-
-
 class Written(NamedTuple):
     """Values as they stand in the text afterwards, and what has to be changed in it, in order."""
 
     values: Json
     pieces: list[Piece]
-
-
-def spliced(text: str, pieces: Iterable[Piece], start: int = 0, end: int | None = None) -> str:
-    """The text between two offsets with all that gives way in it."""
-    found: list[str] = []
-    for piece in pieces:
-        found += (text[start : piece.start], piece.text)
-        start = piece.end
-    return "".join([*found, text[start : len(text) if end is None else end]])
 
 
 class Splicer:
@@ -189,7 +173,7 @@ class _Container:
             return
         self._values[key] = changed.values
         self.pieces += changed.pieces
-        growth = sum(len(text) - (end - start) for start, end, text in changed.pieces)
+        growth = sum(piece.growth for piece in changed.pieces)
         self._resize(index, value=self._parts[index].value + growth)
 
     def _resize(self, index: int, **lengths: int) -> None:

@@ -17,7 +17,8 @@ from typing import Any
 
 from smsl_studio.smsl.document import Document, Member
 from smsl_studio.smsl.document.likeness import same
-from smsl_studio.smsl.json_form.containers import Splicer, spliced
+from smsl_studio.smsl.document.pieces import spliced
+from smsl_studio.smsl.json_form.containers import Splicer
 from smsl_studio.smsl.json_form.reader import parse
 from smsl_studio.smsl.json_form.spans import JsonSpans
 from smsl_studio.smsl.json_form.style import JsonStyle

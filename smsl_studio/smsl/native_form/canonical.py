@@ -12,9 +12,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.native_form.elements import Element
 from smsl_studio.smsl.native_form.lines import entries, is_map
-from smsl_studio.smsl.native_form.rows import ElementRow, Slot
-from smsl_studio.smsl.native_form.spans import Element, NativeSpans
+from smsl_studio.smsl.native_form.rows import ElementRow, RowFrame, Slot
+from smsl_studio.smsl.native_form.spans import NativeSpans
 
 _UNIT = "    "
 _MARK = re.compile(r"//[^\r\n]*+|\r\n|\r|\n")
@@ -26,7 +27,8 @@ def tidy(document: Document) -> Document:
     text = document.text
     spans = NativeSpans(text)
     start = 1 if text.startswith("\ufeff") else 0
-    row = ElementRow(text, start, len(text), spans.elements, document.newline, outermost=True)
+    frame = RowFrame(text, start, len(text), spans.elements, document.newline, outermost=True)
+    row = ElementRow(frame)
     lines = [*_NativeTidier(text, spans).rows(row, "")]
     body = "".join(line + document.newline for line in lines)
     changed = text[:start] + body
@@ -89,7 +91,9 @@ class _NativeTidier:
     def _block(
         self, element: Element, inside: Sequence[Element], begin: str, end: str, indent: str
     ) -> Sequence[str]:
-        row = ElementRow(self._text, element.value_start + 1, element.end - 1, inside, "\n")
+        row = ElementRow(
+            RowFrame(self._text, element.value_start + 1, element.end - 1, inside, "\n")
+        )
         lines = [*self.rows(row, indent + _UNIT)]
         if end == "]" and not row.opener.strip() and not any(map(_has_comment, row.slots)):
             if not lines:

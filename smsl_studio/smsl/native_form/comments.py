@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from smsl_studio.smsl.document import Document, Path
 from smsl_studio.smsl.document.comments import NO_COMMENTS, Comments, Holder, Leaf, comments_between
-from smsl_studio.smsl.native_form.spans import Element, NativeSpans
+from smsl_studio.smsl.native_form.elements import Element
+from smsl_studio.smsl.native_form.spans import NativeSpans
 
 _COMMENT = re.compile(r"//([^\r\n]*)")
 _UNIT = "    "

@@ -8,10 +8,11 @@ on lines of their own stay when the element below them goes; the one on its own 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
-from smsl_studio.smsl.native_form.spans import Element
+from smsl_studio.smsl.native_form.elements import Element
 from smsl_studio.smsl.native_form.style import has_comma, without_comments
 from smsl_studio.smsl.native_form.tokens import is_bare
 
@@ -40,8 +41,9 @@ class Slot:
         self.line, self.comment, self.wins = other.line, other.comment, other.wins
 
 
-class ElementRow:
-    """The elements between two brackets (or of the file), free to be changed."""
+class RowFrame:
+    """The elements between two brackets (or of the file), and what holds for all of them. Of many
+    only as many are looked at as it takes to tell."""
 
     def __init__(
         self,
@@ -52,46 +54,102 @@ class ElementRow:
         newline: str,
         outermost: bool = False,
     ) -> None:
-        self.newline = newline
-        self.outermost = outermost
+        self.text, self.start, self.end, self.elements = text, start, end, elements
+        self.newline, self.outermost = newline, outermost
+
+    def gap(self, index: int) -> str:
+        """What stands before an element; behind the last one for the index that follows it."""
+        start = self.elements[index - 1].end if index else self.start
+        end = self.elements[index].start if index < len(self.elements) else self.end
+        return self.text[start:end]
+
+    def _gaps(self) -> Iterator[str]:
+        at = self.start
+        for element in self.elements:
+            yield self.text[at : element.start]
+            at = element.end
+        yield self.text[at : self.end]
+
+    @cached_property
+    def broken(self) -> bool:
+        """Whether a line ends somewhere between the elements."""
+        return self.outermost or any(map(has_break, self._gaps()))
+
+    @cached_property
+    def first(self) -> int:
+        """The index of the first element that commas part from others; behind all for none."""
+        found = (index for index, one in enumerate(self.elements) if not _is_line(one))
+        return next(found, len(self.elements))
+
+    @cached_property
+    def last(self) -> int:
+        """The index of the last element that commas part from others; -1 for none."""
+        every = range(len(self.elements) - 1, -1, -1)
+        return next((index for index in every if not _is_line(self.elements[index])), -1)
+
+    @cached_property
+    def trailing(self) -> bool:
+        """Whether a comma stands behind the last one of these."""
+        return self.last >= 0 and bool(_tail(self.gap(self.last + 1))[0])
+
+    @cached_property
+    def commas(self) -> bool | None:
+        """Whether commas part the elements; None where there are too few to tell."""
+        if self.first >= self.last:
+            return None
+        before = False
+        for index, (element, gap) in enumerate(zip(self.elements, self._gaps(), strict=False)):
+            if before and has_comma(gap):
+                return True
+            before = not _is_line(element) and index < self.last
+        return False
+
+    def indent(self, otherwise: Callable[[], str]) -> str:
+        """The indentation of the elements that begin a line."""
+        for _, gap in zip(self.elements, self._gaps(), strict=False):
+            if has_break(gap):
+                return _last_indent(gap)
+        return otherwise()
+
+
+class ElementRow:
+    """The elements of a frame from ``begin`` to ``end``, free to be changed."""
+
+    def __init__(self, frame: RowFrame, begin: int = 0, end: int | None = None) -> None:
+        self.frame, self.newline, self.outermost = frame, frame.newline, frame.outermost
         self.opener = ""
         self.slots: list[Slot] = []
-        at = start
-        for element in elements:
+        text, elements = frame.text, frame.elements
+        stop = len(elements) if end is None else end
+        self.start = at = frame.start
+        if begin:
+            commas, comment = _tail(frame.gap(begin))
+            self.start = at = elements[begin - 1].end + len(commas) + len(comment)
+        for element in elements[begin:stop]:
             head = self._after(text[at : element.start])
             whole = text[element.start : element.end]
-            is_line = element.kind in ("field", "header", "name")
-            self.slots.append(Slot(element.key, element, whole, is_line, head))
+            self.slots.append(Slot(element.key, element, whole, _is_line(element), head))
             at = element.end
-        self.foot = self._after(text[at:end])
-        heads = (slot.head for slot in self.slots)
-        self._broken = outermost or any(map(has_break, (self.opener, self.foot, *heads)))
-        parted = [slot for slot in self.slots if not slot.line]
-        self._last = parted[-1] if parted else None
-        self._trailing = bool(self._last and self._last.commas)
-        self.commas = self._uses_commas(parted) if len(parted) > 1 else None
+        self.end = frame.end if stop == len(elements) else at
+        self.foot = self._after(text[at : self.end])
+        self._begun = begin > frame.first
+        self._goes_on = frame.last >= stop
+        """Whether what is changed here may neither begin nor end what commas part."""
+        self._last = self.slots[frame.last - begin] if begin <= frame.last < stop else None
+        self.commas = frame.commas
         """Whether commas part the elements; None where there are too few to tell."""
 
     def _after(self, gap: str) -> str:
         """The head of what follows a gap; the tail of what is before it is put there."""
-        commas = _COMMAS.match(gap)
-        end = commas.end() if commas else 0
-        comment = _COMMENT.match(gap, end)
+        commas, comment = _tail(gap)
+        end = len(commas) + len(comment)
         if self.slots:
-            self.slots[-1].commas = gap[:end]
-            self.slots[-1].comment = comment[0] if comment else ""
-        elif comment is None or self.outermost:
+            self.slots[-1].commas, self.slots[-1].comment = commas, comment
+        elif not comment or self.outermost:
             return gap
         else:
-            self.opener = gap[: comment.end()]
-        return gap[comment.end() if comment else end :]
-
-    def _uses_commas(self, parted: list[Slot]) -> bool:
-        after = {id(one): other for one, other in zip(self.slots, self.slots[1:], strict=False)}
-        return any(
-            slot.commas or (id(slot) in after and has_comma(after[id(slot)].head))
-            for slot in parted[:-1]
-        )
+            self.opener = gap[:end]
+        return gap[end:]
 
     def remove(self, kept: Sequence[bool]) -> None:
         """Take away the slots that are not kept; comments above them stay."""
@@ -139,7 +197,7 @@ class ElementRow:
     def fill(self, slots: list[Slot], indent: str) -> None:
         """Hold these slots, some of them new: those take heads like their neighbours'."""
         new = {id(slot) for slot in slots} - {id(slot) for slot in self.slots}
-        only_lines = True
+        only_lines = not self._begun
         for index, slot in enumerate(slots):
             if id(slot) in new:
                 slot.head = self._head(slots, index, indent)
@@ -153,7 +211,7 @@ class ElementRow:
 
     def _head(self, slots: list[Slot], index: int, indent: str) -> str:
         """The head of the new slot at an index."""
-        plain = self.newline + indent if self._broken or slots[index].line else " "
+        plain = self.newline + indent if self.frame.broken or slots[index].line else " "
         if index == 0 or slots[index].line or slots[index - 1].line:
             return plain
         if index > 1 and not slots[index - 2].line:
@@ -172,7 +230,7 @@ class ElementRow:
                 if above and above[-1] not in "\r\n":
                     above += self.newline if above.strip() else ""
                 slots[0].head, self.foot = above, self.newline
-            elif not self._broken and not slots[0].line:
+            elif not self.frame.broken and not slots[0].line:
                 slots[0].head = ""
         elif self.outermost or not has_break(former.head):
             slots[0].head, former.head = former.head, slots[0].head
@@ -186,16 +244,16 @@ class ElementRow:
     def _part(self, new: set[int]) -> None:
         """Put commas behind new elements, and where an element is or was the last."""
         parted = [index for index, slot in enumerate(self.slots) if not slot.line]
-        for index in parted[:-1]:
+        for index in parted if self._goes_on else parted[:-1]:
             slot = self.slots[index]
             if (id(slot) in new or slot is self._last) and self.commas and not slot.commas:
                 behind = self.slots[index + 1].head
                 slot.commas = "" if has_comma(behind) else ","
-        if parted:
-            last = self.slots[parted[-1]]
+        if parted and not self._goes_on:
+            last, trailing = self.slots[parted[-1]], self.frame.trailing
             if id(last) in new:
-                last.commas = "," if self._trailing else ""
-            elif last is not self._last and not self._trailing:
+                last.commas = "," if trailing else ""
+            elif last is not self._last and not trailing:
                 last.commas = ""
 
     def whole(self, indent: str, closing: str | None) -> str:
@@ -222,9 +280,27 @@ class ElementRow:
         """The indentation of the elements that begin a line."""
         for slot in self.slots:
             if has_break(slot.head):
-                line = slot.head[_last_break(slot.head) :].lstrip("\r\n")
-                return line[: len(line) - len(line.lstrip())]
+                return _last_indent(slot.head)
         return otherwise
+
+
+def _last_indent(gap: str) -> str:
+    """The white space behind the last line end of a gap."""
+    line = gap[_last_break(gap) :].lstrip("\r\n")
+    return line[: len(line) - len(line.lstrip())]
+
+
+def _is_line(element: Element) -> bool:
+    """Whether an element ends its line, so that no comma parts it from the next."""
+    return element.kind in ("field", "header", "name")
+
+
+def _tail(gap: str) -> tuple[str, str]:
+    """The commas and the comment that follow an element on its line."""
+    commas = _COMMAS.match(gap)
+    end = commas.end() if commas else 0
+    comment = _COMMENT.match(gap, end)
+    return gap[:end], comment[0] if comment else ""
 
 
 def has_break(text: str) -> bool:

@@ -5,40 +5,16 @@ Elements are found container by container, and only when somebody asks.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from smsl_studio.smsl.document import Member, Path
 from smsl_studio.smsl.json_form.spans import scan_container
 from smsl_studio.smsl.native_form import tokens
+from smsl_studio.smsl.native_form.elements import Element, ElementShapes, PlacedShapes
 from smsl_studio.smsl.native_form.lines import HashLine, entries, line_at, read_value
 from smsl_studio.smsl.native_form.tokens import content_start, decoded, skip_separator
-
-Kind = Literal["branch", "state", "edge", "field", "header", "name", "entry"]
-
-
-class Element(NamedTuple):
-    """One thing that is written: from where to where it goes, its key and its value.
-
-    The value of a branch is all of it, that of a state is its brackets. ``elements`` are the
-    lines and states of a branch.
-    """
-
-    kind: Kind
-    key: str
-    start: int
-    end: int
-    key_start: int
-    key_end: int
-    value_start: int
-    value_end: int
-    elements: tuple[Element, ...] = ()
-
-    @property
-    def member(self) -> Member:
-        """The element as key and value."""
-        return Member(self.key, self.key_start, self.key_end, self.value_start, self.value_end)
 
 
 class _Branch(NamedTuple):
@@ -50,10 +26,11 @@ class _Branch(NamedTuple):
 
 
 class NativeSpans:
-    """The spans of one valid native text."""
+    """The spans of one valid native text. ``known`` has the elements of the file, where they are
+    known already."""
 
-    def __init__(self, text: str) -> None:
-        self._text = text
+    def __init__(self, text: str, known: ElementShapes | None = None) -> None:
+        self._text, self._known = text, known
         self._inside: dict[int, tuple[Element, ...]] = {}
         self._branches: dict[int, _Branch] = {}
         self._scanned: dict[int, dict[str, Member]] = {}
@@ -65,9 +42,16 @@ class NativeSpans:
         return content_start(self._text)
 
     @cached_property
-    def elements(self) -> tuple[Element, ...]:
+    def elements(self) -> Sequence[Element]:
         """The branches and lines of the file."""
-        return tuple(_file_elements(self._text))
+        if self._known is None:
+            return tuple(_file_elements(self._text))
+        return tuple(PlacedShapes(self._known, 0))
+
+    @cached_property
+    def shapes(self) -> ElementShapes:
+        """The same by their lengths."""
+        return ElementShapes.of(self.elements, 0) if self._known is None else self._known
 
     @cached_property
     def _latest(self) -> dict[str, Element]:
@@ -172,12 +156,12 @@ class NativeSpans:
         return scan_container(self._text, start)
 
 
-def in_values(elements: tuple[Element, ...]) -> tuple[Element, ...]:
+def in_values(elements: Iterable[Element]) -> tuple[Element, ...]:
     """Those elements of a branch that are no part of its header."""
-    return tuple(element for element in elements if element.kind in ("state", "field"))
+    return tuple(element for element in elements if element.is_member)
 
 
-def header_member(elements: tuple[Element, ...]) -> tuple[Member, ...]:
+def header_member(elements: Iterable[Element]) -> tuple[Member, ...]:
     """The HEADER of a branch as one member: its first header lines together; none without any."""
     first: Element | None = None
     end = 0
@@ -269,3 +253,12 @@ def line_element(text: str, line: HashLine, depth: int) -> Element:
     end = read_value(text, line, depth).end
     start = line.value_start
     return Element(line.level, line.key, line.start, end, line.key_start, line.key_end, start, end)
+
+
+def elements_between(text: str, at: int, end: int) -> Iterator[Element]:
+    """The lines and states of a branch that stand between two offsets."""
+    at = skip_separator(text, at)
+    while at < end:
+        element = _line(text, at, 2) if text[at] == "#" else _state(text, at)
+        yield element
+        at = skip_separator(text, element.end)

@@ -9,8 +9,9 @@ from itertools import islice, pairwise
 from typing import Any
 
 from smsl_studio.smsl.document import Document
+from smsl_studio.smsl.native_form.elements import Element
 from smsl_studio.smsl.native_form.json_values import one_line
-from smsl_studio.smsl.native_form.spans import Element, NativeSpans
+from smsl_studio.smsl.native_form.spans import NativeSpans
 from smsl_studio.smsl.native_form.spellings import (
     edge_text,
     header_key,

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from smsl_studio.smsl.document import Document, Member, Path
 from smsl_studio.smsl.json_form.splice import winner_kept
+from smsl_studio.smsl.native_form.elements import Element
 from smsl_studio.smsl.native_form.lines import entries
 from smsl_studio.smsl.native_form.parser import parse
-from smsl_studio.smsl.native_form.rows import ElementRow
-from smsl_studio.smsl.native_form.spans import Element, NativeSpans, in_values
+from smsl_studio.smsl.native_form.rows import ElementRow, RowFrame
+from smsl_studio.smsl.native_form.spans import NativeSpans, in_values
 from smsl_studio.smsl.native_form.style import indent_of
 
 
@@ -62,9 +63,8 @@ class _Winning:
     ) -> str:
         text, newline = self._text, self._document.newline
         mine = {element.start for element in members if element.key == key}
-        row = ElementRow(
-            text, start, end, elements, newline, outermost=elements is self._spans.elements
-        )
+        outermost = elements is self._spans.elements
+        row = ElementRow(RowFrame(text, start, end, elements, newline, outermost))
         same_key = [slot for slot in row.slots if slot.element and slot.element.start in mine]
         if not same_key:
             raise KeyError(key)
