@@ -18,7 +18,7 @@ from smsl_studio.errors import ConvertError
 from smsl_studio.smsl.native_form import parse
 from smsl_studio.smsl.splice import reconcile
 from tests.smsl.native_texts import native, plain
-from tests.smsl.test_splice import movable
+from tests.smsl.test_splice import edited, long_values, movable
 from tests.smsl.texts import VALUES
 
 Json = Any
@@ -269,3 +269,16 @@ def test_the_winning_one_of_two_is_edited_and_the_other_stays() -> None:
     assert edited.text == text.replace("b -> T", "b -> S")
     added = reconcile(document, {"A": {"S": {"b": "T"}, "U": {}, "T": {}}})
     assert added.text.count("S: [") == 2
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_where_things_stand_is_known_after_each_edit_of_a_long_text(seed: int) -> None:
+    chance = random.Random(seed)
+    document = parse(native(long_values(30), seed), "f.smsl")
+    for _ in range(12):
+        document = reconcile(document, edited(dict(document.values), chance))
+        assert "spans" in document.__dict__, "nothing is looked for again"
+        again = parse(document.text, "f.smsl")
+        assert json.dumps(again.values) == json.dumps(document.values)
+        for path in ((), ("SB1",), ("SB1", "HEADER"), ("SB1", "_layout")):
+            assert document.members(path) == again.members(path)

@@ -103,7 +103,9 @@ def rename_keys(table: dict[str, Json], names: Mapping[str, str]) -> None:
     if not present:
         return
     gone = set(present.values()) - present.keys()
-    items = [(present.get(key, key), value) for key, value in table.items() if key not in gone]
+    for key in gone & table.keys():
+        del table[key]
+    items = list(zip(map(present.get, table, table), table.values(), strict=True))
     table.clear()
     table.update(items)
 

@@ -96,12 +96,12 @@ def _renamed_fact(text: str, names: Mapping[str, str]) -> str:
 
 def _rename_state(draft: Draft, branch: str, old: str, new: str) -> None:
     found = draft.before[branch]
-    for state, operations in found.table.items():
-        if old in operations.values():
-            inner = draft.at(branch, state)
-            for operation, target in operations.items():
-                if target == old:
-                    inner[operation] = new
+    leading = [state for state, inside in found.table.items() if old in inside.values()]
+    for state in leading:
+        inner = draft.at(branch, state)
+        for operation, target in found.table[state].items():
+            if target == old:
+                inner[operation] = new
     rename_keys(draft.at(branch), {old: new})
     for key in ("INITIAL", "ACTIVATING"):
         if getattr(found.header, key.lower()) == old:

@@ -131,9 +131,11 @@ class Document:
     @cached_property
     def newline(self) -> str:
         """The line end this text uses."""
+        if "\r" not in self.text:
+            return "\n"
         if "\r\n" in self.text:
             return "\r\n"
-        return "\r" if "\r" in self.text and "\n" not in self.text else "\n"
+        return "\r" if "\n" not in self.text else "\n"
 
     @cached_property
     def _latest(self) -> dict[Path, dict[str, Member]]:

@@ -38,8 +38,8 @@ class Part(NamedTuple):
     value: int
 
 
-LONG = 64
-"""A row with fewer members is found anew in a moment, so it is not handed on to the next text."""
+LONG = 4096
+"""A row of fewer characters is found anew in a moment, so it is not handed on to the next text."""
 
 
 class MemberRow:
@@ -71,7 +71,7 @@ class MemberRow:
     @property
     def is_long(self) -> bool:
         """Whether it is worth keeping for the next text."""
-        return len(self.keys) >= LONG
+        return sum(self.lengths) >= LONG
 
     @cached_property
     def _offsets(self) -> list[int]:

@@ -108,6 +108,8 @@ class BranchSplice:
             changed |= found
             at = part.end
         order += keys[at:]
+        if order == wanted:
+            return {**new, **changed}
         return {key: changed[key] if key in changed else new[key] for key in order}
 
     def _parts(
@@ -233,5 +235,7 @@ def _with_neighbours(parts: Iterable[Stretch], count: int) -> list[Stretch]:
     return merged
 
 
-def _without_header(values: Map) -> Map:
-    return {key: value for key, value in values.items() if key != "HEADER"}
+def _without_header(branch: Map) -> Map:
+    rest = dict(branch)
+    rest.pop("HEADER", None)
+    return rest
