@@ -126,14 +126,24 @@ def graceful() -> Iterator[None]:
         _thread.graceful -= 1
 
 
-@contextmanager
-def restartable() -> Iterator[None]:
+class Restartable:
     """While it lasts, what is called off has changed nothing, and may be asked for again."""
-    _thread.restartable += 1
-    try:
-        yield
-    finally:
+
+    __slots__ = ()
+
+    def __enter__(self) -> None:
+        _thread.restartable += 1
+
+    def __exit__(self, *_: object) -> None:
         _thread.restartable -= 1
+
+
+_RESTARTABLE = Restartable()
+
+
+def restartable() -> Restartable:
+    """What to enter for such work; a run asks for it at every proposal."""
+    return _RESTARTABLE
 
 
 @contextmanager

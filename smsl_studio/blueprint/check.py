@@ -6,7 +6,7 @@ A fact is pointed at by ``FactKey``: the SB's name and the digit, counted from 0
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 from typing import NamedTuple
@@ -31,12 +31,14 @@ class Reading:
     sensed: bool = True
 
 
-@dataclass(frozen=True)
-class Scene:
+NOTHING_SENSED: Mapping[FactKey, Reading] = MappingProxyType({})
+
+
+class Scene(NamedTuple):
     """The facts as sensed at one instant (the paper's *s*); a fact that is not in it has no
     sensor."""
 
-    readings: Mapping[FactKey, Reading] = field(default_factory=lambda: MappingProxyType({}))
+    readings: Mapping[FactKey, Reading] = NOTHING_SENSED
     time: float = 0.0
 
     def get(self, branch: str, digit: int) -> Reading | None:

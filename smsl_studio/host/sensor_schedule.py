@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 from smsl_studio.blueprint.address import fact_text, split_fact
@@ -14,6 +15,10 @@ from smsl_studio.host.call import words_of
 from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
 from smsl_studio.monitor.sample import BAD, GOOD, Sample
+
+
+_REMEMBERED = 1000
+"""So many different values of sensors are remembered: far more than facts have."""
 
 
 def _no_values(fact: FactKey) -> Sequence[str]:
@@ -36,6 +41,9 @@ class SensorSchedule:
         seed: int = 0,
     ) -> None:
         self._sensors = tuple(sensors)
+        self._calls = tuple(partial(one.function, **one.arguments) for one in self._sensors)
+        self._read: set[str] = set()
+        """Values that were looked at before and are readings."""
         self._every = tuple(_ticks(sensor.period, tick) for sensor in self._sensors)
         self._indices: Sequence[int] = range(len(self._sensors))
         self._slowest = max(self._every, default=1)
@@ -109,14 +117,21 @@ class SensorSchedule:
         self._spoken[index] += 1
         reason = ""
         try:
-            value = sensor.function(subject, **sensor.arguments)
+            value = self._calls[index](subject)
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # SystemExit, and what compiled libraries raise
             value, reason = None, words_of(error, sensor.location)
+        if type(value) is str and value in self._read:
+            return Sample(
+                sensor.branch, sensor.digit, sensor.name, value, time, self._spoken[index],
+                self._boot,
+            )  # fmt: skip
         wrong = invalid(value)
         if wrong:
             value, reason = None, wrong
+        elif type(value) is str and len(self._read) < _REMEMBERED:
+            self._read.add(value)
         return Sample(
             sensor.branch,
             sensor.digit,

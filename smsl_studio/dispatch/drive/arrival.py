@@ -45,8 +45,13 @@ class Arrival:
     @property
     def open(self) -> bool:
         """Whether the run stands where a goal was not told yet, or where all of them hold."""
-        here = self._reached
-        return len(here) == len(self._goals) or any(goal not in self._told for goal in here)
+        here = self._run.configuration
+        for goal in self._goals:  # asked at every tick, where a generator is dear
+            if here[goal.branch] != goal.state:
+                return False
+            if goal not in self._told:
+                return True
+        return True
 
     @property
     def _reached(self) -> tuple[Address, ...]:

@@ -88,8 +88,7 @@ class LiveRun:
 
     def emit(self, *events: Event) -> None:
         """Something happened."""
-        if events:
-            self.events.extend(events)
+        self.events += events
 
     @property
     def mark(self) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
+from typing import NamedTuple
 
 from smsl_studio.blueprint.check import FactKey, Reading, Scene
 from smsl_studio.host.protocol import Host, OpenedWorld, Tick
@@ -23,8 +24,7 @@ class _Doubt:
     counted: dict[str, int]
 
 
-@dataclass(frozen=True, slots=True)
-class Moment:
+class Moment(NamedTuple):
     """An instant on the run's clock (simulated s), and on the one of sensors elsewhere."""
 
     time: float
