@@ -16,7 +16,6 @@ from smsl_studio.library.bound import BoundSensor
 from smsl_studio.monitor.disturbance import DisturbedSensor, checked
 from smsl_studio.monitor.sample import BAD, GOOD, Sample
 
-
 _REMEMBERED = 1000
 """So many different values of sensors are remembered: far more than facts have."""
 
