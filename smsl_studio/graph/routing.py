@@ -74,6 +74,12 @@ class _Prices:
     scale: int
     never: int
 
+    def without(self, closed: Collection[int]) -> _Prices:
+        """The same once some edges are never used."""
+        for edge in closed:
+            self.weights[edge] = self.never
+        return self
+
 
 def _prices(
     branch: StateBranch, graph: BranchGraph, avoid: Collection[Address], cost: Cost | None
@@ -81,7 +87,7 @@ def _prices(
     unit = len(graph) + 1
     closed = _closed(graph, avoid)
     if cost is None and "_operations" not in branch.fields:
-        return _weighed([1] * len(graph.targets), closed, unit, 1)
+        return _Prices([unit + 1] * len(graph.targets), unit, 1, 2 * unit * unit).without(closed)
     price = cost or branch.cost
     costs = [
         float(price(graph.names[source], operation))
@@ -100,16 +106,9 @@ def _prices(
     for fraction in exact.values():
         scale = lcm(scale, fraction.denominator)
     units = {value: int(fraction * scale) for value, fraction in exact.items()}
-    return _weighed([units.get(value, 0) for value in costs], closed, unit, scale)
-
-
-def _weighed(units: list[int], closed: Collection[int], unit: int, scale: int) -> _Prices:
-    """The weights of edges that cost so many units; those that are ``closed`` are never used."""
-    never = (max(units, default=0) + 1) * unit * unit
-    weights = [cost * unit + 1 for cost in units]
-    for edge in closed:
-        weights[edge] = never
-    return _Prices(weights, unit, scale, never)
+    never = (max(units.values(), default=0) + 1) * unit * unit
+    weights = {value: count * unit + 1 for value, count in units.items()}
+    return _Prices([weights.get(v, never) for v in costs], unit, scale, never).without(closed)
 
 
 def _closed(graph: BranchGraph, avoid: Collection[Address]) -> set[int]:
