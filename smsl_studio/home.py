@@ -1,4 +1,4 @@
-"""The user's own folder, and which files in it only the user can have written."""
+"""The user's own folder, and checks that only the user can have written a file."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from pathlib import Path
 
 
 def user_folder() -> Path:
-    """The user's folder: ``SMSL_STUDIO_HOME``, else the platform's usual place.
+    """Return the user's folder: ``SMSL_STUDIO_HOME``, else the usual place of the platform.
 
-    It need not exist; nothing is written here.
+    The folder need not exist. This function does not create it.
     """
     given = os.environ.get("SMSL_STUDIO_HOME")
     if given:
@@ -24,23 +24,25 @@ def user_folder() -> Path:
 
 
 def saving_folder() -> Path:
-    """Where the records of this user's saves of several files are kept; it need not exist."""
+    """Return the folder with the records of this user's saves of several files. It need not
+    exist."""
     return user_folder().absolute() / "saving"
 
 
 def expanded(text: str) -> Path:
-    """A folder as written, ``~`` resolved; kept as it is for a user nobody knows."""
+    """Return a folder with ``~`` resolved. ``~name`` of an unknown user does not change."""
     return Path(os.path.expanduser(text))  # noqa: PTH111 -- that of Path raises
 
 
 def is_own(found: os.stat_result) -> bool:
-    """Whether a file or folder belongs to who runs this program; on Windows that is not known."""
+    """Whether a file or folder belongs to the user who runs this program. On Windows it is always
+    true, because the owner is not known."""
     return sys.platform == "win32" or found.st_uid == os.geteuid()
 
 
 def is_private(found: os.stat_result) -> bool:
-    """Whether it is the user's own, and nobody else may write it.
+    """Whether a file or folder belongs to the user, and no other user may write it.
 
-    Always true on Windows, where a user's folder is shut to others by the system.
+    On Windows it is always true, because the system protects a user's folder.
     """
     return is_own(found) and (sys.platform == "win32" or not found.st_mode & 0o022)

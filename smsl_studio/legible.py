@@ -1,16 +1,16 @@
 """Text from outside, made safe to show: one function for each kind of output.
 
-Names come from files, plugins and other programs, and may hold anything: escape sequences that
-steer a terminal, tags that a window or a browser obeys, marks that turn the text around them, and
-characters that nobody sees. What cannot be seen is written as an escape (``\\u202e``), in the same
-way everywhere; what means something to the reader of the output is escaped for that reader.
+Names come from files, plugins and other programs, and may contain any character: escape sequences
+that control a terminal, tags of HTML, marks that change the direction of the text, and invisible
+characters. An invisible character is shown as an escape (``\\u202e``) in every kind of output.
+Characters with a meaning in one kind of output are escaped for that kind.
 
 ==============  ============================================================================
 ``one_line``    a terminal, or one line of a text
-``plain_text``  a label, a tool tip: several lines, no markup, cut where it is too long to be read
-``whole_text``  the same, never cut: what is printed, and what is measured
+``plain_text``  a label, a tool tip: several lines, no markup, cut if it is too long to be read
+``whole_text``  the same, never cut: for printing and measuring
 ``markup``      HTML, XML, SVG: the content of an element or attribute
-``json_text``   JSON: the same values, spelled without what steers
+``json_text``   JSON: the same values, with hidden characters as escapes
 ==============  ============================================================================
 
 Data itself (a file that is converted, the value in a field) is never changed.
@@ -22,7 +22,7 @@ from itertools import accumulate, takewhile
 from unicodedata import category
 
 DIRECTIONS = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-"""Characters that change the order in which others are shown."""
+"""Characters that change the direction in which other characters are shown."""
 
 _BLANK = frozenset(
     map(
@@ -35,26 +35,28 @@ _BLANK = frozenset(
         ),
     )
 )
-"""Characters that count as printable and leave nothing on the screen."""
+"""Characters that count as printable but are invisible."""
 
 
 def one_line(text: str) -> str:
-    """A text in which nothing ends the line, steers a terminal, turns round or hides."""
+    """Return a text of one line: line ends, control characters, marks of direction and invisible
+    characters are escaped."""
     if text.isascii() and text.isprintable():
         return text
     return "".join(_escaped(char) if _is_hidden(char) else char for char in text)
 
 
 MOST = 4_000
-"""So many characters a window shows of one text. The whole stands in the view of the source."""
+"""The largest number of characters of one text that a window shows. The view of the source shows
+the whole text."""
 _TAIL = 40
 
 
 def plain_text(text: str) -> str:
-    """A text for a label or a tool tip, in which nothing turns round or hides.
+    """Return a text for a label or a tool tip, with hidden characters escaped.
 
-    Line breaks and tabs stay. A text of more than ``MOST`` characters is cut there, and its end
-    says how many more there are: Qt lays out every character, and nobody reads them.
+    Line breaks and tabs stay. A text of more than ``MOST`` characters is cut, and its end tells the
+    number of the others. Qt would lay out every character, and nobody reads so many.
     """
     shown = whole_text(text[: MOST + 1])
     if len(shown) <= MOST:
@@ -67,7 +69,7 @@ def plain_text(text: str) -> str:
 
 
 def whole_text(text: str) -> str:
-    """The same as ``plain_text``, however long it is."""
+    """Return the same as ``plain_text``, but never cut."""
     if text.isascii() and text.isprintable():
         return text
     return "".join(
@@ -76,13 +78,13 @@ def whole_text(text: str) -> str:
 
 
 def markup(text: str) -> str:
-    """A text for an element of HTML, XML or SVG, or for an attribute in double quotes."""
+    """Return a text for an element of HTML, XML or SVG, or for an attribute in double quotes."""
     escaped = whole_text(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     return escaped.replace('"', "&quot;")
 
 
 def json_text(text: str) -> str:
-    """A JSON text with the same values, in which what is hidden is spelled ``\\uXXXX``."""
+    """Return a JSON text with the same values, with hidden characters written as ``\\uXXXX``."""
     if text.isascii() and "\x7f" not in text:
         return text  # JSON escapes the other control characters by itself
     return "".join(_as_json(char) if _is_hidden(char) and char != "\n" else char for char in text)

@@ -1,7 +1,7 @@
-"""Where the files that ship beside the code stand: plugins, samples, resources.
+"""The folders of the files that ship with the code: plugins, samples, resources.
 
-In a checkout they are the folders at the top, so that an edit there is seen at once; in an
-installed wheel they lie inside the package. Nobody else may work this out again.
+In a checkout these are the folders at the top, so that an edit there has an effect at once. In an
+installed wheel they lie inside the package. All other code asks this module for them.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ _PACKAGE = Path(__file__).resolve().parent
 
 
 def plugins_dir() -> Path:
-    """The folder of the plugins that ship with the program."""
+    """Return the folder of the plugins that ship with the program."""
     return _shipped("plugins")
 
 
 def samples_dir() -> Path:
-    """The folder of the sample blueprints."""
+    """Return the folder of the sample blueprints."""
     return _shipped("samples")
 
 
 def resources_dir() -> Path:
-    """The folder of icons and other pictures."""
+    """Return the folder of icons and other pictures."""
     return _shipped("resources")
 
 

@@ -1,18 +1,17 @@
-"""A stop: how long work is ended early, and what it may leave undone.
+"""A stop ends work early.
 
-Work is called off by an exception, ``Stopped``, on one of two ways:
+Work is called off by the exception ``Stopped``, in one of two ways:
 
-- ``heed`` stands in the loops that may last. It asks whoever listens in this thread (``heeding``),
-  and that one raises ``Stopped`` where the work is no longer wanted. Work that is ``restartable``
-  may be called off for less than a stop: asked for again, it does what was left to do.
-- A signal of the command line raises ``BrokenOff`` in the main thread, at whatever it is. What was
-  going on there counts for nothing afterwards.
+- Loops that may last call ``heed``. It asks the listener of this thread (see ``heeding``), which
+  raises ``Stopped`` if the work is no longer wanted. Work that is ``restartable`` may also be
+  called off for smaller reasons. It keeps its results, so a later call does only the rest.
+- A signal of the command line raises ``BrokenOff`` in the main thread, at any line. The results of
+  the interrupted work are not used.
 
-Two kinds of work are left alone by signals: what must be ``whole`` (a file that is being saved, a
-log that gets its end) and, for ``GRACE`` seconds, what is ``graceful`` (it heeds by itself).
-
-Python's search for garbage hears nothing either: with ten million objects it takes seconds. So
-commands do without it (``let_garbage_be``) until a run begins (``look_for_garbage``).
+A signal does not interrupt two kinds of work: ``whole`` work, such as saving a file or ending a
+log, and, for ``GRACE`` seconds, ``graceful`` work, which calls ``heed`` itself. Python's garbage
+collection cannot be interrupted either, and with ten million objects it takes seconds. So commands
+switch it off (``let_garbage_be``) until a run begins (``look_for_garbage``).
 """
 
 from __future__ import annotations
@@ -23,10 +22,11 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 GRACE = 0.1
-"""Wall seconds in which graceful work must have heeded a signal before it is broken off."""
+"""The wall time (s) that graceful work has to heed a signal before it is broken off."""
 
 LONGEST = 40
-"""How many looks more somebody gets for an answer while the machine gives it no time to work."""
+"""The number of further checks that wait for an answer while the machine gives the other process no
+processor time."""
 
 Listener = Callable[[], object]
 
@@ -36,15 +36,16 @@ def _nobody() -> None:
 
 
 class Stopped(KeyboardInterrupt):
-    """The work is to stop. Like Ctrl-C it passes code that catches errors."""
+    """The work must stop. It is a KeyboardInterrupt, so code that catches errors does not catch
+    it."""
 
 
 class BrokenOff(Stopped):
-    """A stop that is raised at any place: the work there may be half done."""
+    """A stop that is raised at any line, so the interrupted work may be half done."""
 
 
 class _Thread(threading.local):
-    """The work of one thread, as far as a stop is concerned."""
+    """The state of one thread that matters for a stop."""
 
     listener: Listener | None = None
     whole = 0
@@ -59,15 +60,15 @@ _thread = _Thread()
 class StopListener:
     """A listener that calls the work off when it is asked for the ``last`` time.
 
-    Asked in ``starving`` work it waits, ``most`` times at most: on a machine that is busy, who has
-    had no time to answer is not mute.
+    Calls in ``starving`` work do not count, at most ``most`` times: a process without processor
+    time cannot answer.
     """
 
     def __init__(self, last: int, most: int = 0) -> None:
         self._left, self._starving = last, most
 
     def heed(self) -> None:
-        """Raise Stopped once it has been asked often enough."""
+        """Raise Stopped at the last of the allowed calls."""
         if _thread.starving and self._starving > 0:
             self._starving -= 1
             return
@@ -77,7 +78,7 @@ class StopListener:
 
 
 def heed() -> None:
-    """Raise ``Stopped`` where the listener of this thread wants the work to stop."""
+    """Raise ``Stopped`` if the listener of this thread wants the work to stop."""
     listener = _thread.listener
     if listener is not None and not _thread.whole:
         listener()
@@ -85,9 +86,9 @@ def heed() -> None:
 
 @contextmanager
 def heeding(listener: Listener) -> Iterator[None]:
-    """While it lasts, ``heed`` in this thread asks ``listener``, in the place of who listened.
+    """Inside the block, ``heed`` in this thread asks ``listener`` instead of the listener before.
 
-    ``listener`` raises ``Stopped`` where the work is no longer wanted.
+    ``listener`` raises ``Stopped`` if the work is no longer wanted.
     """
     before, _thread.listener = _thread.listener, listener
     try:
@@ -98,15 +99,16 @@ def heeding(listener: Listener) -> Iterator[None]:
 
 @contextmanager
 def unheeding() -> Iterator[None]:
-    """While it lasts, nobody is asked in this thread: what ends the work is itself wanted."""
+    """Inside the block, ``heed`` in this thread never raises. It is for the steps that end the
+    work."""
     with heeding(_nobody):
         yield
 
 
 @contextmanager
 def whole() -> Iterator[None]:
-    """While it lasts, nothing calls this thread's work off; a stop is heeded at its end, unless
-    the work is graceful and heeds by itself."""
+    """Inside the block, no stop interrupts this thread's work. A stop is heeded at its end, unless
+    the work is graceful and calls ``heed`` itself."""
     _thread.whole += 1
     try:
         yield
@@ -118,7 +120,7 @@ def whole() -> Iterator[None]:
 
 @contextmanager
 def graceful() -> Iterator[None]:
-    """While it lasts, a signal waits ``GRACE`` seconds for this thread to heed it."""
+    """Inside the block, a signal waits ``GRACE`` seconds for this thread to heed it."""
     _thread.graceful += 1
     try:
         yield
@@ -127,7 +129,7 @@ def graceful() -> Iterator[None]:
 
 
 class Restartable:
-    """While it lasts, what is called off has changed nothing, and may be asked for again."""
+    """Inside the block, work that is called off leaves no change and may be called again."""
 
     __slots__ = ()
 
@@ -142,13 +144,14 @@ _RESTARTABLE = Restartable()
 
 
 def restartable() -> Restartable:
-    """What to enter for such work; a run asks for it at every proposal."""
+    """Return the context of such work. It is one object, because a run enters it at every proposal."""
     return _RESTARTABLE
 
 
 @contextmanager
 def starving(is_so: bool) -> Iterator[None]:
-    """While it lasts, who is waited for has been given no time by the machine, if it ``is_so``."""
+    """Inside the block, the process that this thread waits for had no processor time, if
+    ``is_so``."""
     _thread.starving = is_so
     try:
         yield
@@ -157,27 +160,28 @@ def starving(is_so: bool) -> Iterator[None]:
 
 
 def is_whole() -> bool:
-    """Whether this thread is at something that must be whole."""
+    """Whether this thread does work that must be whole."""
     return _thread.whole > 0
 
 
 def is_graceful() -> bool:
-    """Whether this thread heeds by itself."""
+    """Whether this thread does graceful work, which calls ``heed`` itself."""
     return _thread.graceful > 0
 
 
 def is_restartable() -> bool:
-    """Whether what this thread is at may be called off and asked for again."""
+    """Whether this thread does work that may be called off and called again."""
     return _thread.restartable > 0
 
 
 def let_garbage_be() -> None:
-    """Look for no garbage in circles from now on; what nobody refers to is freed all the same."""
+    """Switch the collection of reference cycles off. Other objects are freed as before."""
     gc.disable()
 
 
 def look_for_garbage() -> None:
-    """Look for it again, but not among what there is by now; nothing where it was never let be."""
+    """Switch the collection on again, for objects that are made from now on. Nothing happens if it
+    was not switched off."""
     if not gc.isenabled():
         gc.freeze()
         gc.enable()

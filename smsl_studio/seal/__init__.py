@@ -1,1 +1,1 @@
-"""Canonical bytes and digests: bytes in, bytes out; knows nothing of blueprints."""
+"""Canonical bytes, digests and chains. This package knows neither blueprints nor runs."""

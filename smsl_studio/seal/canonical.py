@@ -1,4 +1,4 @@
-"""Canonical JSON (RFC 8785): one byte string for values that are equal, whoever writes it."""
+"""Canonical JSON (RFC 8785): equal values give equal bytes, in every program."""
 
 from __future__ import annotations
 
@@ -12,14 +12,15 @@ from smsl_studio.errors import UsageError
 
 Json = Any
 _LARGEST = 2**53 - 1
-"""Beyond this a whole number has no exact double, and two numbers would share one seal."""
+"""The largest whole number. A larger number may have no exact double, so two numbers could have the
+same digest."""
 
 
 def canonical(values: Json) -> bytes:
-    """The canonical bytes of plain values (dicts, lists, texts, numbers, booleans, None).
+    """Return the canonical bytes of plain values (dicts, lists, texts, numbers, booleans, None).
 
-    Raises UsageError for what has no canonical form: a number that is no exact double, a text
-    with half a surrogate pair, a key that is no text, an object of another kind.
+    UsageError for a value without a canonical form: a number that is no exact double, a text with
+    half a surrogate pair, a key that is no text, an object of another type.
     """
     return _written(values).encode("utf-8")
 
@@ -49,7 +50,8 @@ def _map(value: Mapping[Json, Json]) -> str:
 
 
 def _utf16(key: str) -> bytes:
-    """RFC 8785 orders keys by UTF-16 code units, which differs from code points beyond the BMP."""
+    """Return the sort key of a key: RFC 8785 orders keys by UTF-16 code units, not by code
+    points."""
     return key.encode("utf-16-be", "surrogatepass")
 
 
@@ -68,7 +70,7 @@ def _whole(value: int) -> str:
 
 
 def _number(value: float) -> str:
-    """A double as ECMAScript writes it: the shortest digits that read back to it."""
+    """Write a double as ECMAScript does: with the fewest digits that give the same double."""
     if not math.isfinite(value):
         raise UsageError(f"{value} is no number that JSON can hold")
     if value == 0:

@@ -4,10 +4,10 @@ A line is a JSON object whose last member is its link::
 
     {...,"chain":"<64 hexadecimal digits>"}\\n
 
-The link is the SHA-256 of every byte of the text up to the link itself: the lines before it with
-their links and line ends, and what its own line says. Any tool can work it out again, as in
-``head -c OFFSET FILE | sha256sum``. A chain shows what was changed, not who wrote it: whoever may
-write the text can also write a new chain.
+The link is the SHA-256 of every byte of the text before the link: the earlier lines with their
+links and line ends, and the beginning of its own line. Every tool can compute it again, as in
+``head -c OFFSET FILE | sha256sum``. A chain shows a change of the text, but not its author: a
+person who may write the text can also write a new chain.
 """
 
 from __future__ import annotations
@@ -21,22 +21,23 @@ _LENGTH = len(_LINK) + 64 + len(_END)
 
 
 class Chain:
-    """The SHA-256 of the bytes so far, whichever way they came."""
+    """The SHA-256 of all bytes so far."""
 
     def __init__(self) -> None:
         self._hash = hashlib.sha256()
 
     @property
     def digest(self) -> str:
-        """Of all bytes so far, as 64 hexadecimal digits."""
+        """The SHA-256 of all bytes so far, as 64 hexadecimal digits."""
         return self._hash.hexdigest()
 
     def add(self, raw: bytes) -> None:
-        """Take bytes in that carry no link."""
+        """Add bytes without a link."""
         self._hash.update(raw)
 
     def linked(self, text: bytes) -> bytes:
-        """The line of a JSON object that has a member, with its link; it is taken in."""
+        """Return the line of a JSON object with its link, and add it. The object must have a
+        member."""
         before = text[:-1] + _LINK
         self._hash.update(before)
         after = self.digest.encode("ascii") + _END
@@ -44,7 +45,7 @@ class Chain:
         return before + after
 
     def holds(self, line: bytes) -> bool:
-        """Whether a line carries the link that it should; it is taken in, whatever it carries."""
+        """Add a line. Return whether it has the right link."""
         split = unlinked(line)
         cut = len(line) if split is None else len(line) - 64 - len(_END)
         self._hash.update(line[:cut])
@@ -54,7 +55,7 @@ class Chain:
 
 
 def unlinked(line: bytes) -> tuple[bytes, str] | None:
-    """What a line says without its link, and the link; None where it carries none."""
+    """Return a line without its link, and the link. None if the line has no link."""
     found = _TAIL.fullmatch(line, max(0, len(line) - _LENGTH))
     if found is None:
         return None

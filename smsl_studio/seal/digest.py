@@ -1,4 +1,4 @@
-"""Digests: the SHA-256 of canonical bytes, in hex."""
+"""Digests: the SHA-256 of canonical bytes, in hexadecimal digits."""
 
 from __future__ import annotations
 
@@ -9,10 +9,13 @@ from smsl_studio.seal.canonical import canonical
 
 
 def sha256_hex(data: bytes) -> str:
-    """The SHA-256 of bytes as 64 hexadecimal digits."""
+    """Return the SHA-256 of bytes as 64 hexadecimal digits."""
     return hashlib.sha256(data).hexdigest()
 
 
 def digest_of(values: Any) -> str:
-    """The digest of plain values: equal for values that are equal, whatever their key order."""
+    """Return the digest of plain values. Equal values have equal digests, in any order of keys.
+
+    UsageError for values without a canonical form (see ``canonical``).
+    """
     return sha256_hex(canonical(values))

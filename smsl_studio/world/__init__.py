@@ -1,1 +1,2 @@
-"""What moves and is sensed. PyBullet lives in ``bullet`` and nowhere else."""
+"""Worlds: simulated or real surroundings that move and are sensed. Only ``bullet`` uses
+PyBullet."""

@@ -1,6 +1,6 @@
-"""What a physical world is built of, as plain values: the plan that a fork builds again.
+"""The parts of a physical world as plain values: the plan from which a fork is built.
 
-Lengths are metres, masses kilograms, forces newtons, angles radians.
+Lengths are in metres, masses in kilograms, forces in newtons, angles in radians.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ UPRIGHT: Quaternion = (0.0, 0.0, 0.0, 1.0)
 
 @dataclass(frozen=True, slots=True)
 class Capsule:
-    """A round rod along z with round ends, centred; ``length`` is that of its straight part."""
+    """A round rod along z with round ends, centred at the origin. ``length`` is the length of its
+    straight part."""
 
     radius: float
     length: float
@@ -22,26 +23,26 @@ class Capsule:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A box, centred, given by its half lengths."""
+    """A box, centred at the origin. ``half`` has half of its length along x, y and z."""
 
     half: Vector
 
 
 @dataclass(frozen=True, slots=True)
 class Floor:
-    """The half space below z = 0 of its own frame; it is not drawn."""
+    """The half space below z = 0 in its own frame. It is not drawn."""
 
 
 @dataclass(frozen=True, slots=True)
 class Hulls:
-    """A solid with holes, as convex pieces: OBJ text with one group a piece."""
+    """A solid with holes, made of convex pieces: OBJ text with one group for each piece."""
 
     obj: str
 
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """One rigid thing. Without mass it never moves; without a mesh it is not drawn."""
+    """One rigid body. A body without mass never moves. A body without a mesh is not drawn."""
 
     name: str
     collision: Capsule | Box | Floor | Hulls
@@ -55,11 +56,11 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Robot:
-    """An arm standing at the origin, with a two-finger gripper or none.
+    """An arm at the origin, with or without a gripper of two fingers.
 
     ``urdf`` is a file in the folder of the engine's models, or a full path. ``tool`` is the link
-    that is brought to places, ``rest`` the joints' posture at the start, ``fingers`` the two
-    finger joints, ``opening`` their distance from the middle when open.
+    that the kinematics moves. ``rest`` has the angles of the joints at the start. ``fingers`` are
+    the two finger joints, and ``opening`` is their distance from the middle when they are open.
     """
 
     name: str

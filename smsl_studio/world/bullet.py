@@ -1,8 +1,9 @@
-"""A physical world in PyBullet, on a client of its own; the only file that imports PyBullet.
+"""A physical world in PyBullet. Only this file imports PyBullet. Each world has its own client.
 
-A world is a plan (``bodies``) and an engine that was filled from it. Fresh engines filled from one
-plan and put to one snapshot go on bit-equally, so ``apply`` and ``fork`` always start a fresh one:
-an engine that was merely set back keeps hidden contact caches and drifts by micrometres.
+A world is a plan (``bodies``) and an engine that was built from it. Two new engines that are built
+from one plan and set to one snapshot run on with equal bits. An engine that is only set back keeps
+hidden contact caches and drifts by micrometres. So ``apply`` and ``fork`` always start a new
+engine.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ with silence():
 
 STILL: Vector = (0.0, 0.0, 0.0)
 MODELS = Path(pybullet_data.getDataPath())
-"""The folder of the models that come with the engine (``franka_panda/panda.urdf``)."""
+"""The folder of the models that come with the engine, such as ``franka_panda/panda.urdf``."""
 
 
 class BulletWorld:
@@ -45,7 +46,8 @@ class BulletWorld:
     def __init__(self, name: str = "bullet") -> None:
         self.name = name
         self.revision = 0
-        """Grows whenever anything may have moved: what was read before is old."""
+        """A number that grows when a body may have moved. Poses that were read before are then
+        outdated."""
         self._plan: list[Body | Robot] = []
         self._arm: Arm | None = None
         self._carriers: tuple[str, ...] | None = None
@@ -56,7 +58,8 @@ class BulletWorld:
     # -- building ------------------------------------------------------------------------------
 
     def add(self, part: Body | Robot) -> None:
-        """Put a body or the robot into the world; WorldError for a name twice or a second robot."""
+        """Add a body or the robot to the world. WorldError for a name that exists already, a second
+        robot, or numbers that are not valid."""
         if any(part.name == other.name for other in self._plan):
             raise WorldError(f"{part.name!r} stands in the world already")
         if isinstance(part, Robot) and self._robot is not None:
@@ -73,7 +76,7 @@ class BulletWorld:
             self._make(part)
 
     def rebuild(self) -> None:
-        """Begin again with a fresh engine: every part where the plan has it, time zero."""
+        """Begin again with a new engine: time zero, and every part at its place in the plan."""
         self.close()
         self._start()
         with silence():
@@ -106,7 +109,7 @@ class BulletWorld:
             self._let_sleep(made, at_once=False)
 
     def _let_sleep(self, body: int, *, at_once: bool) -> None:
-        """Resting bodies cost nothing while they sleep; what touches them wakes them."""
+        """Allow a body to sleep: it costs no time while it rests, and a contact wakes it."""
         state = pybullet.ACTIVATION_STATE_ENABLE_SLEEPING
         if at_once:
             state |= pybullet.ACTIVATION_STATE_SLEEP
@@ -134,20 +137,20 @@ class BulletWorld:
 
     @property
     def arm(self) -> Arm:
-        """The robot's kinematics; WorldError in a world without a robot."""
+        """The robot's kinematics. WorldError in a world without a robot."""
         if self._arm is None:
             raise WorldError(f"there is no robot in the world {self.name!r}")
         return self._arm
 
     @property
     def robot(self) -> Manipulator:
-        """The robot's motors and senses; WorldError in a world without a robot."""
+        """The robot's motors and sensors. WorldError in a world without a robot."""
         if self._robot is None:
             raise WorldError(f"there is no robot in the world {self.name!r}")
         return self._robot
 
     def step(self) -> None:
-        """Let the world go on by one tick of 1/240 s."""
+        """Advance the world by one tick of 1/240 s."""
         self._engine.stepSimulation()
         self._ticks += 1
         self._changed()
@@ -157,14 +160,15 @@ class BulletWorld:
         self.revision += 1
 
     def brake(self) -> None:
-        """Stop the robot, where there is one."""
+        """Stop the robot if there is one."""
         if self._robot is not None:
             self._robot.brake()
 
     def place(self, name: str, position: Vector, orientation: Quaternion = UPRIGHT) -> None:
-        """Put a body somewhere, without speed; WorldError for an unknown name or no pose.
+        """Put a body at a position (m) and orientation, without speed.
 
-        It and everything that rested on it, or now lies against it, wakes and falls if it can.
+        The body wakes, and so do all bodies that touched it before or touch it now. WorldError for
+        an unknown name or a pose that is not valid.
         """
         check_position(name, position)
         check_orientation(name, orientation)
@@ -174,9 +178,9 @@ class BulletWorld:
             self._wake(other)
 
     def _neighbours(self, name: str) -> set[str]:
-        """The loose bodies that touch a body, and itself if it is loose.
+        """Return the movable bodies that touch a body, and the body itself if it is movable.
 
-        The engine wakes what touches those or is glued to them, and so on, by itself.
+        The engine itself then wakes all bodies that touch these or are glued to them.
         """
         extents = {other: self._extent(other) for other in self._loose()}
         return touching(extents, self._extent(name))
@@ -197,9 +201,10 @@ class BulletWorld:
         self._changed()
 
     def settle(self, limit: float = 1.0) -> None:
-        """Let everything fall to rest and sleep, for ``limit`` seconds at most.
+        """Let all bodies fall to rest and sleep. It is a part of building and takes no simulated
+        time.
 
-        It belongs to putting things up and takes no simulated time.
+        WorldError if a body still moves after ``limit`` seconds.
         """
         before, calm = self._ticks, 0
         while calm < 12 and (self._ticks - before) * self.tick < limit:
@@ -211,16 +216,16 @@ class BulletWorld:
         for name in self._loose():
             self._put(name, *self.pose(name), STILL, STILL)
             self._let_sleep(self._ids[name], at_once=True)
-        self.step()  # the engine takes a body for asleep only from the next tick on
+        self.step()  # for the engine a body sleeps only from the next tick on
         self._ticks = before
 
     def rub(self, name: str, friction: float) -> None:
-        """Give a body another friction, until the world is built again."""
+        """Change the friction of a body until the world is built again. WorldError below 0."""
         check_amounts(name, "friction", [friction], least=0.0)
         self._engine.changeDynamics(self._id(name), -1, lateralFriction=friction)
 
     def stick(self, one: str, other: str) -> int:
-        """Glue two bodies together as they lie; the number by which they come apart again."""
+        """Glue two bodies together in their present poses. Return the number for ``unstick``."""
         origin = (0.0, 0.0, 0.0)
         back = self._engine.invertTransform(*self.pose(one))
         offset, turned = self._engine.multiplyTransforms(*back, *self.pose(other))
@@ -231,7 +236,7 @@ class BulletWorld:
         return glue
 
     def unstick(self, glue: int) -> None:
-        """Take glue away; both bodies wake."""
+        """Remove glue by its number. Both bodies wake."""
         self._engine.removeConstraint(glue)
         for name in self._glue.pop(glue, ()):
             self._wake(name)
@@ -239,7 +244,7 @@ class BulletWorld:
     # -- asking --------------------------------------------------------------------------------
 
     def pose(self, name: str) -> Pose:
-        """Where a body is: position (m) and orientation."""
+        """Return position (m) and orientation of a body. WorldError for an unknown name."""
         found = self._poses.get(name)
         if found is None:
             found = self._engine.getBasePositionAndOrientation(self._id(name))
@@ -247,16 +252,18 @@ class BulletWorld:
         return found
 
     def speed(self, name: str) -> float:
-        """How fast a body moves (m/s); turning counts as with 3 cm of arm."""
+        """Return the speed of a body (m/s). Its rotation counts as the speed at 3 cm from its
+        centre."""
         linear, angular = self._engine.getBaseVelocity(self._id(name))
         return float(np.linalg.norm(linear) + 0.03 * np.linalg.norm(angular))
 
     def fingers_on(self, name: str) -> int:
-        """How many of the robot's fingers press on a body: 0, 1 or 2."""
+        """Return the number of the robot's fingers that press on a body: 0, 1 or 2."""
         return self.robot.touching(self._id(name))
 
     def status(self) -> Mapping[str, str]:
-        """What the robot does and holds, in short words for people; empty without a robot."""
+        """Return the held body and the state of the gripper, for people. It is empty without a
+        robot."""
         if self._robot is None:
             return {}
         held = [name for name in self._loose() if self.fingers_on(name) == 2]
@@ -264,13 +271,13 @@ class BulletWorld:
         return {**holding, **self._robot.status()}
 
     def shapes(self) -> tuple[Shape, ...]:
-        """Everything that is drawn, as meshes (m) each in the frame of its body."""
+        """Return all shapes to draw: meshes (m), each in the frame of its body."""
         drawn = tuple(drawing.drawn(self._plan, MODELS))
         self._carriers = tuple(name for name, _ in drawn)
         return tuple(shape for _, shape in drawn)
 
     def poses(self) -> tuple[float, ...]:
-        """Position (m) and quaternion (x, y, z, w) of each shape in turn, 7 numbers each."""
+        """Return 7 numbers for each shape: position (m) and quaternion (x, y, z, w)."""
         if self._carriers is None:
             self.shapes()
         frames = {} if self._robot is None else self._robot.frames()
@@ -283,14 +290,14 @@ class BulletWorld:
     # -- coming back ---------------------------------------------------------------------------
 
     def snapshot(self) -> bytes:
-        """The whole state as bytes, for ``apply``: a row of doubles."""
+        """Return the whole state for ``apply``: the bytes of a row of doubles."""
         state = self._state()
         if self._applied is not None and state == self._applied[0]:
             return self._applied[1]
         return np.array(state, dtype=np.float64).tobytes()
 
     def apply(self, snapshot: bytes) -> None:
-        """Go back to a snapshot; WorldError where it was taken of a world built otherwise."""
+        """Go back to a snapshot. WorldError if the snapshot is from a world with another plan."""
         if len(snapshot) != 8 * len(self._state()):
             raise WorldError(f"this snapshot is not of a world built like {self.name!r}")
         ticks, *values = np.frombuffer(snapshot, dtype=np.float64).tolist()
@@ -303,11 +310,11 @@ class BulletWorld:
             self._put(name, row[:3], row[3:7], row[7:10], row[10:])
         if self._robot is not None:
             self._robot.restore(values)
-        # The engine normalises what it is given, in its last digit; the snapshot is what counts.
+        # The engine normalises quaternions, which may change the last digit. The snapshot counts.
         self._applied = (self._state(), snapshot)
 
     def fork(self) -> BulletWorld:
-        """Another world of its own engine in the same state."""
+        """Return another world with its own engine, in the same state."""
         other = BulletWorld(self.name)
         for part in self._plan:
             other.add(part)
@@ -315,7 +322,7 @@ class BulletWorld:
         return other
 
     def _state(self) -> list[float]:
-        """Everything that moves, and what the motors are told, as plain numbers."""
+        """Return the state of all movable bodies and of the robot as plain numbers."""
         found = [float(self._ticks)]
         for name in self._loose():
             linear, angular = self._engine.getBaseVelocity(self._ids[name])
@@ -333,6 +340,6 @@ class BulletWorld:
         return [part.name for part in self._plan if isinstance(part, Body) and part.mass > 0]
 
     def close(self) -> None:
-        """Let go of the engine; twice is harmless."""
+        """Close the engine. A second call does nothing."""
         with silence(), suppress(pybullet.error):
             self._engine.disconnect()

@@ -1,4 +1,4 @@
-"""The engines that a world may be built on; each is loaded only when a world asks for it."""
+"""The engines of worlds. An engine is loaded only when a world needs it."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ if TYPE_CHECKING:
 BULLET, TABLE = "bullet", "table"
 ENGINES = (BULLET, TABLE)
 USUAL = BULLET
-"""What a plugin's world is built on that names no engine."""
+"""The engine of a plugin's world that names none."""
 
 
 def make_engine(engine: str, name: str) -> World:
-    """A fresh, empty engine world called ``name``; WorldError where it is not installed."""
+    """Return a new, empty world with the name ``name`` on an engine. WorldError if the engine is
+    not installed."""
     if engine == TABLE:
         from smsl_studio.world.table import TableWorld
 
@@ -33,5 +34,5 @@ def make_engine(engine: str, name: str) -> World:
 
 
 def preload() -> None:
-    """Load the usual engine, so that a world that is built later stands sooner."""
+    """Import the usual engine, so that a later world is built faster."""
     import_module("smsl_studio.world.bullet")

@@ -1,6 +1,6 @@
-"""Where an arm's tool is for given joints, and which joints put it somewhere. No engine needed.
+"""The kinematics of an arm: from joints to the pose of the tool, and back. It needs no engine.
 
-Double precision and nothing random: equal questions get bit-equal answers, in any process.
+It uses double precision and no random numbers, so equal calls give equal bits in every process.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ Array = NDArray[np.float64]
 
 
 def rotation_of_rpy(rpy: Vector) -> Array:
-    """The rotation matrix of roll, pitch, yaw about fixed axes, as URDF means them (radians)."""
+    """Return the rotation matrix (3, 3) of roll, pitch, yaw (radians) about fixed axes, as in
+    URDF."""
     (cr, cp, cy), (sr, sp, sy) = np.cos(rpy), np.sin(rpy)
     return np.array(
         [
@@ -30,7 +31,7 @@ def rotation_of_rpy(rpy: Vector) -> Array:
 
 
 def rotation_of(quaternion: Quaternion) -> Array:
-    """The rotation matrix of a unit quaternion (x, y, z, w)."""
+    """Return the rotation matrix (3, 3) of a unit quaternion (x, y, z, w)."""
     x, y, z, w = quaternion
     return np.array(
         [
@@ -44,8 +45,9 @@ def rotation_of(quaternion: Quaternion) -> Array:
 class Arm:
     """A chain of joints from the base to the tool.
 
-    ``rest`` is the posture (radians) that a redundant arm leans to, so that the answer for a
-    place hardly depends on where the arm came from.
+    ``rest`` has the joint angles (radians) that a redundant arm prefers. So the solution for a pose
+    hardly depends on the posture before it. WorldError if ``rest`` has not one angle for each
+    moving joint.
     """
 
     def __init__(self, chain: Sequence[Joint], rest: Sequence[float]) -> None:
@@ -59,14 +61,17 @@ class Arm:
         self._steps = [(_frame(j), np.array(j.axis), j.kind != "fixed") for j in chain]
 
     def tool(self, joints: Array) -> tuple[Array, Array]:
-        """Position (m) and rotation matrix of the tool in the base's frame."""
+        """Return position (m) and rotation matrix (3, 3) of the tool in the frame of the base, for
+        joint angles in radians."""
         position, rotation, _ = self._forward(joints)
         return position, rotation
 
     def solve(self, position: Array, rotation: Array, near: Array) -> Array:
-        """The joints that bring the tool there, starting the search at ``near``.
+        """Return the joint angles (rad) that bring the tool to a pose. The search starts at
+        ``near``.
 
-        Accurate to 0.01 mm and 0.0001 rad; WorldError where the arm does not reach.
+        The result is accurate to 0.01 mm and 0.0001 rad. WorldError if the arm does not reach the
+        pose.
         """
         joints = near.copy()
         for _ in range(80):
@@ -82,7 +87,8 @@ class Arm:
         return self._lower, self._upper
 
     def _correction(self, jacobian: Array, error: Array, joints: Array) -> Array:
-        """Damped least squares for the tool, and what is free of it towards the rest posture."""
+        """Return the next change of the joints (rad): damped least squares for the tool, and the
+        remaining freedom towards the rest posture."""
         square = jacobian @ jacobian.T + 1e-6 * np.eye(6)
         lean = 0.2 * (self.rest - joints)
         step = jacobian.T @ np.linalg.solve(square, error - jacobian @ lean) + lean
@@ -108,7 +114,7 @@ def _frame(joint: Joint) -> tuple[Array, Array]:
 
 
 def _about(axis: Array, angle: float) -> Array:
-    """The rotation by ``angle`` about a unit axis (Rodrigues)."""
+    """Return the rotation matrix for ``angle`` (rad) about a unit axis (Rodrigues' formula)."""
     x, y, z = axis
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     turned: Array = np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * (cross @ cross)
@@ -116,7 +122,7 @@ def _about(axis: Array, angle: float) -> Array:
 
 
 def _turn(here: Array, there: Array) -> Array:
-    """The small rotation vector (radians) that turns one frame into the other."""
+    """Return the rotation vector (radians) that turns ``here`` into ``there``, for small angles."""
     total = np.zeros(3)
     for column in range(3):
         total += np.cross(here[:, column], there[:, column])

@@ -1,6 +1,6 @@
-"""A robot that stands in an engine: its motors, its gripper, what it touches.
+"""A robot in an engine: its motors, its gripper, and its contacts.
 
-``engine`` is a client of PyBullet as ``bullet`` hands it over; this file needs no import of it.
+``engine`` is a client of PyBullet, which ``bullet`` passes. So this file does not import PyBullet.
 """
 
 from __future__ import annotations
@@ -23,14 +23,15 @@ Array = NDArray[np.float64]
 Pose = tuple[Vector, Quaternion]
 
 GAIN = 0.5
-"""The share of its position error that a joint makes good in one tick."""
+"""The share of its position error that a joint corrects in one tick."""
 
 GRIP = 25.0
-"""The force (N) of a finger where none is asked for."""
+"""The default force (N) of a finger."""
 
 
 class Manipulator:
-    """The arm and fingers of one robot; ``goal`` is where the arm's joints are sent (rad)."""
+    """The arm and fingers of one robot. ``goal`` has the commanded angles of the arm's joints
+    (rad)."""
 
     def __init__(self, engine: Any, robot: Robot, file: Path, urdf: Urdf, arm: Arm) -> None:
         self._engine, self._urdf, self._plan = engine, urdf, robot
@@ -51,7 +52,8 @@ class Manipulator:
         self._start()
 
     def _gear(self) -> None:
-        """Both fingers stay at the same distance from the middle, as a real gripper's gear does."""
+        """Keep both fingers at the same distance from the middle, as the gear of a real gripper
+        does."""
         left, right = self._fingers
         axis, origin = [1, 0, 0], [0, 0, 0]
         kind = self._engine.JOINT_GEAR
@@ -71,9 +73,10 @@ class Manipulator:
     # -- motors --------------------------------------------------------------------------------
 
     def drive(self, joints: Array, speeds: Array | None = None) -> None:
-        """Send the arm's joints there (rad), to be passed at ``speeds`` (rad/s, else to stop).
+        """Move the arm's joints to the angles ``joints`` (rad), with the speeds ``speeds`` (rad/s)
+        at this point. Without speeds the joints stop there.
 
-        WorldError where there is not one finite number for each joint.
+        WorldError if there is not one finite number for each joint.
         """
         goal = self._one_each("angles", joints)
         self._speeds = np.zeros(len(goal)) if speeds is None else self._one_each("speeds", speeds)
@@ -99,9 +102,9 @@ class Manipulator:
         return found
 
     def grip(self, opening: float, force: float = GRIP) -> None:
-        """Send both fingers to ``opening`` (m) from the middle with at most ``force`` (N).
+        """Move both fingers to ``opening`` (m) from the middle with at most ``force`` (N).
 
-        WorldError where one of them is no finite number, or the force is below 0.
+        WorldError if a number is not finite, or if the force is below 0.
         """
         check_amounts(self._plan.name, "the opening", [opening])
         check_amounts(self._plan.name, "the force", [force], least=0.0)
@@ -116,20 +119,20 @@ class Manipulator:
             )
 
     def open(self) -> None:
-        """Send the fingers as far apart as the plan says."""
+        """Open the fingers as wide as the plan of the robot says."""
         self.grip(self._plan.opening)
 
     def brake(self) -> None:
-        """Hold every joint where it is; fingers that press on something go on pressing."""
+        """Hold every joint at its position. Fingers that hold an object keep their force."""
         arm, fingers = np.split(self._states(), [len(self._arm)])
         self.drive(arm[:, 0])
         if len(fingers) and np.abs(fingers[:, 1]).max() > 0.005:
             self.grip(float(fingers[:, 0].mean()), self._grip[1])
 
     def seize(self, joint: int) -> None:
-        """Let one joint of the arm (counted from 0) stay where it is, whatever it is sent to.
+        """Block one joint of the arm (counted from 0): it ignores later commands.
 
-        WorldError where the arm has no such joint.
+        WorldError if the arm has no such joint.
         """
         if not 0 <= joint < len(self._arm):
             raise WorldError(f"{self._plan.name!r} has no joint {joint}: they are counted from 0")
@@ -137,7 +140,7 @@ class Manipulator:
         self.drive(self.goal, self._speeds)
 
     def weaken(self, strongest: float) -> None:
-        """Let the fingers press with no more than this (N) from now on; WorldError below 0."""
+        """Limit the force of the fingers to ``strongest`` (N) from now on. WorldError below 0."""
         check_amounts(self._plan.name, "the force", [strongest], least=0.0)
         self._strongest = strongest
         self.grip(*self._grip)
@@ -145,23 +148,26 @@ class Manipulator:
     # -- senses --------------------------------------------------------------------------------
 
     def _states(self) -> Array:
-        """One row a joint, the arm's first, then the fingers': position and speed."""
+        """Return position and speed, one row for each joint: first the arm, then the fingers.
+
+        The shape is (joints, 2). Units are rad and rad/s for the arm, m and m/s for fingers.
+        """
         states = self._engine.getJointStates(self.body, self._arm + self._fingers)
         return np.array([state[:2] for state in states])
 
     def joints(self) -> Array:
-        """Where the arm's joints are (rad)."""
+        """Return the angles of the arm's joints (rad)."""
         return self._states()[: len(self._arm), 0]
 
     def touching(self, body: int) -> int:
-        """How many fingers press on a body: 0, 1 or 2."""
+        """Return the number of fingers that press on a body: 0, 1 or 2."""
         contacts = (
             self._engine.getContactPoints(self.body, body, joint, -1) for joint in self._fingers
         )
         return sum(any(contact[9] > 0.0 for contact in found) for found in contacts)
 
     def frames(self) -> dict[str, Pose]:
-        """The frame of each link by its name."""
+        """Return the frame of each link by its name: position (m) and quaternion (x, y, z, w)."""
         indices = list(self._links.values())
         states = self._engine.getLinkStates(self.body, indices, computeForwardKinematics=True)
         frames: dict[str, Pose] = {self._urdf.root: ((0.0, 0.0, 0.0), UPRIGHT)}
@@ -170,7 +176,7 @@ class Manipulator:
         }
 
     def status(self) -> dict[str, str]:
-        """The gripper's width and the force it is sent with."""
+        """Return the gripper's width (mm) and its commanded force (N) in words."""
         if not self._fingers:
             return {}
         width = 2.0 * float(self._states()[len(self._arm) :, 0].mean())
@@ -179,12 +185,12 @@ class Manipulator:
     # -- coming back ---------------------------------------------------------------------------
 
     def state(self) -> list[float]:
-        """Joints, speeds and what the motors are told, as plain numbers."""
+        """Return angles, speeds and commands of the motors as plain numbers, for ``restore``."""
         told = [*self.goal.tolist(), *self._speeds.tolist(), *self._grip]
         return [*self._states().ravel().tolist(), *told]
 
     def restore(self, state: list[float]) -> None:
-        """Come back to a ``state`` of the same robot."""
+        """Go back to a ``state`` of the same robot."""
         count, every = len(self._arm), self._arm + self._fingers
         for row, joint in enumerate(every):
             self._engine.resetJointState(self.body, joint, *state[2 * row : 2 * row + 2])

@@ -1,6 +1,8 @@
-"""Triangles: read from OBJ files, made by turning an outline, thinned out. No engine, no Qt.
+"""Triangle meshes: reads OBJ files, turns outlines into solids, and thins meshes. It needs neither
+an engine nor Qt.
 
-A mesh here is an array (n, 3, 3) of float32 in metres: n triangles, counter-clockwise from outside.
+A mesh is an array (n, 3, 3) of float32 in metres: n triangles with 3 corners each,
+counter-clockwise when seen from outside.
 """
 
 from __future__ import annotations
@@ -21,16 +23,17 @@ PLAIN: Vector = (0.93, 0.93, 0.94)
 
 
 def soup(mesh: Mesh) -> tuple[float, ...]:
-    """The flat tuple of floats that a ``Shape`` carries; thousandths of a millimetre are enough."""
+    """Return a mesh as the flat tuple of floats (m) of a ``Shape``, rounded to 0.001 mm."""
     return tuple(np.round(mesh.astype(np.float64), 6).ravel().tolist())
 
 
 @lru_cache(maxsize=64)
 def read_obj(path: Path, limit: int = 3500) -> tuple[tuple[Vector, Mesh], ...]:
-    """The meshes of an OBJ file, one a colour of its materials, thinned to about ``limit``.
+    """Read the meshes of an OBJ file, one for each colour of its materials, with about ``limit``
+    triangles together.
 
-    The colour is the material's ``Kd``; pale and tinted ones are all shown as the plain white of
-    a robot's shell, dark ones as they are.
+    The colour is the material's ``Kd``. All pale and tinted colours become the plain white of a
+    robot's shell; dark colours stay.
     """
     vertices: list[bytes] = []
     faces: dict[Vector, list[list[int]]] = {}
@@ -76,7 +79,8 @@ def _triangles(points: NDArray[np.float64], faces: list[list[int]]) -> Mesh:
 
 
 def thinned(mesh: Mesh, limit: int) -> Mesh:
-    """At most ``limit`` triangles: corners are joined on a grid that grows until it fits."""
+    """Return a mesh with at most ``limit`` triangles. Corners in one cell of a grid are joined, and
+    the grid grows until the mesh fits."""
     thin = mesh
     if len(mesh) > limit:
         sides = np.cross(mesh[:, 1] - mesh[:, 0], mesh[:, 2] - mesh[:, 0])
@@ -88,7 +92,8 @@ def thinned(mesh: Mesh, limit: int) -> Mesh:
 
 
 def _clustered(mesh: Mesh, cell: float) -> Mesh:
-    """Every corner moved to the mean of the corners in its grid cell; what collapses goes."""
+    """Move every corner to the mean of the corners in its grid cell, and remove triangles that
+    collapse or double. ``cell`` is in metres."""
     corners = mesh.reshape(-1, 3).astype(np.float64)
     where = _numbered(np.floor(corners / cell).astype(np.int64))[1]
     count = np.bincount(where)
@@ -101,7 +106,8 @@ def _clustered(mesh: Mesh, cell: float) -> Mesh:
 
 
 def _numbered(rows: NDArray[np.int64]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Equal rows get equal numbers: where each number stands first, and the number of each row."""
+    """Give equal numbers to equal rows. Return the first row of each number, and the number of each
+    row."""
     low = rows.min(axis=0)
     _, width, depth = rows.max(axis=0) - low + 1
     x, y, z = (rows - low).T
@@ -112,16 +118,16 @@ def _numbered(rows: NDArray[np.int64]) -> tuple[NDArray[np.intp], NDArray[np.int
 
 
 def moved(mesh: Mesh, rotation: NDArray[np.float64], offset: Sequence[float]) -> Mesh:
-    """The mesh turned, then shifted."""
+    """Return the mesh turned by a rotation matrix (3, 3), then moved by ``offset`` (m)."""
     placed: Mesh = (mesh @ rotation.T + np.asarray(offset)).astype(np.float32)
     return placed
 
 
 def turned(outline: Sequence[tuple[float, float]], sides: int = 48) -> Mesh:
-    """The solid that an outline of (radius, height) makes, turned about z.
+    """Return the solid of an outline of (radius, height) in metres, turned about the z axis.
 
-    The outline runs so that the outside is on its right seen with the radius to the right and the
-    height up: up the outer wall, then inwards.
+    With the radius to the right and the height upwards, the outside is on the right of the outline:
+    it runs up the outer wall, then inwards. ``sides`` is the number of parts of the circle.
     """
     angles = np.arange(sides + 1) * (2 * math.pi / sides)
     circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
@@ -135,7 +141,8 @@ def turned(outline: Sequence[tuple[float, float]], sides: int = 48) -> Mesh:
 
 
 def hulls_obj(hulls: Sequence[Sequence[Vector]], faces: Sequence[Sequence[int]]) -> str:
-    """OBJ text with one group a convex hull; each has the same faces over its own corners."""
+    """Return OBJ text with one group for each convex hull. All hulls have the same faces over their
+    own corners (m)."""
     lines: list[str] = []
     for number, corners in enumerate(hulls):
         base = number * len(corners) + 1

@@ -1,4 +1,5 @@
-"""Paths of a tool in space, and the timetable along them. Pure arithmetic."""
+"""Paths of a tool in space, and the timetable along them. The functions only compute; they need no
+engine."""
 
 from __future__ import annotations
 
@@ -15,12 +16,14 @@ Array = NDArray[np.float64]
 
 
 def minimum_jerk(share: float) -> float:
-    """How far along (0..1) a smooth motion is after this share (0..1) of its time."""
+    """Return the share (0..1) of the way that a minimum-jerk motion has made after ``share`` (0..1)
+    of its time."""
     return share**3 * (10.0 - 15.0 * share + 6.0 * share**2)
 
 
 def waypoints(corners: Sequence[Array], spacing: float = 0.012) -> tuple[list[Array], list[float]]:
-    """Points at most ``spacing`` metres apart through the corners, and their way from the start.
+    """Return points through the corners, at most ``spacing`` (m) apart, and the way (m) of each
+    point from the start.
 
     WorldError for a corner that is no position.
     """
@@ -38,7 +41,8 @@ def waypoints(corners: Sequence[Array], spacing: float = 0.012) -> tuple[list[Ar
 
 
 def rounded(corners: Sequence[Array], radius: float, pieces: int = 6) -> list[Array]:
-    """The same path with each inner corner cut by a curve that begins ``radius`` before it."""
+    """Return the same path with rounded inner corners. Each curve begins ``radius`` (m) before its
+    corner and has ``pieces`` parts."""
     path = [corners[0]]
     for before, corner, after in zip(corners, corners[1:], corners[2:], strict=False):
         a = corner + _towards(corner, before, radius)
@@ -57,9 +61,10 @@ def _towards(here: Array, there: Array, length: float) -> Array:
 
 
 def timetable(ways: Sequence[float], speed: float, tick: float) -> list[tuple[int, float]]:
-    """For each tick of a smooth motion: the segment it is in and how far along (0..1) it is.
+    """Return the segment, and the share (0..1) of it, at each tick of a smooth motion.
 
-    ``speed`` is the greatest speed (m/s); a minimum-jerk motion takes 15/8 of length over it.
+    ``ways`` are the ways (m) of the points from the start. ``speed`` is the greatest speed (m/s); a
+    minimum-jerk motion takes 15/8 of length / speed. ``tick`` is in seconds.
     """
     length = ways[-1]
     ticks = max(1, math.ceil(1.875 * length / speed / tick))

@@ -1,4 +1,4 @@
-"""Poses that come from outside: refused where no body could stand there."""
+"""Checks of positions, orientations and amounts that come from library code."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from collections.abc import Iterable, Sequence
 from smsl_studio.errors import WorldError
 
 FARTHEST = 1000.0
-"""Metres from the origin; a body farther away is no longer moved exactly."""
+"""The largest distance (m) of a body from the origin. Farther away its motion is not exact."""
 
 LOOSE = 0.01
-"""How far the length of a quaternion may be from 1."""
+"""The largest difference between the length of a quaternion and 1."""
 
 
 def check_position(name: str, position: Sequence[float]) -> None:
-    """WorldError where a position is not three lengths (m) within reach."""
+    """Raise WorldError if a position is not three finite lengths (m) up to ``FARTHEST``."""
     if not _are_numbers(position, 3):
         raise WorldError(f"{name!r} cannot stand at {position!r}: it takes x, y and z in metres")
     if any(abs(value) > FARTHEST for value in position):
@@ -26,7 +26,7 @@ def check_position(name: str, position: Sequence[float]) -> None:
 
 
 def check_orientation(name: str, orientation: Sequence[float]) -> None:
-    """WorldError where an orientation is no quaternion of length 1."""
+    """Raise WorldError if an orientation is no quaternion of length 1."""
     if not _are_numbers(orientation, 4) or abs(math.hypot(*orientation) - 1.0) > LOOSE:
         raise WorldError(
             f"{name!r} cannot be turned by {orientation!r}: it takes a quaternion x, y, z, w "
@@ -35,7 +35,8 @@ def check_orientation(name: str, orientation: Sequence[float]) -> None:
 
 
 def check_amounts(name: str, what: str, values: Iterable[float], least: float = -math.inf) -> None:
-    """WorldError where one of the values is no finite number, or below the least."""
+    """Raise WorldError if a value is no finite number or below ``least``. ``what`` names the
+    values in the message."""
     for value in values:
         if not _is_number(value) or value < least:
             raise WorldError(f"{what} of {name!r} cannot be {value!r}")

@@ -1,7 +1,7 @@
-"""What a world is: something that moves in ticks, can be put somewhere, and can be drawn.
+"""The interface of a world: it moves in ticks, can be put into a state, and can be drawn.
 
-Lengths are metres, times seconds of simulated time, angles radians, forces newtons; orientations
-are quaternions (x, y, z, w).
+Lengths are in metres, times in seconds of simulated time, angles in radians, forces in newtons.
+Orientations are quaternions (x, y, z, w).
 """
 
 from __future__ import annotations
@@ -16,10 +16,11 @@ Quaternion = tuple[float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """One rigid thing to draw; its pose comes with the same index in ``World.poses``.
+    """One rigid shape to draw. Its pose has the same index in ``World.poses``.
 
-    ``mesh`` is a triangle soup in the shape's own frame: 9 floats a triangle, counter-clockwise.
-    ``colour`` is red, green, blue in 0..1. ``label`` is drawn beside it where it is not empty.
+    ``mesh`` has 9 floats for each triangle, in metres in the shape's own frame, with corners
+    counter-clockwise. ``colour`` is red, green and blue in 0..1. A ``label`` that is not empty is
+    drawn beside the shape.
     """
 
     name: str
@@ -29,10 +30,10 @@ class Shape:
 
 
 class World(Protocol):
-    """What library code moves and senses. One tick is ``tick`` seconds of simulated time.
+    """A world, which library code moves and senses. One tick is ``tick`` seconds of simulated time.
 
-    ``snapshot``/``apply`` put a world back exactly; ``fork`` gives an independent copy for
-    previews. ``set_facts`` and ``fact`` are what the table world has instead of physics.
+    ``snapshot`` and ``apply`` bring a world back exactly. ``fork`` makes an independent copy for
+    previews. ``hardware`` says that real machines move.
     """
 
     name: str
@@ -49,35 +50,38 @@ class World(Protocol):
         ...
 
     def brake(self) -> None:
-        """Hold every drive where it is: what a controlled stop does, within one tick."""
+        """Hold every drive at its position within one tick, for a controlled stop."""
         ...
 
     def shapes(self) -> tuple[Shape, ...]:
-        """What can be drawn, once, in the order of ``poses``; empty with nothing to see."""
+        """Return the shapes to draw, in the order of ``poses``. They do not change. The tuple may
+        be empty."""
         ...
 
     def poses(self) -> tuple[float, ...]:
-        """7 floats a shape: position x, y, z and orientation x, y, z, w, in the world frame."""
+        """Return 7 floats for each shape: position x, y, z (m) and orientation x, y, z, w, in the
+        frame of the world."""
         ...
 
     def status(self) -> Mapping[str, str]:
-        """Short words for people beside the picture, such as ``{"gripper": "60 mm, 25 N"}``."""
+        """Return short texts for people, shown beside the picture, such as ``{"gripper": "60 mm, 25
+        N"}``."""
         ...
 
     def snapshot(self) -> bytes:
-        """Everything needed to come back to this instant."""
+        """Return all data that is needed to come back to this instant."""
         ...
 
     def apply(self, snapshot: bytes) -> None:
-        """Come back to the instant of a snapshot of the same build."""
+        """Go back to the instant of a snapshot of an equally built world."""
         ...
 
     def fork(self) -> World:
-        """An independent copy that starts at this instant."""
+        """Return an independent copy that starts at this instant."""
         ...
 
     def close(self) -> None:
-        """Free what the world holds; calling it twice is harmless."""
+        """Free the resources of the world. A second call does nothing."""
         ...
 
 

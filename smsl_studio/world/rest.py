@@ -1,4 +1,4 @@
-"""Coming to rest: which bodies lie against each other, and which still move."""
+"""Bodies at rest: finds bodies that may touch each other, and bodies that still move."""
 
 from __future__ import annotations
 
@@ -8,27 +8,28 @@ from smsl_studio.errors import WorldError
 from smsl_studio.world.protocol import Vector
 
 Extent = tuple[Vector, Vector]
-"""The box around a body: its least and its greatest corner (m)."""
+"""The box around a body: its smallest and its largest corner (m)."""
 
 NEAR = 0.003
-"""Bodies whose boxes are this close (m) may touch each other."""
+"""The largest distance (m) between the boxes of bodies that may touch each other."""
 
 
 CALM = 0.002
-"""A body that is slower than this (m/s) counts as being at rest."""
+"""The speed (m/s) below which a body counts as at rest."""
 
 TOLD = 5
-"""So many of the bodies that still move are named."""
+"""The largest number of moving bodies that a message names."""
 
 
 def touching(extents: Mapping[str, Extent], one: Extent) -> set[str]:
-    """The bodies that may touch what fills ``one``."""
+    """Return the names of the bodies that may touch a body with the box ``one``."""
     return {name for name, other in extents.items() if _are_near(one, other)}
 
 
 def restless(world: str, speeds: Mapping[str, float], limit: float) -> WorldError:
-    """The error of a world that is not at rest after ``limit`` seconds; speeds in m/s."""
-    # A speed that is no number is none at rest either.
+    """Return the error of a world that is not at rest after ``limit`` seconds. Speeds are in
+    m/s."""
+    # A speed of NaN does not count as at rest.
     moving = [f"{name} at {speed:.3g} m/s" for name, speed in speeds.items() if not speed < CALM]
     words = ", ".join(moving[:TOLD]) or "until just now something moved"
     more = f" and {len(moving) - TOLD} more" if len(moving) > TOLD else ""

@@ -1,4 +1,4 @@
-"""What a physical world's parts look like: the shapes to draw, and which body carries each."""
+"""The shapes of a physical world's parts, and the body that carries each shape."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ from smsl_studio.world.urdf import read_urdf
 
 
 def drawn(plan: Iterable[Body | Robot], models: Path) -> Iterator[tuple[str, Shape]]:
-    """The shapes of a plan, each with the name of the body or the robot's link that carries it."""
+    """Yield the shapes of a plan, each with the name of the body or robot link that carries it.
+
+    ``models`` is the folder of the URDF files.
+    """
     for part in plan:
         if isinstance(part, Robot):
             yield from _links(part, models)

@@ -1,4 +1,4 @@
-"""Silence for code below Python that prints what it likes."""
+"""Silence: hides the output of compiled code that prints without asking Python."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from contextlib import contextmanager, suppress
 
 @contextmanager
 def silence() -> Iterator[None]:
-    """Send standard output and error to nowhere meanwhile, because Bullet prints from C."""
+    """Discard standard output and error inside the block, because Bullet prints from C."""
     _flush()
     nowhere = os.open(os.devnull, os.O_WRONLY)
     kept: list[tuple[int, int]] = []
     for stream in (1, 2):
-        with suppress(OSError):  # a program without a console may have none
+        with suppress(OSError):  # a program without a console may not have this stream
             kept.append((stream, os.dup(stream)))
             os.dup2(nowhere, stream)
     try:

@@ -1,7 +1,7 @@
-"""The table world: named things with values, and nothing that moves.
+"""The table world: it keeps the values of facts, and has no bodies and no physics.
 
-Any blueprint runs in it, because an operation is carried out by writing down what its target says.
-It is instant, exact and cheap, which is what most tests and most first looks want.
+Every blueprint runs in it, because an operation only sets the facts of its target. It is fast and
+exact, so most tests use it, and it is good for a first look at a procedure.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ NOTHING: Mapping[FactKey, str] = MappingProxyType({})
 
 
 class TableWorld:
-    """Facts on a table: ``set_facts`` writes them, ``fact`` reads them; a tick is 0.05 s."""
+    """A table of facts: ``set_facts`` writes them, ``fact`` reads them. A tick is 0.05 s."""
 
     tick = 0.05
     hardware = False
@@ -34,59 +34,60 @@ class TableWorld:
         return self._ticks * self.tick
 
     def set_facts(self, facts: Mapping[FactKey, str]) -> None:
-        """Set some facts; the others stay as they are."""
+        """Set the values of some facts. The others do not change."""
         self._facts.update(facts)
 
     def fact(self, branch: str, digit: int) -> str | None:
-        """The value of a fact, None where the table has none."""
+        """Return the value of a fact. None if the table has no value."""
         return self._facts.get((branch, digit))
 
     def spoil(self, how: str, facts: Mapping[FactKey, str] = NOTHING) -> None:
-        """Set the fault of the next operation, in the place of an earlier one; ``""``: none."""
+        """Set the fault of the next operation, which replaces an earlier one. ``""`` means no
+        fault."""
         self._befalls = (how, dict(facts))
 
     def befalling(self) -> tuple[str, Mapping[FactKey, str]]:
-        """The fault of the operation that begins now, with its facts; it is given only once."""
+        """Return the fault of the operation that begins now, with its facts, and remove it."""
         found, self._befalls = self._befalls, ("", {})
         return found
 
     def step(self) -> None:
-        """Let one tick pass; nothing moves by itself."""
+        """Advance the time by one tick. Nothing moves."""
         self._ticks += 1
 
     def brake(self) -> None:
-        """Nothing moves, so nothing has to be held."""
+        """Do nothing: there are no drives to hold."""
 
     def shapes(self) -> tuple[Shape, ...]:
-        """Empty: facts have no shape."""
+        """Return no shapes: facts cannot be drawn."""
         return ()
 
     def poses(self) -> tuple[float, ...]:
-        """Empty: facts have no pose."""
+        """Return no poses: there are no shapes."""
         return ()
 
     def status(self) -> Mapping[str, str]:
-        """Empty: the facts of the run say everything."""
+        """Return no texts: the facts of the run show everything."""
         return {}
 
     def snapshot(self) -> bytes:
-        """The time, every fact, and what befalls the next operation."""
+        """Return the time, all facts, and the fault of the next operation."""
         how, facts = self._befalls
         return json.dumps([self._ticks, _rows(self._facts), how, _rows(facts)]).encode()
 
     def apply(self, snapshot: bytes) -> None:
-        """Come back to the instant of a snapshot."""
+        """Go back to the instant of a snapshot."""
         self._ticks, facts, how, befalling = json.loads(snapshot)
         self._facts, self._befalls = _facts(facts), (how, _facts(befalling))
 
     def fork(self) -> TableWorld:
-        """An independent copy that starts at this instant."""
+        """Return an independent copy that starts at this instant."""
         copy = TableWorld(self.name)
         copy.apply(self.snapshot())
         return copy
 
     def close(self) -> None:
-        """Nothing has to be freed."""
+        """Do nothing: there are no resources to free."""
 
 
 def _rows(facts: Mapping[FactKey, str]) -> list[list[str | int]]:

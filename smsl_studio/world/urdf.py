@@ -1,6 +1,6 @@
-"""What a URDF file says about a robot: its joints and the meshes its links are drawn with.
+"""The content of a URDF file: the joints of a robot and the meshes of its links.
 
-Read here and not asked of the engine: the engine then need not load the drawing meshes at all.
+It is read here and not by the engine, so that the engine need not load the meshes for drawing.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ WHITE: Vector = (0.93, 0.93, 0.94)
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """One joint: its frame in the parent's (metres, roll-pitch-yaw in radians), axis and limits."""
+    """One joint: its frame in the parent's frame (metres; roll, pitch, yaw in radians), its axis
+    and its limits."""
 
     name: str
     kind: str
@@ -32,7 +33,8 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class Visual:
-    """One mesh a link is drawn with, placed in the link's frame."""
+    """One mesh of a link, with its pose in the link's frame (metres; roll, pitch, yaw in
+    radians)."""
 
     link: str
     mesh: Path
@@ -42,14 +44,15 @@ class Visual:
 
 @dataclass(frozen=True, slots=True)
 class Urdf:
-    """A robot as its file describes it; ``root`` is the link that nothing carries."""
+    """The description of a robot in its file. ``root`` is the link without a parent."""
 
     root: str
     joints: tuple[Joint, ...]
     visuals: tuple[Visual, ...]
 
     def chain(self, tip: str) -> tuple[Joint, ...]:
-        """The joints from the root to a link, root first; WorldError for an unknown link."""
+        """Return the joints from the root to the link ``tip``, in this order. WorldError for an
+        unknown link."""
         above = {joint.child: joint for joint in self.joints}
         found: list[Joint] = []
         while tip != self.root:
@@ -61,7 +64,8 @@ class Urdf:
 
 
 def read_urdf(path: Path) -> Urdf:
-    """Read a URDF file; mesh names are relative to its folder (``package://`` is the same)."""
+    """Read a URDF file. Mesh names are relative to its folder; ``package://`` means this folder,
+    too."""
     robot = ET.parse(path).getroot()
     joints = tuple(_joint(element) for element in robot.findall("joint"))
     visuals = tuple(
