@@ -1,6 +1,6 @@
-"""The front door: every room wired once, by plain constructors.
+"""The functions for users: they connect the rooms of the package. ``smsl_studio`` exports them.
 
-Each name is loaded when it is first asked for, so that ``import smsl_studio`` costs nothing.
+A module is loaded at the first use of one of its names, so that ``import smsl_studio`` stays quick.
 """
 
 from __future__ import annotations

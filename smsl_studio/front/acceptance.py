@@ -1,4 +1,4 @@
-"""What a person must accept before a run moves, as the level of inspection says."""
+"""The findings that a person must accept before a run moves, by the level of inspection."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from smsl_studio.front.inputs import inspect
 from smsl_studio.inspection.rules.finding import Severity
 
 SHOWN = 20
-"""So many findings stand in a question; the others are counted."""
+"""The largest number of findings in a question. The others are counted."""
 CLEAN = "Inspection found nothing."
 
 
 def to_accept(blueprint: Blueprint, levels: Levels) -> str:
-    """The findings in words; empty where nobody has to accept them.
+    """Return the findings in words. The text is empty if no person has to accept them.
 
-    Level human: in any case. Shared: where there are errors or warnings. Automatic: the rules
-    alone decide, by the findings that refuse a run.
+    At the level human a person accepts every run. At the level shared a person accepts errors and
+    warnings. At the level automatic only the rules decide, by the findings that refuse a run.
     """
     if levels.inspection == AUTOMATIC:
         return ""

@@ -1,4 +1,5 @@
-"""Sensors elsewhere: what ``[mqtt]`` beside a blueprint declares becomes a host that hears them."""
+"""Remote sensors: makes a host that receives the samples declared in ``[mqtt]`` of the bindings
+file."""
 
 from __future__ import annotations
 
@@ -18,14 +19,15 @@ from smsl_studio.monitor.reception import Reception
 from smsl_studio.world.engines import TABLE
 
 PERIOD, MAX_AGE = 0.1, 0.3
-"""Seconds between two samples of a source, and how old one may be where ``_facts`` is silent."""
+"""The usual time (s) between two samples of a source, and the largest age (s) of a sample if
+``_facts`` declares none."""
 
 
 def with_remote(request: RunRequest, host: Host) -> Host:
-    """``host``, with the sensors that are elsewhere around it; itself where there are none.
+    """Return a host that adds remote sensors to ``host``, or ``host`` itself if there are none.
 
-    The broker and the site of the request take the place of what the bindings file says. UsageError
-    where they make no sense, PluginError where the file does not.
+    Broker and site of the request replace those of the bindings file. UsageError if broker and
+    remote facts do not fit together. PluginError if the bindings file is not valid.
     """
     blueprint = request.blueprint
     file = bindings_beside(blueprint.file)
@@ -45,7 +47,7 @@ def with_remote(request: RunRequest, host: Host) -> Host:
     reception = Reception(site, table.run, sensors)
     rules = {key: _rule(blueprint, file, key) for key in dict.fromkeys(map(_fact, sensors))}
     values = {key: blueprint[key[0]].alphabet[key[1]] for key in rules}
-    # Loaded where a broker is named, and only there.
+    # paho is loaded only if a broker is named.
     from smsl_studio.monitor.mqtt import BrokerLink
 
     remote = Remote(BrokerLink(broker, reception), reception, sensors, values, request.seed)
@@ -75,7 +77,8 @@ def _sensors(blueprint: Blueprint, file: BindingsFile) -> Iterator[SensorInfo]:
 
 
 def _rule(blueprint: Blueprint, file: BindingsFile, key: FactKey) -> FactRule:
-    """As ``_facts`` declares it; sources that it does not name come after those that it does."""
+    """Return the rule of a fact as ``_facts`` declares it. Sources that ``_facts`` does not name
+    come last."""
     branch, digit = key
     note = blueprint[branch].fact_note(digit)
     sources = file.mqtt.sources(fact_text(branch, digit))

@@ -1,4 +1,4 @@
-"""The headless loop: a dispatcher ticked to the end of its run."""
+"""The loop without a window: it ticks a dispatcher to the end of its run."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from smsl_studio.runlog.events import Event
 from smsl_studio.stop import GRACE, Stopped, graceful
 
 NAP = GRACE / 2
-"""The longest (wall seconds) a paced run sleeps before it looks whether it shall stop."""
+"""The longest wall time (s) that a paced run sleeps before it checks for a stop."""
 
 BLINK = 1e-4
-"""What is left of a pause (wall seconds) that is not worth sleeping for."""
+"""The shortest wall time (s) for which a paced run sleeps."""
 
 
 class StopAsked:
-    """Whether a run shall stop, and whether it was told so already; ``when`` is asked."""
+    """Whether a run must stop, and whether it has obeyed already. The function ``when`` decides."""
 
     def __init__(self, when: Callable[[], bool] | None) -> None:
         self.obeyed = False
@@ -29,7 +29,7 @@ class StopAsked:
         return not self.obeyed and self._when is not None and self._when()
 
     def heed(self) -> None:
-        """Call off what the run is at, so that it may be told."""
+        """Raise Stopped if the run must stop and has not obeyed yet."""
         if self:
             raise Stopped
 
@@ -41,21 +41,21 @@ def to_its_end(
     asked: StopAsked,
     acting: ScriptPlayer | None,
 ) -> None:
-    """Tick until ``run_finished`` is told, paced by ``speed`` (see ``front.run``).
+    """Tick until the event ``run_finished``, paced by ``speed`` (see ``front.run``).
 
-    Once a stop is ``asked`` for, also in the middle of a tick that lasts, the run ends where it
-    brakes. Stopped where its world was not open yet.
+    After a stop is ``asked`` for, even during a long tick, the run brakes and ends. Stopped is
+    raised if the world was not open yet.
     """
 
     def tell(events: tuple[Event, ...]) -> None:
-        """Hand events to the recording, and to whoever acts for people."""
+        """Hand events to the recording, and to the script."""
         recording.tell(events)
         if acting is not None:
             acting.hear(events)
 
     tell(dispatcher.open())
     if dispatcher.opened is not None and dispatcher.opened.remote is not None:
-        # Sensors elsewhere speak in wall time, and have to be waited for.
+        # Remote sensors send samples in wall time, so the run must not be faster.
         speed = min(speed or 1.0, 1.0)
     began = time.monotonic()
     with graceful():

@@ -1,4 +1,5 @@
-"""Where a world lives: in this process or in a child; which worlds there are."""
+"""Hosts and worlds: makes the host of a run, in this process or in a child, and lists the
+worlds."""
 
 from __future__ import annotations
 
@@ -20,11 +21,11 @@ if TYPE_CHECKING:
 def make_host(
     request: RunRequest, loaded: Loaded | None = None, spare: Spare | None = None
 ) -> Host:
-    """A local or a process host.
+    """Make the local or the process host of a run.
 
-    ``loaded`` are plugins that were found already. A local host uses them as they are; the child of
-    a process host loads those anew that serve the world, and no others. ``spare`` has a child in
-    waiting for a process host.
+    ``loaded`` are plugins that were found already. A local host uses them directly. The child of a
+    process host loads the plugins of the world anew, and no others. ``spare`` may have a waiting
+    child for a process host.
     """
     blueprint, world, seed = request.blueprint, request.world, request.seed
     if request.host == "local":
@@ -40,10 +41,8 @@ def make_host(
 def make_ready(
     spare: Spare, blueprint: Blueprint, world: str, seed: int, loaded: Loaded | None = None
 ) -> None:
-    """Have a child of ``spare`` build this world, ready for a run that may come; does not wait.
-
-    It is ready for a run that is given the same ``loaded``.
-    """
+    """Let a child of ``spare`` build this world for a later run with the same ``loaded``. The call
+    does not wait."""
     from smsl_studio.host.process import ChildTerms, ProcessHost
 
     terms = ChildTerms(_locations(loaded, world))
@@ -51,7 +50,7 @@ def make_ready(
 
 
 def _locations(loaded: Loaded | None, world: str) -> tuple[str, ...] | None:
-    """Where the plugins stand that a run needs; None: nobody knows."""
+    """Return the locations of the plugins that a run needs. None if they are not known."""
     known = loaded is not None and world in loaded.worlds
     return loaded.locations(world) if loaded is not None and known else None
 
@@ -59,9 +58,10 @@ def _locations(loaded: Loaded | None, world: str) -> tuple[str, ...] | None:
 def known_world(
     world: str, plugin_paths: Sequence[Path] = (), host: str = "local"
 ) -> Loaded | None:
-    """The plugins, if the world needs any; WorldError with a near name where there is none.
+    """Find the plugins of a world. The table world needs none, so the result is None.
 
-    For a run whose world lives in a child no plugin's code runs here: it is described.
+    For the host ``process`` no plugin's code runs in this process. WorldError, with a similar name,
+    if there is no such world.
     """
     if world == TABLE:
         return None
@@ -71,7 +71,7 @@ def known_world(
 
 
 def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
-    """The names of the worlds there are, ``table`` first; no plugin's code runs here.
+    """Return the names of all worlds, ``table`` first. No plugin's code runs in this process.
 
     >>> worlds()
     ('table', 'hanoi')

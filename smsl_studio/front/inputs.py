@@ -1,4 +1,4 @@
-"""Reading and inspecting a blueprint."""
+"""Reads and inspects blueprints."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.smsl.files import parse_bytes, read_document
 
 START_RULES = ("R01", "R02", "R03", "R07", "R08")
-"""The rules whose E findings refuse a run in simulation; R13 does in one case only."""
+"""The rules whose E findings refuse every run. R13 refuses a run in one case only (see
+``refusals``)."""
 
 
 def read(path: str | os.PathLike[str]) -> Blueprint:
-    """The blueprint in a file; ReadError names file, line and column where there is none.
+    """Read the blueprint in a file. ReadError, with line and column, if it has no blueprint.
 
     >>> blueprint = read("hanoi.json")
     >>> list(blueprint.branches), len(blueprint["SB1"].table)
@@ -25,15 +26,15 @@ def read(path: str | os.PathLike[str]) -> Blueprint:
 
 
 def read_bytes(raw: bytes, file: str) -> Blueprint:
-    """The blueprint in the bytes of a file; ``file`` is the name that messages show."""
+    """Read a blueprint from bytes. ``file`` is the name in messages. ReadError as in ``read``."""
     return read_blueprint(parse_bytes(raw, file))
 
 
 def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple[Finding, ...]:
-    """What the rules have to say about a blueprint, in the order of the text.
+    """Return the findings about a blueprint, in the order of the text (paper, Inspection).
 
-    ``rules`` are the numbers of those to be asked, such as ``"R15"``; all where none is named.
-    UsageError for a rule that does not exist.
+    ``rules`` are the numbers of the rules to check, such as ``"R15"``. None means all rules.
+    UsageError for an unknown rule.
 
     >>> [str(finding.place) for finding in inspect(read("hanoi.json"), ["R15"])]
     ['hanoi.json:73:13', 'hanoi.json:100:13']
@@ -44,7 +45,7 @@ def inspect(blueprint: Blueprint, rules: Collection[str] | None = None) -> tuple
 
 
 def refusals(blueprint: Blueprint) -> tuple[Finding, ...]:
-    """The findings for which a run is refused at its start, also in simulation.
+    """Return the findings that refuse a run at its start, even in simulation.
 
     >>> refusals(read("hanoi.json"))
     ()

@@ -1,4 +1,4 @@
-"""Which plugins there are, and which of them may be loaded."""
+"""Lists the plugins, and allows or forbids them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.library.survey import FoundPlugin, survey
 
 
 def plugins(plugin_paths: Sequence[Path] = ()) -> Loaded:
-    """Every plugin that is loaded with what it offers, those that wait, and those with a fault.
+    """Return all loaded plugins with their offers, the waiting plugins, and the faults.
 
     Their code runs in a child process, never in this one. ``plugin_paths`` are searched first.
 
@@ -24,9 +24,10 @@ def plugins(plugin_paths: Sequence[Path] = ()) -> Loaded:
 
 
 def allow_plugin(name: str) -> FoundPlugin:
-    """Allow a plugin, by its name or its folder, as long as its files stay what they are now.
+    """Allow a plugin, by its name or its folder, as long as its files do not change.
 
-    UsageError where no plugin is called so, or several are.
+    UsageError if there is no such plugin, or more than one. PluginError if it cannot be loaded at
+    all. SaveError if the decision cannot be written.
 
     >>> allow_plugin("hanoi").state.value
     'allowed'
@@ -35,7 +36,8 @@ def allow_plugin(name: str) -> FoundPlugin:
 
 
 def forbid_plugin(name: str) -> FoundPlugin:
-    """Forbid a plugin, by its name or its folder, whatever its files become; see ``allow_plugin``.
+    """Forbid a plugin, by its name or its folder, even if its files change later. It raises the
+    same UsageError and SaveError as ``allow_plugin``.
 
     >>> forbid_plugin("hanoi").state.value
     'forbidden'
@@ -44,7 +46,8 @@ def forbid_plugin(name: str) -> FoundPlugin:
 
 
 def plugin_called(name: str) -> FoundPlugin:
-    """The plugin that is called so, or stands there; UsageError where that is none, or several."""
+    """Return the plugin with this name or location. UsageError if there is none, or more than
+    one."""
     every = [found for found in survey() if found.name]
     fitting = [found for found in every if name in (found.name, found.location)]
     if len(fitting) == 1:

@@ -1,4 +1,4 @@
-"""The log of a run, read again: what it tells, whether it is the one that was written."""
+"""Reads the log of a run: its events, its integrity, and an account of it."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ Name = str | os.PathLike[str]
 
 
 def replay(log: Name) -> LoggedRun:
-    """A logged run: its header, its events in order, and in ``doubt`` what is wrong with it.
+    """Read a logged run: its header and its events, in order.
 
-    ReadError where a line is no event of a run. A log that was cut short or changed is read as far
-    as it goes, and ``doubt`` names the line.
+    ReadError if a line is no event of a run. A log that was cut or changed is read as far as
+    possible. ``doubt`` then names the first wrong line; it is None for a sound log.
 
     >>> told = replay("run.jsonl")
     >>> told.events[-1].reason, told.doubt
@@ -34,9 +34,9 @@ def replay(log: Name) -> LoggedRun:
 
 
 def verify(log: Name) -> LogVerdict:
-    """Whether a log is whole and unchanged, and tells a story that a run can tell.
+    """Check that a log is complete and unchanged, and that its events are possible in a run.
 
-    ``doubt`` is None where it is; else the first line that is wrong, with place and sentence.
+    ``doubt`` is None for a sound log. Else it is the first wrong line, with place and sentence.
 
     >>> verify("run.jsonl").doubt is None
     True
@@ -46,9 +46,10 @@ def verify(log: Name) -> LogVerdict:
 
 
 def account(log: Name, output: Name) -> LoggedRun:
-    """Write a page (``.html``) that tells a logged run in sentences; the run that was read.
+    """Write an account of a logged run in sentences, as an ``.html`` page. Return the run.
 
-    UsageError where ``output`` is no name of a page, ReadError, SaveError.
+    UsageError if ``output`` is no name of a page. ReadError if the log cannot be read. SaveError if
+    the page cannot be written.
 
     >>> account("run.jsonl", "account.html").doubt is None
     True
@@ -62,7 +63,7 @@ def account(log: Name, output: Name) -> LoggedRun:
 
 
 def check_page(output: Name) -> None:
-    """UsageError where this is no name of a page."""
+    """Raise UsageError if ``output`` is no name of an HTML page."""
     if Path(output).suffix.lower() not in (".html", ".htm"):
         raise UsageError(
             f"{os.fspath(output)!r} is no name of a page", advice="Let it end in .html."

@@ -1,4 +1,5 @@
-"""What is made of a blueprint and written to a file: another form, its layout, a picture."""
+"""Outputs of a blueprint: another written form, the canonical layout, digests, differences and
+pictures."""
 
 from __future__ import annotations
 
@@ -29,10 +30,11 @@ THEMES = ("light", "dark")
 
 
 def digest(blueprint: Blueprint) -> Digests:
-    """The SHA-256 digests of a blueprint, by which two are told apart and which people sign.
+    """Return the SHA-256 digests of a blueprint, which people can compare and sign.
 
-    ``behaviour`` covers states, operations and headers, ``meaning`` the annotations, ``closure``
-    both together with all that is imported. Spaces, order of keys and places are in none of them.
+    ``behaviour`` covers states, operations and headers. ``meaning`` covers the annotations.
+    ``closure`` covers both, and all imported files. Spaces, the order of keys and the places of
+    boxes change no digest.
 
     >>> digest(read("hanoi.json")).behaviour == digest(read("hanoi-corrected.json")).behaviour
     False
@@ -41,7 +43,7 @@ def digest(blueprint: Blueprint) -> Digests:
 
 
 def diff(before: Blueprint, after: Blueprint) -> Difference:
-    """What changed in meaning between two blueprints; ``changes`` is empty where nothing did.
+    """Compare the meaning of two blueprints. ``changes`` is empty if they mean the same.
 
     >>> for change in diff(read("hanoi.json"), read("hanoi-corrected.json")).changes:
     ...     print(change.words)
@@ -54,11 +56,12 @@ def diff(before: Blueprint, after: Blueprint) -> Difference:
 
 
 def converted(blueprint: Blueprint, output: Name) -> Converted:
-    """A blueprint in the written form that the suffix of ``output`` names; nothing is written.
+    """Return a blueprint in the written form of the suffix of ``output``. No file is written.
 
-    ``document.text`` is the text, ``comments_left`` counts the comments that the form has no place
-    for. Imports are named from the folder of ``output``. UsageError for a suffix that names no
-    form, ConvertError with place and advice where something has no spelling there.
+    ``document.text`` is the text. ``comments_left`` is the number of comments that are lost because
+    the form has no comments. Names of imported files become relative to the folder of ``output``.
+    UsageError for an unknown suffix. ConvertError, with place and advice, if the form cannot
+    express a part of the blueprint.
 
     >>> converted(read("hanoi.json"), "hanoi.smsl").document.form
     'smsl'
@@ -67,7 +70,7 @@ def converted(blueprint: Blueprint, output: Name) -> Converted:
 
 
 def form_of(output: Name) -> str:
-    """The written form that the suffix of a file names; UsageError where it names none."""
+    """Return the written form of the suffix of a file. UsageError for an unknown suffix."""
     form = SUFFIXES.get(PurePath(output).suffix.lower())
     if form is None:
         raise UsageError(
@@ -78,9 +81,9 @@ def form_of(output: Name) -> str:
 
 
 def convert(blueprint: Blueprint, output: Name) -> Converted:
-    """Write a blueprint in the form that the suffix of ``output`` names; see ``converted``.
+    """Write a blueprint in the form of the suffix of ``output`` (see ``converted``).
 
-    SaveError where the file cannot be written, or is one that the blueprint was read from.
+    SaveError if the file cannot be written, or if the blueprint was read from this file.
 
     >>> convert(read("hfsm.json"), "hfsm.yaml").comments_left
     0
@@ -93,10 +96,10 @@ def convert(blueprint: Blueprint, output: Name) -> Converted:
 
 
 def fmt(file: Name, check: bool = False) -> bool:
-    """Write a file anew in the canonical layout; whether that changes it.
+    """Write a file anew in the canonical layout. Return whether the file changes.
 
-    With ``check`` nothing is written. ReadError where the file holds no blueprint, SaveError where
-    it cannot be written.
+    With ``check`` no file is written. ReadError if the file has no blueprint, SaveError if it
+    cannot be written.
 
     >>> fmt("hfsm.json")
     True
@@ -114,17 +117,18 @@ def fmt(file: Name, check: bool = False) -> bool:
 
 
 def tidy(document: Document) -> Document:
-    """A document in the canonical layout of its form; nothing is written."""
+    """Return a document in the canonical layout of its form. No file is written."""
     return form_named(document.form).tidy(document)
 
 
 def render(
     blueprint: Blueprint, output: Name, branches: Collection[str] = (), theme: str = "light"
 ) -> None:
-    """Draw State Branches (all where none is named) into an ``.svg``, ``.png`` or ``.pdf`` file.
+    """Draw State Branches into an ``.svg``, ``.png`` or ``.pdf`` file. No display is needed.
 
-    No display is needed. ``theme`` is ``light`` or ``dark``. UsageError for another suffix or
-    theme, or where there is nothing to draw; AddressError for an SB that does not exist; SaveError.
+    ``branches`` are the names of the SBs; empty means all. ``theme`` is ``light`` or ``dark``.
+    UsageError for another suffix or theme, or if there is no SB. AddressError for an unknown SB.
+    SaveError if the file cannot be written.
 
     >>> render(read("hfsm.json"), "hfsm.svg")
     >>> Path("hfsm.svg").read_text("utf-8")[:4]
@@ -137,7 +141,7 @@ def render(
 def drawn(
     blueprint: Blueprint, output: Name, branches: Collection[str] = (), theme: str = "light"
 ) -> bytes:
-    """The bytes that ``render`` writes."""
+    """Return the bytes that ``render`` writes. It raises the same errors, except SaveError."""
     from smsl_studio.picture.colours import DARK, LIGHT
     from smsl_studio.picture.svg import draw_blueprint
 
@@ -155,7 +159,7 @@ def drawn(
 
 
 def drawn_difference(difference: Difference, output: Name) -> bytes:
-    """A comparison as the bytes of a picture: what was added, removed and changed is marked."""
+    """Return a picture of a comparison as bytes. Added, removed and changed elements are marked."""
     from smsl_studio.picture.colours import LIGHT
     from smsl_studio.picture.compared import draw_difference
 
@@ -164,7 +168,7 @@ def drawn_difference(difference: Difference, output: Name) -> bytes:
 
 
 def picture_form(output: Name) -> str:
-    """The suffix of a picture's file; UsageError for one that no picture has."""
+    """Return the suffix of a picture's file. UsageError if it is no suffix of a picture."""
     suffix = PurePath(output).suffix.lower()
     if suffix not in PICTURES:
         raise UsageError(
@@ -175,7 +179,8 @@ def picture_form(output: Name) -> str:
 
 
 def picture_of(panels: Sequence[SvgPanel], title: str, output: Name, colours: Colours) -> bytes:
-    """The bytes of a picture for this file: panels one below another, or in a PDF one a page."""
+    """Return the bytes of a picture of several panels. A PDF has one panel on each page. Other
+    pictures have one panel below another."""
     from smsl_studio.picture.paper import as_pdf, as_png
     from smsl_studio.picture.svg import as_svg, one_below_another
 
@@ -187,5 +192,5 @@ def picture_of(panels: Sequence[SvgPanel], title: str, output: Name, colours: Co
 
 
 def _files(blueprint: Blueprint) -> tuple[str, ...]:
-    """The files that a blueprint was read from, which no output may replace."""
+    """Return the files that a blueprint was read from. No output may replace them."""
     return tuple(document.file for document in blueprint.documents)

@@ -1,4 +1,4 @@
-"""Recording a run: into its log first, then to whoever listens; headless and in the window."""
+"""The recorder of a run: it writes each event to the log first, then hands it to a listener."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from smsl_studio.stop import unheeding, whole
 
 
 class Recorder:
-    """What a run says, on its way: written to ``log`` (None: it is not recorded), then heard.
+    """Writes the events of a run to ``log`` (None: no recording), then hands them to ``hear``.
 
-    Nobody hears what the log does not have, as long as it lives. ``told`` counts what was heard,
-    ``last`` is the newest of it.
+    While there is a log, the listener gets only events that the log contains. ``told`` is the
+    number of events that the listener has got, and ``last`` is the newest of them.
     """
 
     def __init__(self, hear: Callable[[Event], None], log: RunLog | None = None) -> None:
@@ -33,9 +33,10 @@ class Recorder:
         self._hear = hear
 
     def tell(self, events: Iterable[Event]) -> None:
-        """Record and hand on; the log gets its head after ``run_finished``.
+        """Record events and hand them on. The log gets its head after ``run_finished``.
 
-        SaveError where the log cannot be written: it is then closed, and the event unheard.
+        SaveError if the log cannot be written. Then the log is closed, and the listener does not
+        get the event.
         """
         told, failed = tuple(events), None
         if self.log is not None:
@@ -50,7 +51,7 @@ class Recorder:
     def _logged(
         self, log: RunLog, events: tuple[Event, ...]
     ) -> tuple[tuple[Event, ...], SaveError | None]:
-        """Write events to the log; those that it has, and why it has no more."""
+        """Write events to the log. Return the written events, and the error if there was one."""
         with whole():
             for index, event in enumerate(events):
                 try:
@@ -63,7 +64,8 @@ class Recorder:
         return events, None
 
     def end(self, reason: str, sentence: str, dispatcher: Dispatcher | None) -> None:
-        """The end of a run that its dispatcher cannot tell; before a failure, that it holds."""
+        """Record the end of a run whose dispatcher cannot report it. A failure first gets an event
+        ``held``."""
         finished = (
             RunFinished(t=0.0, reason=reason, sentence=sentence, operations=0, configuration={})
             if dispatcher is None
@@ -73,14 +75,14 @@ class Recorder:
         self._end([held, finished] if reason == "failed" else [finished])
 
     def begin_late(self, begin: Callable[[], RunLog]) -> None:
-        """Have a log, from ``begin``, for a run that was called off before it had one; SaveError
-        and UsageError as of ``start_log``."""
+        """Begin a log for a run that was called off before it had one. It raises the same errors as
+        ``start_log``."""
         if self.log is None and not self.told:
             with unheeding(), whole():
                 self.log = begin()
 
     def stop(self, dispatcher: Dispatcher | None) -> None:
-        """The end of a run that was called off where its dispatcher could not be told."""
+        """Record the end of a run that was called off without a command to its dispatcher."""
         if isinstance(self.last, RunFinished):
             return
         with unheeding():
@@ -97,17 +99,16 @@ class Recorder:
             self.tell(last[self.told - before :])
 
     def close(self) -> None:
-        """End the log where it stands; calling it twice is harmless."""
+        """Close the log. A second call does nothing."""
         if self.log is not None:
             self.log.close()
         self.log = None
 
 
 def start_log(request: RunRequest, loaded: Loaded | None) -> RunLog:
-    """The log of a run that is asked for, with its header written (see ``log_header``).
+    """Create the log of a requested run, with its header (see ``log_header``).
 
-    SaveError where it cannot be written, UsageError where the file holds something already, or
-    where none is named.
+    SaveError if it cannot be written. UsageError if the file is not empty, or if no file is named.
     """
     if request.log is None:
         raise UsageError("no file is named for the log of this run")
@@ -115,9 +116,9 @@ def start_log(request: RunRequest, loaded: Loaded | None) -> RunLog:
 
 
 def new_recording(folder: Path, file: str, now: datetime) -> Path:
-    """A name for a recording that no file in ``folder`` has: ``<file>-<date>.jsonl``.
+    """Return a new name for a recording in ``folder``: ``<file>-<date>.jsonl``.
 
-    The folder is made. SaveError where that cannot be done.
+    The folder is created. SaveError if that is not possible.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""How a run is asked for: one frozen value for Python, the command line, the window and the log."""
+"""The request of a run: one frozen value for Python, the command line, the window and the log."""
 
 from __future__ import annotations
 
@@ -25,16 +25,17 @@ ON_MISMATCH = ("hold", "adopt")
 
 @dataclass(frozen=True, eq=False)
 class RunRequest:
-    """A run as it is asked for. Nothing is looked up before ``checked``.
+    """The request of a run. Names are looked up only by ``checked``.
 
-    ``starts`` and ``goals`` are states, at most one an SB; without them INITIAL and ACTIVATING
-    count. ``avoid`` are operations that are not used. ``levels`` are set before the run and win
-    over what the blueprint declares (see ``blueprint.levels``). ``script`` supervises it.
-    ``broker`` (HOST:PORT) and ``site`` say where sensors are heard that are elsewhere. ``speed`` is
-    that of simulated time against wall time; None: as fast as it goes. ``log`` is the file it is
-    recorded in. ``by_hand`` runs choose no operation by themselves. ``attended`` says whether
-    somebody is there who can end a hold; None: whoever answers its tasks. ``person`` names who
-    supervises where no ``supervisor`` does. ``plugin_paths`` are searched before all other folders.
+    ``starts`` and ``goals`` are states, at most one for each SB. Without them INITIAL and
+    ACTIVATING count. ``avoid`` are operations that the run must not use. ``levels`` replace levels
+    that the blueprint declares (see ``blueprint.levels``). ``script`` supervises the run.
+    ``broker`` (HOST:PORT) and ``site`` are for remote sensors. ``speed`` is simulated time divided
+    by wall time; None means as fast as possible. ``log`` is the file for the recording. A run
+    ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold; None
+    means that a run with people's tasks is attended. ``person`` is the name of the person who
+    supervises if there is no ``supervisor``. ``plugin_paths`` are searched before all other
+    folders.
 
     >>> RunRequest(read("hanoi.json"), goals=("State_ccc",)).checked().goals
     (Address(branch='SB1', state='State_ccc', operation=''),)
@@ -61,9 +62,9 @@ class RunRequest:
     plugin_paths: tuple[Path, ...] = ()
 
     def checked(self) -> RunRequest:
-        """The same run with addresses that exist, what its script sets, and who supervises it.
+        """Return the request with checked addresses, the levels of its script, and its supervisor.
 
-        AddressError and UsageError for what makes no sense.
+        AddressError for an unknown address, UsageError for parts that do not fit together.
         """
         _one_of(self.host, HOSTS, "host")
         _one_of(self.on_mismatch, ON_MISMATCH, "on_mismatch")
@@ -78,7 +79,7 @@ class RunRequest:
         )
 
     def as_json(self) -> Mapping[str, Json]:
-        """What was chosen, as the header of a log says it; addresses as text."""
+        """Return the choices for the header of a log. Addresses are texts."""
         script = self.script
         return {
             "seed": self.seed,
@@ -95,7 +96,7 @@ class RunRequest:
 
 
 def several(asked: Several) -> tuple[Written, ...]:
-    """One place, several, or None for none, as a tuple."""
+    """Return one address, several addresses, or None as a tuple."""
     if asked is None:
         return ()
     return (asked,) if isinstance(asked, str | Address) else tuple(asked)

@@ -1,7 +1,7 @@
-"""The versions of a file that git keeps: which commits touched it, and what it was in each.
+"""The versions of a file in git: the commits that changed it, and its content in each.
 
-git itself is asked, in a child process that cannot ask back; what is odd about a file's name, its
-repository or this machine ends in one sentence.
+This module runs git in a child process that cannot prompt. Every failure becomes a ReadError with
+one sentence.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from smsl_studio.errors import ReadError
 from smsl_studio.smsl.document.limits import LARGEST_FILE
 
 MOST = 500
-"""So many commits are listed at most, the latest ones."""
+"""The largest number of commits that are listed, the latest ones."""
 _PATIENCE = 20.0
 _SAFE = ("--no-pager", "--literal-pathspecs", "-c", "core.quotePath=false", "-c",
          "core.fsmonitor=false", "-c", "log.showSignature=false")  # fmt: skip
@@ -24,7 +24,7 @@ _BEGIN, _PART = "\x02", "\x1f"
 
 @dataclass(frozen=True)
 class Revision:
-    """One commit that touched a file; ``name`` is what the file was called in it."""
+    """One commit that changed a file. ``name`` is the name of the file in this commit."""
 
     commit: str
     when: str
@@ -39,9 +39,9 @@ class Revision:
 
 
 def revisions(file: Path) -> tuple[Revision, ...]:
-    """The commits that touched a file, the latest first; renames are followed.
+    """Return the commits that changed a file, the latest first. Renames are followed.
 
-    ReadError where there is no git, no repository, or no commit that has the file.
+    ReadError if there is no git, no repository, or no commit with the file.
     """
     form = f"%x02%H{_PART}%aI{_PART}%an{_PART}%s"
     told = _git(
@@ -59,7 +59,8 @@ def revisions(file: Path) -> tuple[Revision, ...]:
 
 
 def bytes_at(file: Path, revision: Revision) -> bytes:
-    """What stood in a file at a revision; ReadError where it was not there."""
+    """Return the content of a file at a revision. ReadError if the file is missing there or too
+    large."""
     thing = f"{revision.commit}:{revision.name}"
     size = _git(file, "cat-file", "-s", thing)
     if not size.strip().isdigit() or int(size) > LARGEST_FILE:

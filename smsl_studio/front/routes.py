@@ -1,4 +1,4 @@
-"""Planning a route, without a world."""
+"""Plans a route without a world."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ def plan_route(
     avoid: Iterable[Written] = (),
     branch: str | None = None,
 ) -> Route | None:
-    """The cheapest route from one state to another of the same SB; None where none leads there.
+    """Return the cheapest route between two states of one SB. None if there is no route.
 
-    In a State Branch only its own edges are looked at, and what names another SB is not avoided. In
-    a Blueprint a route of an SB that has
-    sub-SBs is planned over joint configurations, so that its cost is that of what is really
-    carried out; it lists the SB's own edges. AddressError for a name that does not exist;
-    RunRefused where no run could stand in ``start``.
+    With a State Branch only its own edges count, and entries of ``avoid`` in other SBs are ignored.
+    With a Blueprint, an SB with sub-SBs is planned over joint configurations. So the cost includes
+    the operations of the sub-SBs, but the route lists only the SB's own edges. ``branch`` is the SB
+    of states that are written without an SB. AddressError for an unknown name. RunRefused if no
+    configuration agrees with ``start``.
 
     >>> route = plan_route(read("hanoi-corrected.json"), "State_aaa", "State_ccc")
     >>> len(route.operations), route.cost
@@ -68,7 +68,8 @@ def _joint_route(
 
 
 def _state_in(branch: StateBranch, written: Written) -> str:
-    """The name of a state, written alone or with the SB; ``cheapest`` says where it is none."""
+    """Return the name of a state, written alone or with the SB. ``cheapest`` reports an unknown
+    name."""
     if isinstance(written, str) and written in branch.table:
         return written
     names = _names(written)
@@ -76,7 +77,7 @@ def _state_in(branch: StateBranch, written: Written) -> str:
 
 
 def _edges_in(branch: StateBranch, avoid: Iterable[Written]) -> Iterator[Address]:
-    """The SB's edges among those to avoid; what names another SB is passed over."""
+    """Yield the edges to avoid of one SB. Entries that name another SB are ignored."""
     for written in avoid:
         names = _names(written)
         if names[0] == branch.name and len(names) > 1:
@@ -94,7 +95,7 @@ def _edges_in(branch: StateBranch, avoid: Iterable[Written]) -> Iterator[Address
 
 
 def _ways_to_write(edge: Operation) -> tuple[tuple[str, ...], ...]:
-    """An edge by its state and name, by all that leads out of its state, by its name alone."""
+    """Return the ways to write an edge: state and name, state alone, name alone."""
     return (edge.source, edge.name), (edge.source,), (edge.name,)
 
 

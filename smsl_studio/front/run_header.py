@@ -1,4 +1,5 @@
-"""The header of a run's log: all that the events must not carry, and what was asked for."""
+"""The header of a run's log: the request, and all data that differs between equal runs, which
+events must not contain."""
 
 from __future__ import annotations
 
@@ -27,11 +28,11 @@ Json = Any
 
 
 def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]:
-    """The first line of a log: how the run was asked for, and in which surroundings.
+    """Return the first line of a log: the request of the run, and its surroundings.
 
-    The digests are those of the command ``digest``, and beside them the SHA-256 of every file.
-    ``policy`` is the place of the trust policy, and null where the run had none. ``mqtt`` says
-    where which facts were heard that are sensed elsewhere, and is null where none are.
+    ``digests`` has the values of the command ``digest``, and the SHA-256 of every file. ``policy``
+    is kept for a trust policy, and null if the run has none. ``mqtt`` has the broker, and the facts
+    of remote sensors; it is null if there are none.
     """
     blueprint, world = request.blueprint, request.world
     plugins = loaded.plugins if loaded else ()
@@ -60,11 +61,12 @@ def log_header(request: RunRequest, loaded: Loaded | None) -> Mapping[str, Json]
 
 
 def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
-    """Facts that are sensed elsewhere, with the names of their sources; and where these are."""
+    """Return the facts of remote sensors with their sources, and the broker. None if there are
+    none."""
     try:
         table = bindings_beside(request.blueprint.file).mqtt
     except StudioError:
-        # The run is refused for it, or was for something else; its log shall say so all the same.
+        # The run is refused. Its log needs a header all the same, to record the refusal.
         return None
     if not table.facts:
         return None
@@ -77,7 +79,8 @@ def _elsewhere(request: RunRequest) -> Mapping[str, Json] | None:
 
 
 def _sensed(blueprint: Blueprint, world: str, loaded: Loaded | None) -> Iterable[FactKey]:
-    """The facts that the world's sensors read; none where that is not known before the run."""
+    """Return the facts that the world's sensors read. It is empty if they are not known before the
+    run."""
     try:
         file = bindings_beside(blueprint.file)
         sensors = bind(blueprint, loaded or Loaded(()), world, file).sensors
@@ -87,6 +90,6 @@ def _sensed(blueprint: Blueprint, world: str, loaded: Loaded | None) -> Iterable
 
 
 def _imported(blueprint: Blueprint) -> Mapping[str, Json]:
-    """The digests of imported files, where there are any."""
+    """Return the digests of imported files, if there are any."""
     files = {one.file: sha256_hex(one.encoded()) for one in blueprint.documents[1:]}
     return {"imported": files} if files else {}

@@ -1,4 +1,4 @@
-"""Running a blueprint: the dispatcher, a host and a log, wired once."""
+"""Runs a blueprint: connects the dispatcher, a host and a log."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Run:
-    """A run that is over: why it ended, in one word and one sentence, and everything it said.
+    """A finished run: the reason of its end in one word and one sentence, and all its events.
 
-    ``left`` are the acts of its script whose moment never came, ``unbound`` says which bindings do
-    not fit, and where they are written.
+    ``left`` are the acts of its script whose moment never came. ``unbound`` has sentences about
+    bindings that do not fit, with their places.
 
     >>> run(read("hfsm.json"), goal="SB1/State111").reason
     'goal_reached'
@@ -74,12 +74,13 @@ def open_run(
     site: str = "",
     spare: Spare | None = None,
 ) -> Dispatcher:
-    """A dispatcher that is ready to ``open``; the caller ticks it and closes it.
+    """Return a dispatcher that is ready to ``open``. The caller ticks it and closes it.
 
-    Several starts or goals may be given, one an SB. ``levels`` are set before this run and win
-    over what the blueprint declares (see ``blueprint.levels``). AddressError and UsageError for
-    what makes no sense, RunRefused where the blueprint cannot run at all (see ``refusals``).
-    ``spare`` (see ``make_ready``) has a child in waiting, so that the run begins at once.
+    There may be several starts and goals, at most one for each SB. ``levels`` replace levels that
+    the blueprint declares (see ``blueprint.levels``). ``RunRequest`` explains the other arguments.
+    ``spare`` (see ``make_ready``) may have a waiting child, so that the run begins at once.
+    AddressError for an unknown address, UsageError for arguments that do not fit together,
+    RunRefused if the blueprint cannot run (see ``refusals``).
 
     >>> dispatcher = open_run(read("hanoi-2.json"), goal="State_cc", host="local")
     >>> events = list(dispatcher.open())
@@ -112,7 +113,7 @@ def open_run(
 def open_request(
     request: RunRequest, loaded: Loaded | None = None, spare: Spare | None = None
 ) -> Dispatcher:
-    """A dispatcher for a run that is asked for by a ``RunRequest``; see ``open_run``.
+    """Return a dispatcher for a ``RunRequest`` (see ``open_run``).
 
     ``loaded`` are plugins that were found already.
 
@@ -157,17 +158,19 @@ def run(
     broker: str = "",
     site: str = "",
 ) -> Run:
-    """Run a blueprint headless to its end, and tell what happened.
+    """Run a blueprint without a window to its end, and return what happened.
 
-    ``speed`` paces it against wall time (1.0: as fast as real), None runs as fast as it goes.
-    ``script`` (see ``read_script``) supervises it; while it has something to say it attends the
-    run, and where it has no more a hold is the end, as in every run that nobody attends. What
-    ``levels`` sets before the run (see ``open_run``), a script's own lines may set otherwise.
-    ``log`` is written line by line as the run goes; ``on_event`` hears each event after that.
-    ``stop_when`` is asked before every tick. ``broker`` (HOST:PORT) and ``site`` say where sensors
-    are heard that are elsewhere; with such sensors ``speed`` is at most 1. AddressError,
-    UsageError, PluginError and WorldError for what does not exist, ReadError where the script
-    injects what this world has not; whatever else goes wrong is the reason of the run.
+    ``speed`` is simulated time divided by wall time (1.0: real time); None means as fast as
+    possible. ``script`` (see ``read_script``) supervises the run. While the script has further
+    lines, it attends the run; after that a hold ends the run, as in every run without a person.
+    Lines of the script may replace ``levels``. ``log`` is written line by line during the run.
+    ``on_event`` is called with each event after that. ``stop_when`` is called before every tick,
+    and True stops the run. ``broker`` (HOST:PORT) and ``site`` are for remote sensors; with such
+    sensors ``speed`` is at most 1. ``RunRequest`` explains the other arguments.
+
+    AddressError, UsageError, PluginError and WorldError for names that do not exist. ReadError if
+    the script injects a fault that the world does not have. Every other failure is the ``reason``
+    of the run.
 
     >>> done = run(read("hanoi-corrected.json"), goal="State_ccc", seed=0)
     >>> done.reason, done.events[-1].operations
@@ -200,7 +203,7 @@ def run_request(
     on_event: Callable[[Event], None] | None = None,
     stop_when: Callable[[], bool] | None = None,
 ) -> Run:
-    """Run what a ``RunRequest`` asks for, headless to its end; see ``run``.
+    """Carry out a ``RunRequest`` without a window, to its end (see ``run``).
 
     >>> run_request(RunRequest(read("hanoi-2.json"), goals=("State_cc",))).reason
     'goal_reached'
@@ -245,7 +248,7 @@ def run_request(
                 recording.end(failed, str(error), dispatcher)
     except Stopped:
         if request.log is not None:
-            # As it was asked for: perhaps nobody has looked yet whether it is there.
+            # The request may be unchecked here, because the stop may come before the check.
             recording.begin_late(lambda: start_log(request, loaded))
         recording.stop(dispatcher)
     finally:

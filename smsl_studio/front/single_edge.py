@@ -1,4 +1,4 @@
-"""One edge by itself: from its source state, in a world, checked on sensed facts."""
+"""Runs one edge alone in a world, from its source state, and checks sensed facts."""
 
 from __future__ import annotations
 
@@ -39,12 +39,12 @@ def try_edge(
     stop_when: Callable[[], bool] | None = None,
     loaded: Loaded | None = None,
 ) -> EdgeSwept:
-    """Carry out one edge alone, as a sweep would, and say how it went; nothing of it is kept.
+    """Run one edge alone, as a sweep does, and return its result. It is not recorded.
 
-    ``stop_when`` is asked before every tick: a stop brakes the world, and the edge has not passed.
-    ``loaded`` are plugins that were found already (see ``make_host``).
-    WorldError for a world that does not exist or does not suit the blueprint, RunRefused where the
-    SUB_SBS go round in a circle, or the blueprint is too large to run.
+    ``stop_when`` is called before every tick; True brakes the world, and the edge does not pass.
+    ``loaded`` are plugins that were found already (see ``make_host``). WorldError for a world that
+    does not exist or does not suit the blueprint. RunRefused if the SUB_SBS have a cycle, or if the
+    blueprint is too large to run.
 
     >>> try_edge(read("hanoi-2.json"), Address("SB1", "State_aa", "Op_1b")).passed
     True
@@ -67,7 +67,7 @@ def edge_alone(
     seed: int,
     stop_when: Callable[[], bool] | None = None,
 ) -> tuple[EdgeSwept, bool]:
-    """The verdict on one edge in a host, and whether the host was lost on the way."""
+    """Run one edge in a host. Return its result, and whether the host was lost."""
     if target not in hierarchy.blueprint[edge.branch].table:
         return _verdict(edge, sentence=f"its target {target} is no state"), False
     start = start_for_edge(hierarchy, edge)
@@ -111,7 +111,7 @@ def _truth(
 
 
 def _why(events: Sequence[Event], sentence: str) -> str:
-    """The sentence that explains a failure best: a refusal, what was said, what was read."""
+    """Return the best explanation of a failure: a refusal, messages of the run, sensed facts."""
     for event in events:
         if isinstance(event, OperationRefused):
             return "; ".join(event.reasons)

@@ -1,4 +1,5 @@
-"""Where a run must start so that an SB stands in a given state and an edge of it can be asked."""
+"""Start configurations in which an SB is in a given state, so that one of its edges can be
+tried."""
 
 from __future__ import annotations
 
@@ -12,16 +13,17 @@ from smsl_studio.blueprint.stepper import Stepper, Terms
 from smsl_studio.errors import PlanningError, RunRefused
 
 TRIES = 2000
-"""Shared sub-SBs can make a start hard to find: after so many tries there is none."""
+"""The largest number of attempts. Shared sub-SBs can make a start hard to find."""
 
 
 def starts_for(
     hierarchy: Hierarchy, branch: str, state: str, also: Collection[str] = ()
 ) -> Iterator[dict[str, str]]:
-    """Configurations in which ``branch`` stands in ``state``, INITIAL states of roots first.
+    """Yield configurations in which ``branch`` is in ``state``, with INITIAL states of roots first.
 
-    Its subs stand as clause 3 says, its bases in whatever state agrees. Roots that share a sub-SB
-    with it, or stand above an SB in ``also``, are tried in every state; the others stay in INITIAL.
+    Its sub-SBs are in the states of clause 3, its bases in every state that agrees. Roots that
+    share a sub-SB with it, or that are above an SB in ``also``, are tried in every state. All other
+    roots stay in INITIAL.
     """
     tree = set(hierarchy.tree(branch)) | set(also)
     for above in islice(_above(hierarchy, branch, state), TRIES):
@@ -39,11 +41,11 @@ def starts_for(
 
 
 def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | None:
-    """A configuration from which an edge can be asked, else one in its source, else None.
+    """Return a configuration from which an edge can be tried, else one in its source, else None.
 
-    An operation of a sub that enters or leaves ACTIVATING can only be asked where each base has a
-    rise or fall to go along (clause 10); one that requires facts only where they hold. Where that
-    takes too much work to say, it is the configuration at which the work was given up.
+    An operation of a sub-SB may enter or leave ACTIVATING. Then each base needs an edge with a rise
+    or fall of its fact (clause 10). An operation may require facts; then these must hold. If the
+    search takes too much work, the result is the configuration at which the search was given up.
     """
     stepper = Stepper(hierarchy, Terms(failing=None))
     known = stepper.edges.get(edge)
@@ -53,7 +55,7 @@ def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | N
     for configuration in islice(starts, TRIES):
         first = first or configuration
         try:
-            # All starts together have the allowance of one plan.
+            # All starts together may take as much work as one plan.
             if known is None or isinstance(stepper.written(configuration, known), JointStep):
                 return configuration
         except PlanningError:
@@ -62,7 +64,7 @@ def start_for_edge(hierarchy: Hierarchy, edge: Address) -> Mapping[str, str] | N
 
 
 def _above(hierarchy: Hierarchy, branch: str, state: str) -> Iterator[dict[str, str]]:
-    """The SB in its state, and every SB above it in states that agree."""
+    """Yield the SB in its state, with every SB above it in states that agree."""
     bases = hierarchy.bases[branch]
     if not bases:
         yield {branch: state}
@@ -84,6 +86,6 @@ def _merge(into: dict[str, str], found: Mapping[str, str]) -> bool:
 
 
 def _states(hierarchy: Hierarchy, branch: str) -> list[str]:
-    """Every state of an SB, INITIAL first."""
+    """Return every state of an SB, INITIAL first."""
     own = hierarchy.blueprint[branch]
     return sorted(own.table, key=lambda state: state != own.initial)

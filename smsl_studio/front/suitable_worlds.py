@@ -1,4 +1,4 @@
-"""Which worlds a blueprint can run in: where everything it does and senses is bound."""
+"""Finds the worlds in which a blueprint can run: all its operations and facts are bound there."""
 
 from __future__ import annotations
 
@@ -22,11 +22,12 @@ from smsl_studio.world.engines import TABLE
 def worlds_for(
     blueprint: Blueprint, plugin_paths: Sequence[Path] = (), loaded: Loaded | None = None
 ) -> tuple[str, ...]:
-    """The worlds in which every operation has its function and every fact its sensor, or a person
-    in the place of either.
+    """Return the worlds in which every operation has a function or a person, and every fact has a
+    sensor or a person.
 
-    Worlds of plugins come first, in their order; ``table``, which runs anything, comes last.
-    ``loaded`` spares looking for plugins again; no plugin's code runs here.
+    Worlds of plugins come first, in their order. ``table`` comes last, because it runs every
+    blueprint. ``loaded`` are plugins that were found already. No plugin's code runs in this
+    process.
 
     >>> worlds_for(read("hanoi.json")), worlds_for(read("hfsm.json"))
     (('hanoi', 'table'), ('table',))

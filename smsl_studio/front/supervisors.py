@@ -1,4 +1,4 @@
-"""Who supervises a run where nobody was named."""
+"""The supervisor of a run: the named one, or the default of the level of supervision."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from smsl_studio.dispatch.drive.supervisor import Supervisor
 
 
 def supervisor_of(levels: Levels, named: Supervisor | None = None) -> Supervisor | None:
-    """The supervisor that was named, else the agent that decides at the level ``automatic``.
+    """Return the named supervisor, or the agent of the level ``automatic``, or None.
 
-    It allows operations of a declared risk up to medium. None where people supervise.
+    The agent allows operations with a declared risk up to medium. None means that people supervise
+    (paper, Supervision).
     """
     if named is not None:
         return named

@@ -1,4 +1,4 @@
-"""Sweeping: every edge by itself, from its source state, checked on sensed facts."""
+"""A sweep: runs every edge alone, from its source state, and checks sensed facts."""
 
 from __future__ import annotations
 
@@ -29,14 +29,13 @@ def sweep(
     branches: Collection[str] = (),
     most: int | None = None,
 ) -> Iterator[EdgeSwept | SweepFinished]:
-    """One event an edge as it is done, in written order, and a summary last.
+    """Run every edge alone. Yield one event for each edge, in written order, and a summary last.
 
-    Each edge starts in its source state (its subs as clause 3 says, its bases where they agree) and
-    is asked by hand. It passes when it is committed. Findings refuse nothing here: a sweep is how
-    one looks at them. ``branches`` are those to be swept (all where none is named), ``most`` is how
-    many edges one waits for (see ``dispatch.route.effort``). RunRefused where there are more, or
-    the SUB_SBS go round in a circle; WorldError for a world that does not exist or does not suit
-    the blueprint.
+    Each edge starts in its source state, with its sub-SBs as in clause 3 and its bases in states
+    that agree. An edge passes if it is committed. Findings refuse no sweep, because a sweep helps
+    to examine them. ``branches`` are the SBs to sweep; empty means all. ``most`` is the largest
+    number of edges (see ``dispatch.route.effort``). RunRefused if there are more edges, or if the
+    SUB_SBS have a cycle. WorldError for a world that does not exist or does not suit the blueprint.
 
     >>> *edges, summary = sweep(read("hanoi-2.json"))
     >>> summary.passed, summary.edges
@@ -50,7 +49,7 @@ def sweep(
     request = RunRequest(blueprint, world, seed=seed, host=host, plugin_paths=tuple(plugin_paths))
 
     def fresh() -> Host:
-        """A new host, so that no edge sees what another edge left behind."""
+        """Return a new host, so that a lost host does not affect the next edge."""
         return make_host(request, loaded)
 
     place = fresh()

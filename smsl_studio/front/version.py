@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def version() -> str:
-    """The version that is installed, ``0+checkout`` where none is."""
+    """Return the installed version, or ``0+checkout`` if the package is not installed."""
     from importlib.metadata import PackageNotFoundError
     from importlib.metadata import version as installed
 

@@ -1,5 +1,5 @@
-"""Scripts: what a supervisor does, which operations are chosen and what goes wrong, written down.
+"""Scripts: files with commands of a supervisor, chosen operations and injected faults.
 
-``words`` has the commands and what each takes, ``lines`` makes a script of a file or says where
-it is wrong, ``player`` carries it out while a run goes.
+``words`` has the commands and their arguments. ``lines`` reads a file and reports its faults.
+``player`` carries a script out during a run.
 """

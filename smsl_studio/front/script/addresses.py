@@ -1,4 +1,4 @@
-"""What people write for a place in a blueprint, made an address that exists."""
+"""Resolves addresses that people write to elements that exist in a blueprint."""
 
 from __future__ import annotations
 
@@ -12,9 +12,10 @@ Written = str | Address
 
 
 def state_at(blueprint: Blueprint, text: Written, branch: str | None = None) -> Address:
-    """A state, written ``SB/State``, or ``State`` where the SB is given or the only root.
+    """Return the address of a state, written ``SB/State``, or ``State`` if the SB is given by
+    ``branch`` or is the only root.
 
-    AddressError where there is none, UsageError where it is no state.
+    AddressError if there is no such element, UsageError if the element is no state.
     """
     if branch is not None and isinstance(text, str):
         own = blueprint[branch]
@@ -39,7 +40,10 @@ def state_at(blueprint: Blueprint, text: Written, branch: str | None = None) -> 
 def states_at(
     blueprint: Blueprint, written: Written | Iterable[Written] | None, what: str
 ) -> tuple[Address, ...]:
-    """Several states, at most one an SB; ``what`` names them in the UsageError for a second one."""
+    """Return the addresses of several states, at most one for each SB.
+
+    UsageError for a second state of an SB; ``what`` names the states in its message.
+    """
     if written is None:
         return ()
     texts: Sequence[Written]
@@ -54,11 +58,11 @@ def states_at(
 
 
 def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Address, ...]:
-    """Operations to avoid, written ``SB/State/Operation``.
+    """Return the addresses of operations, written ``SB/State/Operation``.
 
-    A state stands for all that leads out of it, an operation's name, alone or behind its SB, for
-    every edge that has it. AddressError where there is none, UsageError for an SB: avoiding all
-    of it leaves nothing.
+    A state means all operations that lead out of it. The name of an operation, alone or after its
+    SB, means every edge with this name. AddressError for an unknown element. UsageError for an SB,
+    because no operation of it would remain.
     """
     found: list[Address] = []
     for text in written:
@@ -81,7 +85,8 @@ def operations_at(blueprint: Blueprint, written: Iterable[Written]) -> tuple[Add
 
 
 def _resolve(blueprint: Blueprint, text: Written) -> Address:
-    """The address of something that exists, also where a ``/`` in a name is written as it is."""
+    """Return the address of an element that exists. A ``/`` inside a name may be written as it
+    is."""
     try:
         return blueprint.resolve(text)
     except AddressError:
@@ -92,7 +97,7 @@ def _resolve(blueprint: Blueprint, text: Written) -> Address:
 
 
 def _as_spelt(blueprint: Blueprint, text: str) -> list[Address]:
-    """The states and operations whose names, put together as they are, give this text."""
+    """Return the states and operations whose joined names are equal to this text."""
     if "/" not in text and "~" not in text:
         return []
     found: list[Address] = []
@@ -111,7 +116,7 @@ def _as_spelt(blueprint: Blueprint, text: str) -> list[Address]:
 
 
 def _named(blueprint: Blueprint, text: Written) -> list[Address]:
-    """Every edge whose operation has this name, in one SB where that is written before it."""
+    """Return every edge with this operation name. An SB before the name limits them to this SB."""
     if isinstance(text, Address):
         return []
     parts = Address.split(text)

@@ -1,6 +1,7 @@
-"""Whether a script fits the world it is to run in: its faults by name and parameters.
+"""Checks that a world has the faults that a script injects, with these parameters.
 
-A script that names a fault nobody has would run to its end as if all had been tried.
+Without this check a script with an unknown fault would run to its end as if the fault had been
+tried.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from smsl_studio.library.operation_library import FaultEntry
 
 
 def check_faults(script: Script, world: str, offered: Mapping[str, FaultEntry]) -> None:
-    """ReadError with all lines that inject what the world has not, or with other parameters."""
+    """Raise ReadError for all lines with a fault or parameters that the world does not have."""
     wrong = [_fault(act, world, offered) for act in script.acts if act.do == "inject"]
     faults = [fault for fault in wrong if fault is not None]
     if faults:

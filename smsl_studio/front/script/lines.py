@@ -1,8 +1,7 @@
-"""Reading a script: JSON Lines, every line checked before anything runs.
+"""Reads a script: JSON Lines. Every line is checked before the run begins.
 
-A script is a foreign file. Whatever it holds, the answer is a script that fits the blueprint, or
-ReadErrors that name file, line and column. Blank lines are left out, and so are keys that begin
-with an underscore.
+A script is not trusted. The result is always a script that fits the blueprint, or a ReadError with
+file, line and column. Blank lines and keys that begin with an underscore are ignored.
 """
 
 from __future__ import annotations
@@ -25,17 +24,17 @@ from smsl_studio.smsl.inputs import read_ordinary
 
 Json = Any
 LONGEST, MOST, LARGEST = 1 << 16, 10_000, 1 << 24
-"""Characters of a line, lines, and bytes of a file, at most."""
+"""The largest length of a line (characters), number of lines, and size of a file (bytes)."""
 ENCODE = "Save the script as UTF-8."
 SHORTER = "Make it shorter; a script is written for one run."
 FAULTS = 20
-"""So many wrong lines are told at once."""
+"""The largest number of wrong lines that are reported together."""
 _MOMENT = (AT, WHEN, DURING, "after", "times", "do", "by")
 BY = "script"
 
 
 def read_script(path: Path, blueprint: Blueprint) -> Script:
-    """A script from a file; ReadError where it cannot be had or does not fit the blueprint.
+    """Read a script from a file. ReadError if it cannot be read or does not fit the blueprint.
 
     >>> script = read_script(Path("hanoi-pruned.jsonl"), read("hanoi-corrected.json"))
     >>> [act.do for act in script.acts]
@@ -54,7 +53,7 @@ def read_script(path: Path, blueprint: Blueprint) -> Script:
 
 
 def script_of(raw: bytes, file: str, blueprint: Blueprint) -> Script:
-    """A script from bytes; ``file`` is its name in messages. ReadError with all wrong lines."""
+    """Read a script from bytes. ``file`` is its name in messages. ReadError has all wrong lines."""
     acts: list[Act] = []
     levels: dict[str, str] = {}
     faults: list[ReadError] = []
@@ -77,7 +76,7 @@ def script_of(raw: bytes, file: str, blueprint: Blueprint) -> Script:
 
 
 class _Line:
-    """One line, and where in it something stands."""
+    """One line of a script, with the columns of its keys and values."""
 
     def __init__(self, file: str, number: int, raw: bytes) -> None:
         self.file, self.number = file, number
@@ -90,7 +89,7 @@ class _Line:
             raise self.wrong(1, f"the line is longer than {LONGEST:,} characters", SHORTER)
 
     def values(self) -> dict[str, Json]:
-        """What the line says."""
+        """Return the keys and values of the line. ReadError if it is no JSON object."""
         try:
             found = json.loads(
                 self.text, object_pairs_hook=self._once, parse_constant=self._no_constant
@@ -105,24 +104,25 @@ class _Line:
         return {key: value for key, value in found.items() if not key.startswith("_")}
 
     def of(self, key: str, check: Callable[[], Json]) -> Json:
-        """The value of a key as ``check`` takes it; what is wrong with it has its place."""
+        """Return the checked value of a key. A UsageError of ``check`` becomes a ReadError with the
+        place of the value."""
         try:
             return check()
         except UsageError as error:
             raise self.wrong(self.value_at(key), error.sentence, error.advice) from None
 
     def key_at(self, key: str) -> int:
-        """The column of a key."""
+        """Return the column of a key, counted from 1."""
         found = self._find(key)
         return found.start() + 1 if found else 1
 
     def value_at(self, key: str) -> int:
-        """The column of the value of a key."""
+        """Return the column of the value of a key, counted from 1."""
         found = self._find(key)
         return found.end() + 1 if found else 1
 
     def wrong(self, column: int, sentence: str, advice: str = "") -> ReadError:
-        """An error at a column of this line."""
+        """Return an error at a column of this line."""
         return _wrong(self.file, self.number, column, sentence, advice)
 
     def _find(self, key: str) -> re.Match[str] | None:
@@ -144,7 +144,7 @@ class _Line:
 
 
 def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, str]) -> None:
-    """Check one line and put it where it belongs."""
+    """Check one line and add it to ``acts`` or ``levels``."""
     if not line.text.strip():
         return
     values = line.values()
@@ -171,7 +171,7 @@ def _take(line: _Line, blueprint: Blueprint, acts: list[Act], levels: dict[str, 
 def _given(
     line: _Line, do: str, values: Mapping[str, Json], blueprint: Blueprint
 ) -> Mapping[str, Json]:
-    """What stands with a command, checked."""
+    """Return the checked arguments of a command."""
     word, given = WORDS[do], {}
     for key, value in values.items():
         if key in _MOMENT:
@@ -194,7 +194,8 @@ def _given(
 
 
 def _trigger(line: _Line, do: str, values: Mapping[str, Json], blueprint: Blueprint) -> Trigger:
-    """The moment of an act: at once where none is said, and an answer when it is asked for."""
+    """Return the moment of an act. Without a moment it is the start of the run, or, for an answer,
+    the opening of its task."""
     said = [key for key in (AT, WHEN, DURING) if key in values]
     if len(said) > 1:
         words = f"{said[0]!r} and {said[1]!r} exclude each other"

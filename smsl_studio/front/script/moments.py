@@ -1,4 +1,4 @@
-"""When the acts of a script come that hang on what happens: states, operations, tasks."""
+"""The moments of acts that depend on events of the run: states, operations, tasks."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ from smsl_studio.runlog import events as run
 from smsl_studio.runlog.events import Event
 
 Met = tuple[float, Act, str]
-"""When an act comes (simulated s), which, and the task that it answers."""
+"""The time of an act (simulated s), the act, and the task that it answers."""
 
 
 class Moments:
-    """Hears a run and says which acts its events bring about.
+    """Follows the events of a run and finds the acts whose moments have come.
 
-    An act of ``during`` is over when its operation has ended, an answer when its task is closed.
+    The moment of an act with ``during`` passes when its operation ends. The moment of an answer
+    passes when its task is closed.
     """
 
     def __init__(self, acts: Iterable[Act]) -> None:
@@ -28,7 +29,7 @@ class Moments:
         self._open: set[str] = set()
 
     def met(self, event: Event) -> Iterator[Met]:
-        """The acts that an event brings about."""
+        """Yield the acts whose moments come with an event."""
         match event:
             case run.RunStarted():
                 yield from self._arrived(event, event.start)
@@ -55,7 +56,7 @@ class Moments:
                 pass
 
     def is_over(self, act: Act, task: str) -> bool:
-        """Whether the moment of an act that was met has passed."""
+        """Whether the moment of an act has come and has passed already."""
         if act.trigger.kind == DURING:
             return act.trigger.address not in self._going
         return bool(task) and task not in self._open

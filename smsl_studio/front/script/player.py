@@ -1,7 +1,7 @@
-"""Carrying a script out: what is due is commanded before the next tick, whoever calls the ticks.
+"""The player of a script: it gives the commands that are due before the next tick.
 
-The moments of a script hang on simulated time and on run events alone, so that equal runs are acted
-on equally, headless and in the window.
+The moments of a script depend only on simulated time and on run events. So equal runs get equal
+commands, in the window and without it.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from smsl_studio.runlog.events import Event
 
 HAIR = 1e-9
 WAITING = ("ready", "paused", "waiting", "no_route", "taken_over", "fault_hold", "stopped")
-"""Run states in which nothing moves before somebody says something."""
+"""Run states in which nothing moves before the next command."""
 
 
 @dataclass(frozen=True, slots=True)
 class Due:
-    """An act whose moment is known: simulated s, and the task that it answers, if it does."""
+    """An act whose moment is known: its time (simulated s), and the task that it answers."""
 
     time: float
     act: Act
@@ -31,8 +31,11 @@ class Due:
 
 
 class ScriptPlayer:
-    """One run under one script. Call ``before`` ahead of every tick, and ``hear`` with what the
-    tick told. Where the script has nothing more to say to a run that waits, nobody attends it."""
+    """Carries out one script in one run.
+
+    Call ``before`` before every tick, and ``hear`` with the events of the tick. If the run waits
+    and the script has no further commands, the run is no longer attended.
+    """
 
     def __init__(self, script: Script) -> None:
         self._moments = Moments(script.acts)
@@ -45,24 +48,23 @@ class ScriptPlayer:
 
     @property
     def left(self) -> tuple[Act, ...]:
-        """The acts that never came, in the order of the script."""
+        """The acts whose moments have not come, in the order of the script."""
         return tuple(act for act in self._acts if act not in self._done)
 
     def hear(self, events: Iterable[Event]) -> None:
-        """What happened: states that became active, operations that began, tasks that opened."""
+        """Take in events: states that became active, operations that began, tasks that opened."""
         for event in events:
             for time, act, task in self._moments.met(event):
                 self._due.append(Due(time, act, task))
             self._due = [due for due in self._due if not self._moments.is_over(due.act, due.task)]
 
     def has_something(self, dispatcher: Dispatcher) -> bool:
-        """Whether it will say something before the next tick, though nothing moves: a command, or
-        that it leaves."""
+        """Whether ``before`` has something to do now: a command, or to leave the run."""
         ready = self._ready(dispatcher)
         return bool(self._asking or self._resuming or ready or self._leaves(ready, dispatcher))
 
     def before(self, dispatcher: Dispatcher) -> None:
-        """Command what is due now."""
+        """Give the commands that are due now."""
         if self._asking is not None:
             act, self._asking = self._asking, None
             dispatcher.take(_command(act))
@@ -85,7 +87,8 @@ class ScriptPlayer:
         return not ready and not self._due and dispatcher.phase in WAITING
 
     def _ready(self, dispatcher: Dispatcher) -> list[Due]:
-        """What is due. While simulated time stands still, the next act by time comes at once."""
+        """Return the acts that are due. In a paused run time does not move, so the next act by
+        time is due at once."""
         now = dispatcher.time
         ready = [due for due in self._due if due.time <= now + HAIR]
         if not ready and dispatcher.phase == "paused" and not self._resuming:
@@ -102,7 +105,7 @@ class ScriptPlayer:
             said = {key: act.given[key] for key in ("option", "role") if key in act.given}
             dispatcher.take(WORDS[act.do].command(said, act.by, task=task))
         elif act.do == "ask" and not self._by_hand and _follows_its_route(dispatcher):
-            # A route that is followed goes on by itself unless it is paused a tick before.
+            # The run would choose the next operation itself, so it is paused one tick before.
             dispatcher.pause(by=act.by)
             self._asking, self._resuming = act, act.by
         else:
@@ -116,7 +119,7 @@ def _follows_its_route(dispatcher: Dispatcher) -> bool:
 
 
 def _command(act: Act) -> Command:
-    """What a line of a script commands."""
+    """Return the command of a line of a script."""
     word = WORDS[act.do]
     if act.do == "ask":
         return word.command(act.given, act.by, every_time=act.trigger.times == EVERY)
@@ -124,7 +127,7 @@ def _command(act: Act) -> Command:
 
 
 def _open_task(act: Act, dispatcher: Dispatcher) -> str:
-    """The task that is open now and fits an answer; the empty text where none is."""
+    """Return the name of the open task that fits an answer. The text is empty if there is none."""
     kind, address = act.given.get("kind"), act.given.get("address")
     for task in dispatcher.status.tasks:
         if kind in (None, task.kind) and address in (None, task.address):

@@ -1,4 +1,4 @@
-"""A script as values: acts, each with the moment at which it comes."""
+"""A script as values: acts with their moments."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from smsl_studio.errors import Place
 Json = Any
 AT, WHEN, DURING, ASKED = "at", "when", "during", "asked"
 EVERY = 0
-"""Of ``times``: each time anew."""
+"""The value of ``times`` that means every time."""
 
 
 @dataclass(frozen=True, slots=True)
 class Trigger:
     """The moment of an act.
 
-    ``at``: ``seconds`` is the simulated time. ``when``: a state (``address``) became active for the
-    ``times``-th time; ``during``: an operation has begun for the ``times``-th time, and still runs;
-    ``asked``: a task like the one to be answered was opened for the ``times``-th time; each
-    ``seconds`` later.
+    With ``at`` it is the simulated time ``seconds``. With ``when`` the state ``address`` has become
+    active for the ``times``-th time. With ``during`` an operation has begun for the ``times``-th
+    time, and still runs. With ``asked`` a fitting task has opened for the ``times``-th time. In
+    these three cases the act comes ``seconds`` (simulated) later.
     """
 
     kind: str
@@ -32,8 +32,10 @@ class Trigger:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Act:
-    """One line of a script: ``do`` is a word of ``words.WORDS``, ``given`` what stands with it,
-    addresses written out. ``by`` is who does it, ``places`` where each value of ``given`` stands.
+    """One line of a script.
+
+    ``do`` is a word of ``words.WORDS``. ``given`` are its arguments, with full addresses. ``by`` is
+    the person who acts. ``places`` has the place of each argument in the file.
     """
 
     place: Place
@@ -44,13 +46,14 @@ class Act:
     places: Mapping[str, Place] = field(default_factory=dict)
 
     def __str__(self) -> str:
-        """What it does, in a few words for people."""
+        """The command and its arguments in a few words, for people."""
         return " ".join((self.do.replace("_", " "), *map(str, self.given.values())))
 
 
 @dataclass(frozen=True, slots=True)
 class Script:
-    """A checked script. ``levels`` are set before the start; ``digest`` is the file's SHA-256."""
+    """A checked script. ``levels`` are set before the start. ``digest`` is the SHA-256 of the
+    file."""
 
     file: str = ""
     acts: tuple[Act, ...] = ()

@@ -1,4 +1,5 @@
-"""The words of a script: each command of the table in ``dispatch``, and how a value is checked."""
+"""The words of a script: the commands of the table in ``dispatch``, and the checks of their
+arguments."""
 
 from __future__ import annotations
 
@@ -30,14 +31,17 @@ Json = Any
 Check = Callable[[Blueprint, Json], Json]
 LONGEST = 1000
 LARGEST = 1e9
-"""Characters of a text at most; simulated seconds and costs stay below it: 30 years, and exact."""
+"""The largest length of a text in characters, and the limit of simulated seconds and costs. 1e9
+seconds are 30 years, and still exact in microseconds."""
 
 
 @dataclass(frozen=True, slots=True)
 class ScriptWord:
-    """A word of ``do``: the keys that must and that may stand with it; ``free``: and any other
-    scalar. ``row`` is the command that it says, with what the word says by itself (``says``); None
-    where it is said before the run."""
+    """A word of ``do``, with the keys that it needs and that it may have.
+
+    ``free`` allows any other key with a scalar value. ``row`` is the command of the word; it is
+    None for a word that acts before the run. ``says`` are arguments that the word itself contains.
+    """
 
     needs: Mapping[str, Check]
     may: Mapping[str, Check] = field(default_factory=dict)
@@ -46,12 +50,13 @@ class ScriptWord:
     says: Mapping[str, Json] = field(default_factory=dict)
 
     def check_of(self, key: str) -> Check | None:
-        """How the value of a key is checked; None where the command does not take it."""
+        """Return the check for the value of a key. None if the command does not take this key."""
         known = self.needs.get(key) or self.may.get(key)
         return known or (scalar if self.free else None)
 
     def command(self, given: Mapping[str, Json], by: str, **more: Json) -> Command:
-        """The command as a line of a script says it; ``more`` is what the line leaves open."""
+        """Return the command of a line of a script. ``more`` are arguments that the line does not
+        have."""
         assert self.row is not None, "it is said before the run"
         said = {**self.says, **more, **given}
         for key, argument in self.row.arguments.items():
@@ -61,7 +66,8 @@ class ScriptWord:
 
 
 def operation(blueprint: Blueprint, value: Json) -> str:
-    """The address of exactly one operation, written out."""
+    """Return the full address of exactly one operation. UsageError for several, AddressError for
+    none."""
     found = operations_at(blueprint, [text(blueprint, value)])
     if len(found) != 1:
         raise UsageError(
@@ -71,12 +77,12 @@ def operation(blueprint: Blueprint, value: Json) -> str:
 
 
 def state(blueprint: Blueprint, value: Json) -> str:
-    """The address of a state, written out."""
+    """Return the full address of a state. AddressError or UsageError as in ``state_at``."""
     return str(state_at(blueprint, text(blueprint, value)))
 
 
 def text(_: Blueprint, value: Json) -> str:
-    """A text that is not empty and fits one line; raises ``UsageError`` for any other value."""
+    """Return a text that is not empty and fits one line. UsageError for any other value."""
     if not isinstance(value, str) or not value.strip():
         raise UsageError(f"{_shown(value)} is no text", advice='Write it in quotes: "...".')
     if not value.isprintable() or len(value) > LONGEST:
@@ -85,7 +91,7 @@ def text(_: Blueprint, value: Json) -> str:
 
 
 def seconds(_: Blueprint, value: Json) -> float:
-    """A time or a cost: not below 0, and finite."""
+    """Return a time (s) or a cost from 0 to ``LARGEST``. UsageError for any other value."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < LARGEST:
         raise UsageError(
             f"{_shown(value)} is no number from 0 to {LARGEST:g}", advice="Write it like 2.5."
@@ -101,7 +107,8 @@ def yes_or_no(_: Blueprint, value: Json) -> bool:
 
 
 def scalar(_: Blueprint, value: Json) -> Json:
-    """A text or a number, as facts may have it; raises ``UsageError`` for any other value."""
+    """Return a text or a number, as a parameter of a fault may be. UsageError for any other
+    value."""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
         raise UsageError(f"{_shown(value)} is neither a text nor a number")
     if isinstance(value, str):
@@ -112,7 +119,8 @@ def scalar(_: Blueprint, value: Json) -> Json:
 
 
 def sensed(blueprint: Blueprint, value: Json) -> str:
-    """A sensor by its name, or a fact that exists, written ``SB/digit``."""
+    """Return the name of a sensor, or a fact ``SB/digit`` that exists. UsageError for an unknown
+    fact."""
     fact = split_fact(text(blueprint, value))
     if fact is not None:
         branch = blueprint.branches.get(fact[0])
@@ -123,11 +131,11 @@ def sensed(blueprint: Blueprint, value: Json) -> str:
 
 
 def one_of(known: Iterable[str]) -> Check:
-    """A check that lets one of these words pass and raises ``UsageError`` for any other value."""
+    """Return a check that accepts only these words and raises UsageError for any other value."""
     words = tuple(known)
 
     def check(_: Blueprint, value: Json) -> str:
-        """The value where it is one of the words; raises ``UsageError`` with the nearest word."""
+        """Return the value if it is one of the words. UsageError has the nearest word."""
         if value not in words:
             near = did_you_mean(str(value)[:80], words)
             raise UsageError(
@@ -140,7 +148,7 @@ def one_of(known: Iterable[str]) -> Check:
 
 
 def _shown(value: Json) -> str:
-    """A value in a sentence, however long it is."""
+    """Write a value for a sentence, cut to 60 characters."""
     try:
         words = repr(value)
     except ValueError:
@@ -159,7 +167,7 @@ _CHECKS: Mapping[str, Check] = MappingProxyType(
         TASK: one_of(TASKS),
     }
 )
-"""How the arguments of commands are checked, by what they are."""
+"""The check for each kind of argument."""
 
 
 def _words() -> Iterator[tuple[str, ScriptWord]]:
@@ -182,7 +190,8 @@ WORDS: Mapping[str, ScriptWord] = MappingProxyType(
 
 
 def checked(check: Check, blueprint: Blueprint, value: Json) -> Json:
-    """A value as its command takes it; UsageError with a sentence and an advice otherwise."""
+    """Return the checked value of an argument. Every StudioError of the check becomes a
+    UsageError."""
     try:
         return check(blueprint, value)
     except UsageError:
