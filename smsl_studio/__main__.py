@@ -1,6 +1,7 @@
-"""The program: picks one of its two doors, and loads only that one.
+"""The program: it starts the window or the command line, and loads only this one.
 
-No argument, only files, or ``open``: the window. Anything else: the command line.
+Without arguments, with only files, or with ``open`` it starts the window. Any other argument starts
+the command line.
 """
 
 from __future__ import annotations
@@ -13,11 +14,11 @@ from pathlib import PurePath
 from smsl_studio.legible import one_line
 
 SHOWN = (".json", ".smsl", ".yaml", ".yml", ".jsonl")
-"""Suffixes of what the window shows: the written forms of a blueprint, and a recorded run."""
+"""The suffixes of files that the window shows: blueprints, and logs of runs."""
 
 
 def window_arguments(argv: Sequence[str]) -> list[str] | None:
-    """What the window is opened with (files and its own options), or None for the command line."""
+    """Return the arguments of the window (files and its options), or None for the command line."""
     if argv[:1] == ["open"]:
         rest = list(argv[1:])
         return None if {"-h", "--help"} & set(rest) else rest
@@ -25,7 +26,8 @@ def window_arguments(argv: Sequence[str]) -> list[str] | None:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run the program; the exit status (0 good, 1 the answer is no, 2 cannot, 130 stopped)."""
+    """Run the program and return its exit status: 0 good, 1 the answer is no, 2 wrong usage or
+    unreadable input, 130 stopped."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     wanted = window_arguments(arguments)
     if wanted is None:
@@ -34,11 +36,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _command_line(arguments: list[str], alone: bool) -> int:
-    """Run a command; ``alone`` says that this process is there for nothing else."""
+    """Run a command. ``alone`` says that this process does nothing else."""
     try:
         from smsl_studio.cli import main as command
         from smsl_studio.cli import program
-    except KeyboardInterrupt:  # so early that the command line cannot say so itself
+    except KeyboardInterrupt:  # the command line is not loaded yet, so it cannot report the stop
         return 130
     return program(arguments) if alone else command(arguments)
 
@@ -51,13 +53,13 @@ def _open_window(arguments: list[str]) -> int:
         from smsl_studio.studio.shell.application import main as window
     except ImportError as error:
         if (error.name or "").startswith("smsl_studio"):
-            raise  # a fault of ours, not of this machine
+            raise  # a fault of this program, not of this machine
         return _no_window(f"Qt cannot be loaded: {error}")
     return window(arguments)
 
 
 def _missing_display() -> str:
-    """Why no window can be shown here; without this check Qt would abort the process."""
+    """Say why no window can be shown here. Without this check Qt would abort the process."""
     asked = ("QT_QPA_PLATFORM", "DISPLAY", "WAYLAND_DISPLAY")
     if sys.platform != "linux" or any(os.environ.get(name) for name in asked):
         return ""

@@ -1,4 +1,4 @@
-"""The tree of expected errors. Any other error is a fault of this program, and is not caught.
+"""The tree of expected errors. Any other error is a fault of this program and is not caught.
 
 ::
 
@@ -25,7 +25,7 @@ from typing import NamedTuple
 
 
 class Place(NamedTuple):
-    """A point in a file; lines and columns count from 1, columns in characters."""
+    """A place in a file. Lines and columns count from 1, columns in characters."""
 
     file: str
     line: int
@@ -36,7 +36,7 @@ class Place(NamedTuple):
 
 
 class StudioError(Exception):
-    """An expected error: a clear sentence, its place where it has one, and an advice."""
+    """An expected error: a clear sentence, its place if it has one, and an advice."""
 
     def __init__(self, sentence: str, place: Place | None = None, advice: str = "") -> None:
         super().__init__(sentence)
@@ -50,7 +50,7 @@ class StudioError(Exception):
 
 
 class TextFix(NamedTuple):
-    """A repair of a text: words for its button, and what stands between two offsets after it."""
+    """A repair of a text: the words on its button, and the new text between two offsets."""
 
     words: str
     start: int
@@ -59,10 +59,10 @@ class TextFix(NamedTuple):
 
 
 class ReadError(StudioError):
-    """A text or file that cannot be opened as SMSL.
+    """A text or file cannot be opened as SMSL.
 
-    ``length`` characters from its place on are at fault. ``fix`` repairs this one fault, where
-    that is possible. ``more`` are the further faults of the same text, in the order of the text.
+    The fault has ``length`` characters, from its place on. ``fix`` repairs this one fault, if that
+    is possible. ``more`` are the further faults of the same text, in the order of the text.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class ReadError(StudioError):
 
     @classmethod
     def of(cls, faults: Sequence[ReadError]) -> ReadError:
-        """One error that tells several: the first, with the others behind it."""
+        """Return one error for several faults: the first fault, with the others in ``more``."""
         first, *more = faults
         return cls(
             first.sentence, first.place, first.advice, length=first.length, fix=first.fix, more=more
@@ -88,20 +88,20 @@ class ReadError(StudioError):
 
     @property
     def faults(self) -> tuple[ReadError, ...]:
-        """This fault and all further ones."""
+        """This fault and all further faults."""
         return (self, *self.more)
 
 
 class ConvertError(StudioError):
-    """Something that another written form has no spelling for; nothing was written."""
+    """Another written form cannot express a part of the blueprint. No file was written."""
 
 
 class SaveError(StudioError):
-    """A file that could not be written; what stood there before still stands."""
+    """A file could not be written. Its old content is still there."""
 
 
 class FileChanged(SaveError):  # noqa: N818
-    """A file that was not replaced, because it is no longer the one that was read."""
+    """A file was not replaced, because it has changed since it was read."""
 
     def __init__(self, file: str) -> None:
         super().__init__(
@@ -112,61 +112,63 @@ class FileChanged(SaveError):  # noqa: N818
 
 
 class AddressError(StudioError):
-    """Nothing in the blueprint stands at that address."""
+    """The blueprint has no element at this address."""
 
 
 class UsageError(StudioError):
-    """A command or call whose parts do not fit together."""
+    """The parts of a command or call do not fit together."""
 
 
 class EditRefused(StudioError):  # noqa: N818
-    """An edit that would leave nonsense; nothing was changed."""
+    """An edit would make the blueprint invalid. Nothing was changed."""
 
 
 class PluginError(StudioError):
-    """A plugin that cannot be loaded, or an operation that cannot be bound."""
+    """A plugin cannot be loaded, or an operation cannot be bound."""
 
 
 class WorldError(StudioError):
-    """A world that is unknown or cannot be built."""
+    """A world is unknown or cannot be built."""
 
 
 class HostError(StudioError):
-    """The place where library code runs is gone or does not answer."""
+    """The host of library code is gone or does not answer."""
 
 
 class RunRefused(StudioError):  # noqa: N818
-    """A guard at the start of a run said no; nothing has moved."""
+    """A check at the start of a run has refused it. Nothing has moved."""
 
 
 class PlanningError(StudioError):
-    """A plan may exist, but the search was given up: there are too many joint configurations."""
+    """The search for a plan was given up, because there are too many joint configurations. A plan
+    may exist."""
 
 
 _MANY = 5000
-"""At most so many known names are compared."""
+"""The largest number of known names that are compared."""
 
 _LONGEST = 200
-"""Longer names are not compared, because the time grows with the square of their length."""
+"""The largest length of a name that is compared. The time grows with the square of the length."""
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """An advice naming the closest known name, or the empty text."""
+    """Return an advice with the most similar known name, or the empty text."""
     near = nearest(name, islice(known, _MANY))
     return f"Did you mean {near}?" if near else ""
 
 
 def nearest(name: str, known: Iterable[str]) -> str:
-    """The known name most like ``name``, or the empty text.
+    """Return the known name that is most similar to ``name``, or the empty text.
 
-    Of equally close names it is the one with the most equal characters at equal positions.
+    Of equally similar names it is the one with the most equal characters at equal positions.
     """
     if len(name) > _LONGEST:
         return ""
     from difflib import SequenceMatcher, get_close_matches  # needed only where a name is wrong
 
     def alike(other: str) -> tuple[float, int]:
-        """How like a known name is: the ratio of ``difflib``, then the equal characters."""
+        """Return the similarity of a known name: the ratio of ``difflib``, then the number of equal
+        characters."""
         same = sum(a == b for a, b in zip(name, other, strict=False))
         return SequenceMatcher(None, other, name).ratio(), same
 

@@ -1,4 +1,4 @@
-"""The things on the table: sizes, colours and meshes of rings and pegs (metres, kilograms)."""
+"""The bodies on the table: sizes, colours and meshes of rings and pegs (metres, kilograms)."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ PEGS: dict[str, tuple[float, float]] = {"a": (0.50, -0.14), "b": (0.50, 0.0), "c
 PEG_RADIUS = 0.008
 PEG_TOP = 0.045
 HOLE = 0.0135
-"""Half the distance between opposite walls of a ring's hole."""
+"""Half of the distance (m) between opposite walls of a ring's hole."""
 
 MARGIN = 0.001
-"""Bullet thickens every convex piece by this much, so pieces are made this much smaller."""
+"""The margin (m) by which Bullet thickens every convex piece. Pieces are made smaller by it."""
 
 WEDGES = 8
 COLOURS: tuple[Vector, ...] = (
@@ -34,7 +34,7 @@ THICKNESS = {2: 0.018, 3: 0.018, 4: 0.0135}
 
 @dataclass(frozen=True, slots=True)
 class Disk:
-    """One ring; number 1 is the smallest."""
+    """One ring. Number 1 is the smallest. Lengths are in metres."""
 
     number: int
     radius: float
@@ -45,7 +45,7 @@ class Disk:
         return f"disk_{self.number}"
 
     def body(self, position: Vector) -> Body:
-        """The ring as a body of the world."""
+        """Return the ring as a body of the world."""
         volume = math.pi * (self.radius**2 - HOLE**2) * self.thickness
         outline = self._outline()
         return Body(
@@ -59,20 +59,23 @@ class Disk:
         )
 
     def _outline(self) -> list[tuple[float, float]]:
-        """Up the outer wall, over the top, down the hole and back along the bottom."""
+        """Return the outline (radius, height) in metres: up the outer wall, over the top, down the
+        hole, and back along the bottom."""
         r, h, edge = self.radius, self.thickness / 2, 0.0012
         top = [(r, edge - h), (r, h - edge), (r - edge, h), (HOLE + edge, h), (HOLE, h - edge)]
         bottom = [(HOLE, edge - h), (HOLE + edge, -h), (r - edge, -h), (r, edge - h)]
         return top + bottom
 
     def _wedges(self) -> str:
-        """OBJ text of the wedges that the engine takes for the ring, smaller by its margin."""
+        """Return OBJ text with the wedges that the engine uses for the ring, smaller by its
+        margin."""
         half = self.thickness / 2 - MARGIN
         return _hulls(_tube(HOLE + MARGIN, self.radius - MARGIN, -half, half))
 
 
 def disks_for(count: int) -> tuple[Disk, ...]:
-    """The rings of a game, smallest first; WorldError for a number that was never built."""
+    """Return the rings of a game, smallest first. WorldError if the world cannot have ``count``
+    rings."""
     if count not in RADII:
         raise WorldError(
             f"the hanoi world has 2, 3 or 4 disks, and this blueprint has {count} facts",
@@ -82,7 +85,7 @@ def disks_for(count: int) -> tuple[Disk, ...]:
 
 
 def peg_body(name: str) -> Body:
-    """A peg: a rod with a round top, its foot below the table."""
+    """Return a peg as a body: a rod with a round top, whose foot is below the table."""
     x, y = PEGS[name]
     length = 0.06
     centre = PEG_TOP - PEG_RADIUS - length / 2
@@ -101,14 +104,15 @@ def peg_body(name: str) -> Body:
 
 
 CAP = "cap"
-"""What blocks a peg: no ring goes over it. It stands aside until a fault puts it on a peg."""
+"""The name of the cap. No ring goes over a peg with the cap. It stands aside until a fault puts it
+on a peg."""
 
 CAP_ASIDE = (0.12, -0.34)
 CAP_RADIUS, CAP_HOLE, CAP_HEIGHT, CAP_LID = 0.0175, 0.0115, 0.018, 0.004
 
 
 def cap_body() -> Body:
-    """A cap that fits over a peg, standing on its rim beside the robot."""
+    """Return the cap as a body. It fits over a peg, and stands on its rim beside the robot."""
     r, hole, half, lid = CAP_RADIUS, CAP_HOLE, CAP_HEIGHT / 2, CAP_HEIGHT / 2 - CAP_LID
     outline = [(r, -half), (r, half - 0.002), (r - 0.002, half), (0.0, half)]
     inside = [(0.0, lid), (hole, lid), (hole, -half), (r, -half)]
@@ -129,7 +133,8 @@ Corners = list[tuple[float, float, float]]
 
 
 def _tube(inner: float, outer: float, low: float, high: float) -> list[Corners]:
-    """The corners of the wedges of a tube whose hole is ``inner`` metres from wall to middle."""
+    """Return the corners (m) of the wedges of a tube. Its hole is ``inner`` metres from wall to
+    middle."""
     tight = inner / math.cos(math.pi / WEDGES)
     wedges: list[Corners] = []
     for wedge in range(WEDGES):

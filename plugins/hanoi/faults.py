@@ -1,7 +1,7 @@
-"""What can go wrong on the table, on purpose: each tampers with the world, none with the sensors.
+"""The faults of the table, for tests and exercises. They change the world, never the sensors.
 
-Generators are resumed once a tick, after the arm was told where to go and before the world moves;
-some wait for their moment (a ring in the hand) before they strike.
+A generator is resumed once per tick, after the command to the arm and before the world moves. Some
+generators wait until a ring is in the hand.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 Fault = Generator[None, None, None]
 
 RAISED = 0.03
-"""How far (m) above the table a held ring's lower side is when it counts as lifted."""
+"""The height (m) of a held ring's lower side above the table from which it counts as lifted."""
 
 
 def gripper_opens(table: Table, after: float = 0.6, seconds: float = 0.3) -> Fault:
-    """The fingers open so long (s) after a ring was lifted, and stay open for a while."""
+    """The fingers open a given time (s) after a ring was lifted, and stay open for a while."""
     yield from _until_lifted(table)
     for _ in range(_ticks(table, after)):
         yield
@@ -35,13 +35,13 @@ def gripper_opens(table: Table, after: float = 0.6, seconds: float = 0.3) -> Fau
 
 
 def slippery(table: Table, disk: int = 0, friction: float = 0.005) -> None:
-    """A ring (0: every ring) is greased."""
+    """A ring (0: every ring) gets a low friction, as if it were greased."""
     for one in table.disks if disk == 0 else (table.disk(disk),):
         table.world.rub(one.name, friction)
 
 
 def blocked_peg(table: Table, peg: str, seconds: float = 0.0) -> Fault:
-    """A cap is put over a peg, for good or for a while: no ring goes on it."""
+    """A cap is put over a peg, for ever or for a while. No ring goes on this peg."""
     if peg not in PEGS:
         raise WorldError(f"there is no peg {peg!r}", advice="There are the pegs a, b and c.")
     tower = sum(disk.thickness for disk in table.on_peg(peg))
@@ -68,8 +68,8 @@ def tower_carried(table: Table) -> Fault:
 
 
 def wrong_order(table: Table) -> Fault:
-    """While a ring is in the hand, another is put on a smaller one: one of another peg, or the
-    upper two of a tower change places."""
+    """While a ring is in the hand, another ring is put on a smaller one: a ring of another peg, or
+    the upper two rings of a tower change places."""
     if len(table.disks) < 3:
         raise WorldError("besides the ring in the hand there must be two, this table has fewer")
     yield from _until_lifted(table)
@@ -124,13 +124,13 @@ FAULTS: tuple[Callable[..., Any], ...] = (
 
 
 def register_faults(library: OperationLibrary) -> None:
-    """Offer the nine faults of the world ``hanoi``."""
+    """Register the nine faults of the world ``hanoi``."""
     for function in FAULTS:
         library.fault("hanoi", function.__name__)(function)
 
 
 def _until_lifted(table: Table) -> Fault:
-    """Let ticks pass until a ring is in the hand and off the table."""
+    """Wait until a ring is in the hand and off the table."""
     while True:
         held = _gripped(table)
         if held is not None:
@@ -145,7 +145,7 @@ def _gripped(table: Table) -> Disk | None:
 
 
 def _below(table: Table, disk: Disk) -> Disk | None:
-    """The ring right under one, around the same peg."""
+    """Return the ring directly under a ring, around the same peg."""
     (x, y, z), _ = table.world.pose(disk.name)
     under = []
     for other in table.disks:

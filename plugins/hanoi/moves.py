@@ -1,4 +1,5 @@
-"""How the Panda carries a ring from peg to peg. Each ``yield`` lets one tick of 1/240 s pass."""
+"""The motions with which the Panda carries a ring from peg to peg. Each ``yield`` is one tick of
+1/240 s."""
 
 from __future__ import annotations
 
@@ -23,38 +24,39 @@ Array = NDArray[np.float64]
 Motion = Generator[None, None, None]
 
 DOWN: Array = np.diag([1.0, -1.0, -1.0])
-"""The tool looking down, its fingers closing along y."""
+"""The rotation of the tool that points down, with fingers that close along y."""
 
 TRAVEL, CAREFUL, GENTLE = 0.6, 0.35, 0.15
-"""The greatest speeds (m/s): on the way, where rings are lifted or lowered, and on short ways."""
+"""The greatest speeds (m/s): between pegs, while rings are lifted or lowered, and on short ways."""
 
 CLEAR = PEG_TOP + 0.02
 """The height (m) of a carried ring's lower side on its way over the pegs."""
 
 TIPS = 0.010
-"""The tool above the lower side of a ring it holds (m): the fingers' tips stay 3 mm above it."""
+"""The height (m) of the tool above the lower side of a held ring. The tips of the fingers stay 3 mm
+above this side."""
 
 SQUEEZE = 0.006
-"""How far inside the ring's radius (m) the fingers are sent when they close."""
+"""The distance (m) inside the ring's radius to which the closing fingers are sent."""
 
 YIELDS = 0.005
-"""How far (m) a ring is pushed up in the fingers before it counts as blocked."""
+"""The distance (m) that a ring is pushed up in the fingers before it counts as blocked."""
 
 BESIDE = 0.03
-"""How far (m) beside a ring the tool may be and come down on it straight."""
+"""The largest distance (m) of the tool beside a ring from which it comes down straight."""
 
 CLOSING, OPENING = 36, 24
-"""Ticks that the fingers take."""
+"""The number of ticks that the fingers take to open or close."""
 
 TURNING = 0.6
-"""Seconds for a quarter turn of the hand."""
+"""The time (s) for a quarter turn of the hand."""
 
 
 def carry(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
-    """Pick a ring up and put it on a peg; False where the grasp fails.
+    """Pick a ring up and put it on a peg. Return False if the grasp fails.
 
-    A ring that is there already is left alone. The hand does not even try where it holds another
-    ring, or where rings on top would come along.
+    A ring that is on this peg already is not moved. The operation fails at once if the hand holds
+    another ring, or if other rings lie on top.
     """
     if peg not in PEGS:
         raise WorldError(f"there is no peg {peg!r}: there are the pegs a, b and c")
@@ -76,7 +78,7 @@ def _covered(table: Table, disk: Disk) -> bool:
 
 
 def _pick(table: Table, disk: Disk) -> Motion:
-    """Come down around the ring and close the fingers on it."""
+    """Move the tool down around the ring and close the fingers on it."""
     world = table.world
     centre = centre_of(world, disk)
     grasp = np.add(centre, (0.0, 0.0, TIPS - disk.thickness / 2))
@@ -92,7 +94,8 @@ def _pick(table: Table, disk: Disk) -> Motion:
 
 
 def lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
-    """Raise a gripped ring over the pegs, the hand turned as it is; whether it came along."""
+    """Raise a gripped ring over the pegs, without turning the hand. Return whether the ring is
+    still in the hand."""
     world = table.world
     if world.fingers_on(disk.name) < 2:
         return False
@@ -102,10 +105,10 @@ def lift(table: Table, disk: Disk) -> Generator[None, None, bool]:
 
 
 def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
-    """Bring the ring's own middle over the peg, lower it onto the stack and let go.
+    """Bring the middle of the ring over the peg, lower the ring onto the stack and release it.
 
-    A ring that gives way in the fingers has met something that is no stack: it is raised again,
-    and stays in the hand.
+    If the ring moves in the fingers on the way down, it has met an obstacle. Then it is raised
+    again and stays in the hand.
     """
     world = table.world
     shift = tool(world) - centre_of(world, disk)
@@ -130,7 +133,7 @@ def put(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
 def travel(
     world: BulletWorld, corners: Sequence[Array], speed: float, rotation: Array = DOWN
 ) -> Motion:
-    """Lead the tool from where it is sent now through the corners, smoothly."""
+    """Move the tool smoothly from its commanded position through the corners (m)."""
     yield from turn(world, rotation)
     start = world.robot.goal
     points, ways = waypoints(rounded([world.arm.tool(start)[0], *corners], 0.03))
@@ -150,7 +153,7 @@ def travel(
 
 
 def turn(world: BulletWorld, rotation: Array) -> Motion:
-    """Turn the tool where it is; nothing where it is turned so already."""
+    """Turn the tool at its place. Nothing happens if it has this rotation already."""
     start = world.robot.goal
     place, turned = world.arm.tool(start)
     if np.abs(turned - rotation).max() < 0.01:
@@ -173,7 +176,7 @@ def wait(ticks: int) -> Motion:
 
 
 def tool(world: BulletWorld) -> Array:
-    """Where the tool really is (m)."""
+    """Return the real position of the tool (m)."""
     return world.arm.tool(world.robot.joints())[0]
 
 
@@ -182,5 +185,5 @@ def centre_of(world: BulletWorld, disk: Disk) -> Array:
 
 
 def above(point: Array) -> Array:
-    """The point over another at which a ring in the hand passes over the pegs."""
+    """Return the position (m) above a point at which a held ring passes over the pegs."""
     return np.array([point[0], point[1], CLEAR + TIPS])

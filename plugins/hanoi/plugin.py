@@ -1,7 +1,8 @@
 """The Tower of Hanoi in physics: one world, one operation pattern, one sensor pattern.
 
-Facts are the pegs of the disks, disk 1 (the smallest) first: ``cba`` has disk 1 on c. A disk that
-is in the hand reads ``h``; one off the pegs or on a smaller one reads ``x``.
+Facts are the pegs of the disks, disk 1 (the smallest) first: ``cba`` has disk 1 on peg c. A disk in
+the hand reads ``h``. A disk off the pegs or on a smaller disk reads ``x`` (paper, SMSL Example 1:
+Hanoi Tower).
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from smsl_studio.errors import WorldError
 
 from .faults import register_faults
 from .moves import carry
-from .recovering import recover
+from .recovery import recover
 from .table import HELD, NOWHERE, Table
 
 if TYPE_CHECKING:
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def register(library: OperationLibrary) -> None:
-    """Offer the world ``hanoi`` with everything that moves and senses in it."""
+    """Register the world ``hanoi`` with its operations, sensors and faults."""
 
     @library.world("hanoi", settle=0.2)
     def build(world: BulletWorld, blueprint: Blueprint, seed: int) -> Table:

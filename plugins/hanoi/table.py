@@ -1,4 +1,4 @@
-"""The table: where the rings are put, and what the sensors read of them."""
+"""The table: the start places of the rings, and the readings of the sensors."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
     from smsl_studio.world.bullet import BulletWorld
 
 JITTER = 0.003
-"""Each ring starts up to this far (m) from the middle of its peg, along x and along y."""
+"""The largest distance (m) of a ring's start from the middle of its peg, along x and along y."""
 
 HELD, NOWHERE = "h", "x"
 REACH = 0.0085
-"""How far (m) a ring's middle may be from its peg's and the ring still be on it."""
+"""The largest distance (m) between the middles of a ring and its peg for a ring on the peg."""
 
 LEVEL = 0.004
-"""How far (m) a ring may be from the height at which it would rest."""
+"""The largest distance (m) of a resting ring from its height on the stack."""
 
 TILT = 0.99
-"""The least upward part of a resting ring's axis: 8 degrees."""
+"""The smallest vertical part of a resting ring's axis: the cosine of 8 degrees."""
 
 SIGHT = ((0.0, 1.0), (-0.6, 0.6), (-0.05, 1.0))
 """The part of the room (m) that the camera sees."""
@@ -54,7 +54,7 @@ class Table:
         self._read_at = -1
 
     def furnish(self) -> None:
-        """Put everything into the empty world, all rings on peg a."""
+        """Put all bodies into the empty world, with all rings on peg a."""
         self.world.add(Body("table", Floor(), (0.0, 0.0, 0.0), friction=0.5))
         for name in PEGS:
             self.world.add(peg_body(name))
@@ -65,9 +65,9 @@ class Table:
         self.world.settle()
 
     def arrange(self, pegs: Mapping[Disk, str]) -> None:
-        """Begin again with each ring on its peg, at rest, the smaller above the larger.
+        """Begin again with each ring at rest on its peg, smaller rings above larger rings.
 
-        The same pegs and seed give the same table, whatever happened on it before.
+        Equal pegs and an equal seed give an equal table. Earlier events do not matter.
         """
         self.world.rebuild()
         for disk, place in self._places(pegs):
@@ -75,16 +75,18 @@ class Table:
         self.world.settle()
 
     def disk(self, number: int) -> Disk:
-        """A ring by its number, 1 the smallest; WorldError where the game has none."""
+        """Return a ring by its number, 1 for the smallest. WorldError if the game has no such
+        ring."""
         if not 1 <= number <= len(self.disks):
             raise WorldError(f"there is no disk {number}: this table has {len(self.disks)}")
         return self.disks[number - 1]
 
     def reading(self, disk: Disk) -> str | None:
-        """What the camera over the table says of a ring: its peg, ``h`` held or ``x`` nowhere.
+        """Return the camera's reading of a ring: its peg, ``h`` for held, or ``x`` for any other
+        place.
 
-        A peg is said only of a ring that rests there with nothing but larger rings under it.
-        None where the ring is out of sight.
+        The reading is a peg only if the ring rests there with only larger rings under it. It is
+        None if the ring is out of sight.
         """
         position, _ = self.world.pose(disk.name)
         if not all(low < here < high for here, (low, high) in zip(position, SIGHT, strict=True)):
@@ -95,7 +97,7 @@ class Table:
         return self._readings[disk.number]
 
     def on_peg(self, peg: str) -> list[Disk]:
-        """The rings around a peg at any height and not held, lowest first."""
+        """Return the rings around a peg that are not held, at any height, lowest first."""
         x, y = PEGS[peg]
         around = []
         for disk in self.disks:
@@ -125,7 +127,8 @@ class Table:
         return flat and abs(z - disk.thickness / 2 - height) < LEVEL
 
     def _places(self, pegs: Mapping[Disk, str]) -> Iterator[tuple[Disk, Vector]]:
-        """Where each ring starts: on its stack, off its peg's middle by the seed's jitter."""
+        """Return the start position (m) of each ring: on its stack, moved from the middle of its
+        peg by the jitter of the seed."""
         jitter = np.random.default_rng(self.seed).uniform(-JITTER, JITTER, (len(self.disks), 2))
         height = dict.fromkeys(PEGS, 0.0005)
         for disk in reversed(self.disks):

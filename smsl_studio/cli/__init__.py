@@ -21,14 +21,14 @@ __all__ = ["main", "program"]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command; its exit status. Expected errors are sentences, never tracebacks."""
+    """Run one command and return its exit status. Expected errors are printed as sentences."""
     arguments = list(sys.argv[1:] if argv is None else argv)
     with heard() as signals:
         return _stoppable(arguments, signals)
 
 
 def program(argv: Sequence[str]) -> int:
-    """``main`` for a process of its own: one that was stopped ends at once."""
+    """Run one command in a process of its own. A stopped command ends the process at once."""
     let_garbage_be()
     with heard() as signals:
         return _stoppable(argv, signals, os._exit)
@@ -37,10 +37,10 @@ def program(argv: Sequence[str]) -> int:
 def _stoppable(
     arguments: Sequence[str], signals: Signals, leave: Callable[[int], object] | None = None
 ) -> int:
-    """Run one command until it ends or is stopped; ``leave`` then ends this process.
+    """Run one command until it ends or is stopped. Return its exit status.
 
-    It is called while the work that was called off still holds its memory: to free it all would
-    take longer than to stop.
+    After a stop ``leave`` ends the process while the memory of the work is still in use, because to
+    free all of it would take longer than the stop.
     """
     name = _name(arguments)
     try:
@@ -58,7 +58,7 @@ def _stoppable(
 
 
 def _told(arguments: Sequence[str], name: str, signals: Signals) -> int:
-    """Run one command and tell its errors; the exit status."""
+    """Run one command and report its errors. Return the exit status."""
     try:
         with claimed_stdout() as stream:
             try:

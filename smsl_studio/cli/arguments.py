@@ -1,4 +1,4 @@
-"""The table of commands, and the arguments that several of them share."""
+"""The table of commands, and the arguments that several commands share."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from smsl_studio.cli.output import Output
 from smsl_studio.errors import UsageError
 
 MOST_DIGITS = 100
-"""A seed has no more digits than this."""
+"""The largest number of digits of a seed."""
 
 
 _NARROW = partial(argparse.HelpFormatter, width=80)
-"""What arguments are tried with when they are added. Nothing is shown then, so the terminal is not
-asked for its width, for which ``shutil`` would be loaded."""
+"""The formatter with which ``argparse`` checks added arguments. It shows nothing, so a fixed width
+is enough, and ``shutil`` need not be loaded for the width of the terminal."""
 
 
 class CliCommand(NamedTuple):
-    """A command: the file it lives in, and what it does in one line."""
+    """A command: its module, and its description in one line."""
 
     module: str
     words: str
@@ -43,7 +43,7 @@ COMMANDS = {
 
 
 class ArgumentParser(argparse.ArgumentParser):
-    """The parser of one command; wrong usage is a UsageError, help goes where data goes."""
+    """The parser of one command. Wrong usage raises UsageError. Help goes to the output of data."""
 
     def __init__(self, name: str, out: Output) -> None:
         super().__init__(
@@ -55,28 +55,28 @@ class ArgumentParser(argparse.ArgumentParser):
         self._out = out
 
     def error(self, message: str) -> NoReturn:
-        """Raise the UsageError for wrong arguments, in place of ending the process."""
+        """Raise UsageError for wrong arguments. ``argparse`` itself would end the process."""
         raise UsageError(message, advice=f"{self.prog} --help says what it takes.")
 
     def format_help(self) -> str:
-        """The help, as wide as the terminal."""
+        """Return the help in the width of the terminal."""
         self.formatter_class = argparse.HelpFormatter
         return super().format_help()
 
     def print_help(self, file: IO[str] | None = None) -> None:  # type: ignore[override]
-        """Print the help to standard output, whatever ``file`` says."""
+        """Print the help to standard output. ``file`` is ignored."""
         self._out.line(self.format_help().rstrip())
 
 
 def add_format(parser: ArgumentParser) -> None:
-    """``--format text|json``."""
+    """Add ``--format text|json``."""
     parser.add_argument(
         "--format", choices=("text", "json"), default="text", help="text for people (default), json"
     )
 
 
 def add_world(parser: ArgumentParser, required: bool) -> None:
-    """``--world NAME``."""
+    """Add ``--world NAME``."""
     parser.add_argument(
         "--world",
         metavar="NAME",
@@ -86,7 +86,7 @@ def add_world(parser: ArgumentParser, required: bool) -> None:
 
 
 def add_seed_and_host(parser: ArgumentParser) -> None:
-    """``--seed N`` and ``--host local|process``."""
+    """Add ``--seed N`` and ``--host local|process``."""
     parser.add_argument(
         "--seed",
         type=_seed,
@@ -103,7 +103,7 @@ def add_seed_and_host(parser: ArgumentParser) -> None:
 
 
 def host_of(options: argparse.Namespace) -> str:
-    """Where the world runs: code of plugins in a child, unless something else was asked for."""
+    """Return the host of a run: the named one, else a child process for worlds of plugins."""
     from smsl_studio.world.engines import TABLE
 
     chosen: str | None = options.host
@@ -119,7 +119,7 @@ def _seed(text: str) -> int:
 
 
 def overview() -> str:
-    """The help of the program."""
+    """Return the help of the program."""
     width = max(map(len, COMMANDS))
     lines = [f"  {name:<{width}}  {command.words}" for name, command in COMMANDS.items()]
     return "\n".join(
@@ -148,7 +148,7 @@ def _sentence(name: str) -> str:
 
 
 def add_picture(parser: ArgumentParser, required: bool) -> None:
-    """``-o OUT.svg|.png|.pdf``."""
+    """Add ``-o OUT.svg|.png|.pdf``."""
     parser.add_argument(
         "-o",
         "--output",

@@ -1,4 +1,4 @@
-"""Reading the blueprint a command is asked about; ``-`` is standard input."""
+"""Reads the blueprint in the arguments of a command. ``-`` means standard input."""
 
 from __future__ import annotations
 
@@ -23,25 +23,25 @@ def read_argument(file: str) -> Blueprint:
 
 
 def note_stand_ins(blueprint: Blueprint) -> None:
-    """Say which files were read in the place of others."""
+    """Print a note for each file that was read instead of another."""
     for document in blueprint.documents:
         if document.stands_in:
             note_stand_in(document.file, document.stands_in)
 
 
 def note_stand_in(file: str, stands_in: str) -> None:
-    """Say that another file was read, because a save of several files was interrupted."""
+    """Print a note that another file was read, because a save of several files was interrupted."""
     note(f"{file}: read from {stands_in}, because a save was interrupted")
     note("Open it in the window, which asks whether to finish that save or to undo it.")
 
 
 def inputs_of(blueprint: Blueprint) -> tuple[str | int, ...]:
-    """The files that a blueprint was read from, which no output may replace."""
+    """Return the files that a blueprint was read from. No output may replace them."""
     return tuple(0 if one.file == STDIN else one.file for one in blueprint.documents)
 
 
 def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
-    """The blueprint of every file; None for one that cannot be read, which is reported."""
+    """Yield the blueprint of every file. A file that cannot be read is reported and gives None."""
     for file in files:
         try:
             blueprint = read_argument(file)
@@ -53,7 +53,7 @@ def read_each(files: Iterable[str], command: str) -> Iterator[Blueprint | None]:
 
 
 def standard_input() -> bytes:
-    """All bytes of standard input; ReadError where there is none."""
+    """Return all bytes of standard input. ReadError if it is closed or cannot be read."""
     try:
         if sys.stdin is not None:
             stream, most = getattr(sys.stdin, "buffer", None), LARGEST_FILE + 1

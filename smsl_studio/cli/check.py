@@ -1,4 +1,4 @@
-"""``check``: inspection. Exit status 1 where a finding of severity E stands."""
+"""``check``: inspects blueprints. The exit status is 1 if there is a finding of severity E."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``check``."""
+    """Add the arguments of ``check``."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument(
         "--rule", action="append", metavar="R", help="only this rule, such as R15; may be repeated"
@@ -47,7 +47,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def _nothing() -> Blueprint:
-    """An empty blueprint: inspecting it tells whether the rules that were asked for exist."""
+    """Return an empty blueprint. Its inspection raises UsageError for unknown rules."""
     from smsl_studio.front.inputs import read_bytes
 
     return read_bytes(b"{}", "")
@@ -71,7 +71,7 @@ def _as_json(blueprint: Blueprint, findings: tuple[Finding, ...]) -> dict[str, A
 
 
 def _finding(blueprint: Blueprint, finding: Finding) -> dict[str, Any]:
-    """A finding, with its file where that is an imported one."""
+    """Return a finding as plain values, with its file if this is an imported file."""
     file = finding.place.file
     return finding.as_json() if file == blueprint.file else {**finding.as_json(), "file": file}
 

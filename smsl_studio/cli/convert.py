@@ -1,4 +1,4 @@
-"""``convert``: the same blueprint in another written form, by the suffix of the file it goes to."""
+"""``convert``: writes a blueprint in another form. The suffix of the new file names the form."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from smsl_studio.smsl.forms import SUFFIXES
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``convert``."""
+    """Add the arguments of ``convert``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument(
         "-o",
@@ -27,7 +27,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Write the blueprint in the form that the suffix names; UsageError where it names none."""
+    """Write the blueprint in the form of the suffix. UsageError for an unknown suffix."""
     form = form_of(options.output)
     blueprint = read_argument(options.file)
     made = converted(blueprint, options.output)

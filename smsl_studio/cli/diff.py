@@ -1,7 +1,7 @@
-"""``diff``: what changed in meaning between two files. Exit status 1 where they differ.
+"""``diff``: compares the meaning of two files. The exit status is 1 if they differ.
 
-Called by git as an external diff driver, it gets seven arguments (nine for a renamed file, one for
-an unmerged one) and must end with 0, whatever it finds.
+git can call it as an external diff driver, with seven arguments (nine for a renamed file, one for
+an unmerged file). Then it must always end with 0.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from smsl_studio.smsl.files import save_document
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``diff``."""
+    """Add the arguments of ``diff``."""
     parser.add_argument(
         "files", nargs="+", metavar="FILE", help="the earlier and the later blueprint; - is one"
     )
@@ -31,7 +31,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Print what differs, and draw it where asked. 0: the meaning is equal; 1: it differs."""
+    """Print the differences, and draw them if ``-o`` is given. 0: equal meaning; 1: it differs."""
     files: list[str] = options.files
     if by_git(files, os.environ):
         show_for_git(files, out, print_difference)
@@ -56,9 +56,9 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def print_difference(difference: Difference, out: Output) -> None:
-    """Every change on a line: its sign, its address, its sentence, its places; then the sum.
+    """Print one line for each change: sign, address, sentence, places. The sum comes last.
 
-    Differences without a meaning follow under a line of their own.
+    Differences without a meaning follow below a line of their own.
     """
     for change in difference.changes:
         sign = sign_of(change.kind)

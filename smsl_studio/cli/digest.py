@@ -1,4 +1,5 @@
-"""``digest``: the SHA-256 digests of a blueprint: behaviour, annotations, and both with imports."""
+"""``digest``: prints the SHA-256 digests of a blueprint: of its behaviour, of its annotations, and
+of both with imported files."""
 
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``digest``."""
+    """Add the arguments of ``digest``."""
     parser.add_argument("files", nargs="+", metavar="FILE", help="a blueprint; - is standard input")
     add_format(parser)
 

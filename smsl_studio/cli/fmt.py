@@ -1,4 +1,5 @@
-"""``fmt``: the canonical layout. Exit status 1 where ``--check`` finds another."""
+"""``fmt``: writes files in the canonical layout. The exit status is 1 if ``--check`` finds another
+layout."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ STDIN = "-"
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``fmt``."""
+    """Add the arguments of ``fmt``."""
     parser.add_argument(
         "files",
         nargs="+",
@@ -64,7 +65,8 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 def _read(file: str) -> tuple[Document, Seen | None]:
-    """The document in a file, and what a save is to replace; None on standard input."""
+    """Return the document in a file, and the state of the file that a save must find. The state is
+    None for standard input."""
     if file == STDIN:
         return read_argument(file).document, None
     content = read_content(file)
@@ -76,7 +78,7 @@ def _read(file: str) -> tuple[Document, Seen | None]:
 
 
 def _write(document: Document, tidied: Document, over: Seen | None, out: Output) -> None:
-    """Standard input goes on to standard output; a file is saved where it changes."""
+    """Print the new layout of standard input, or save a file if its layout changes."""
     if over is None:
         out.text(tidied.text)
     elif tidied.text != document.text:

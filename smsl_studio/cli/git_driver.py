@@ -1,7 +1,8 @@
-"""``diff`` as git calls it: ``path old-file old-hex old-mode new-file new-hex new-mode``.
+"""``diff`` as an external driver of git: ``path old-file old-hex old-mode new-file new-hex
+new-mode``.
 
-A side that does not exist is /dev/null. A side that cannot be read is told with its fault, and the
-lines that differ are shown instead; nothing here may end git's own command.
+A side that does not exist is /dev/null. For a side that cannot be read, its fault and the different
+lines are printed. No error here may end git's own command.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from smsl_studio.smsl.document.limits import LARGEST_FILE
 from smsl_studio.smsl.inputs import read_ordinary
 
 _MOST_LINES = 3000
-"""Longer unreadable texts are only reported to differ, and not compared line by line."""
+"""The largest number of lines of unreadable texts that are compared line by line."""
 
 
 def by_git(arguments: Sequence[str], environment: Mapping[str, str]) -> bool:
@@ -35,7 +36,7 @@ def by_git(arguments: Sequence[str], environment: Mapping[str, str]) -> bool:
 def show_for_git(
     arguments: Sequence[str], out: Output, show: Callable[[Difference, Output], None]
 ) -> None:
-    """One file of a git diff."""
+    """Print the differences of one file in a git diff."""
     path, renamed = arguments[0], arguments[7] if len(arguments) == 9 else arguments[0]
     if len(arguments) == 1:
         out.line(one_line(f"{path}: not merged yet"))
@@ -65,7 +66,7 @@ def _bytes_of(file: str) -> bytes | OSError | None:
 
 
 def _read(raw: bytes | OSError | None, name: str) -> Blueprint:
-    """What a side means; its imports are looked for beside ``name``, where the work tree is."""
+    """Read one side as a blueprint. Its imports are searched beside ``name`` in the work tree."""
     if isinstance(raw, OSError):
         raise ReadError(raw.strerror or str(raw), Place(name, 1, 1))
     blueprint = read_bytes(b"{}", "nothing.json") if raw is None else read_bytes(raw, name)
@@ -74,7 +75,7 @@ def _read(raw: bytes | OSError | None, name: str) -> Blueprint:
 
 
 def _show_lines(raws: Sequence[bytes | OSError | None], names: Sequence[str], out: Output) -> None:
-    """Print the lines that differ, where the meaning cannot be compared."""
+    """Print the different lines of sides whose meaning cannot be compared."""
     texts = [raw.decode("utf-8", "replace") if isinstance(raw, bytes) else "" for raw in raws]
     before, after = (text.splitlines() for text in texts)
     if max(len(before), len(after)) > _MOST_LINES:

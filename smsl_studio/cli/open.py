@@ -1,4 +1,4 @@
-"""``open``: the window. ``__main__`` opens it by itself; this command only says so."""
+"""``open``: the window. ``__main__`` opens it before any command; this module has the help."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from smsl_studio.errors import UsageError
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``open``, for its help."""
+    """Add the arguments of ``open``, for its help."""
     parser.add_argument("files", nargs="*", metavar="FILE", help="blueprints to open")
     parser.add_argument("--mode", choices=("draw", "run"), default="draw", help="the mode to show")
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Raise UsageError: ``__main__`` opens the window before it comes to the commands."""
+    """Raise UsageError, because only ``__main__`` can open the window."""
     raise UsageError(
         "the window is opened by the program itself",
         advice="Start smsl-studio open FILE..., with nothing before it.",

@@ -1,4 +1,4 @@
-"""Where a command writes: data to standard output, everything else to standard error."""
+"""The output of a command: data goes to standard output, all notes go to standard error."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ _RED, _GREEN, _YELLOW, _PLAIN = "\x1b[31m", "\x1b[32m", "\x1b[33m", "\x1b[0m"
 
 
 class Output:
-    """The data of one command: lines of text, or JSON, one object a line."""
+    """Writes the data of one command: lines of text, or JSON with one object on each line."""
 
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
         self._colours = stream.isatty() and not os.environ.get("NO_COLOR")
 
     def line(self, text: str) -> None:
-        """Write one line, or several in one text; it is flushed when this returns."""
+        """Write one line, or several lines in one text, and flush it."""
         self.text(f"{text}\n")
 
     def text(self, text: str) -> None:
-        """Write a text as it is.
+        """Write a text unchanged, and flush it.
 
-        SaveError where it cannot be written; BrokenPipeError where nobody reads it any more. Where
-        writing is broken off because the reader takes nothing in, the rest is lost.
+        SaveError if it cannot be written. BrokenPipeError if the reader has closed the pipe. If a
+        stop interrupts the writing, the rest of the text is lost.
         """
         try:
             self._stream.write(text)
@@ -48,23 +48,24 @@ class Output:
             raise SaveError(words, advice="Free some room, or send it elsewhere.") from None
 
     def json(self, value: Any) -> None:
-        """One JSON object on a line of its own; its values are exact, whatever they hold."""
+        """Write one JSON object on a line of its own. Hidden characters become JSON escapes, so the
+        values stay exact."""
         self.line(json_text(json.dumps(value, ensure_ascii=False)))
 
     def plain(self, text: str) -> str:
-        """The text without a colour."""
+        """Return the text without a colour."""
         return text
 
     def red(self, text: str) -> str:
-        """The text in red, where the output shows colours."""
+        """Return the text in red if the output shows colours."""
         return self._in(_RED, text)
 
     def green(self, text: str) -> str:
-        """The text in green, where the output shows colours."""
+        """Return the text in green if the output shows colours."""
         return self._in(_GREEN, text)
 
     def yellow(self, text: str) -> str:
-        """The text in yellow, where the output shows colours."""
+        """Return the text in yellow if the output shows colours."""
         return self._in(_YELLOW, text)
 
     def _in(self, colour: str, text: str) -> str:
@@ -72,7 +73,7 @@ class Output:
 
 
 def lead_nowhere(stream: TextIO) -> None:
-    """Throw away what is still to be written to a stream, so that nobody waits for its reader."""
+    """Discard the unwritten text of a stream, so that the program does not wait for its reader."""
     with contextlib.suppress(OSError, ValueError, AttributeError):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, stream.fileno())
@@ -80,24 +81,26 @@ def lead_nowhere(stream: TextIO) -> None:
 
 
 def note(text: str) -> None:
-    """A note for people, one line on standard error; lost where that is closed or full."""
+    """Write a note for people, as one line on standard error. It is lost if this is closed or
+    full."""
     if sys.stderr is not None:
         with contextlib.suppress(OSError):
             print(one_line(text), file=sys.stderr, flush=True)
 
 
 def note_losses(file: str) -> None:
-    """Tell before a file is replaced what it loses by that: its owner, rights, further names."""
+    """Print a note before a file is replaced if it will lose its owner, its permissions or its
+    other names."""
     from smsl_studio.smsl.traits import losses
 
-    with contextlib.suppress(OSError):  # where it cannot be tried, the save itself will say why
+    with contextlib.suppress(OSError):  # the save itself will report the error
         lost = losses(Path(os.path.realpath(file)))
         if lost:
             note(f"{file}: saved, it loses {', '.join(lost)}.")
 
 
 def last_note(text: str) -> None:
-    """The note of a command that was stopped; it is lost where standard error takes nothing in."""
+    """Write the note of a stopped command. It is lost if standard error would block."""
     try:
         taken_in = select.select([], [sys.stderr.fileno()], [], 0.0)[1]
     except (OSError, ValueError, AttributeError):  # it is closed, or replaced in Python
@@ -107,7 +110,7 @@ def last_note(text: str) -> None:
 
 
 def report(error: StudioError, name: str) -> None:
-    """An expected error: what is wrong with its place, then the advice, one line each.
+    """Print an expected error: its sentence with its place, then the advice, one line each.
 
     For a text that cannot be read, all faults are reported.
     """
@@ -119,11 +122,11 @@ def report(error: StudioError, name: str) -> None:
 
 @contextlib.contextmanager
 def claimed_stdout() -> Iterator[TextIO]:
-    """Standard output for our data alone: what other code prints goes to standard error.
+    """Keep standard output for data. The printed output of other code goes to standard error.
 
-    So prints of library code, and of C code below it, do not mix with the data. Where standard
-    output was already replaced in Python, the hosts keep prints apart by themselves; where it is
-    closed, the data goes nowhere.
+    So the output of library code, and of C code, does not mix with the data. If standard output was
+    already replaced in Python, the hosts separate the output themselves. If it is closed, the data
+    is discarded.
     """
     if sys.stdout is None:
         with open(os.devnull, "w", encoding="utf-8") as nowhere:  # noqa: PTH123
@@ -153,7 +156,7 @@ def claimed_stdout() -> Iterator[TextIO]:
 
 
 def _hold_place_of_stderr() -> None:
-    """Open file number 2 where standard error is closed, so that our data does not get that
+    """Open file number 2 if standard error is closed, so that the data does not get this
     number."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     if nowhere != 2:

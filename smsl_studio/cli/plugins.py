@@ -1,4 +1,4 @@
-"""``plugins``: what is installed, from where, and what does not load and why; allow and forbid."""
+"""``plugins``: lists the plugins with their sources and faults, and allows or forbids a plugin."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ VERBS = ("allow", "forbid")
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``plugins``."""
+    """Add the arguments of ``plugins``."""
     parser.add_argument(
         "verb",
         nargs="?",
@@ -32,7 +32,8 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """List all plugins, or allow or forbid one; UsageError where none, or several, fit."""
+    """List all plugins, or allow or forbid one. UsageError if no plugin, or more than one, has the
+    name."""
     if options.verb is None:
         return _list(options.format == "json", out)
     if options.name is None:
@@ -70,7 +71,7 @@ def _list(as_json: bool, out: Output) -> int:
 
 
 def fault_as_json(fault: PluginFault) -> dict[str, Any]:
-    """A plugin that did not load, as plain values."""
+    """Return a plugin that did not load as plain values."""
     place = fault.place
     return {
         "plugin": fault.plugin,
@@ -83,7 +84,7 @@ def fault_as_json(fault: PluginFault) -> dict[str, Any]:
 
 
 def waiting_as_json(found: FoundPlugin) -> dict[str, Any]:
-    """A plugin that is not loaded, as plain values: what its manifest says, and why it is not."""
+    """Return a plugin that is not loaded as plain values: its manifest and the reason."""
     words = found.manifest
     return {
         "name": found.name,
@@ -155,6 +156,6 @@ def _print_parts(parts: Mapping[str, Iterable[str]], out: Output) -> None:
 
 
 def _called(fault: FaultEntry) -> str:
-    """A fault as a script has to ask for it: its name, and its parameters."""
+    """Write a fault with its parameters, as a script needs them."""
     parameters = ", ".join(fault.signature.types)
     return f"{fault.name}({parameters})" if parameters else fault.name

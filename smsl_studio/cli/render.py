@@ -1,4 +1,4 @@
-"""``render``: a picture of a blueprint, without a display."""
+"""``render``: draws a picture of a blueprint. It needs no display."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.smsl.files import save_document
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``render``."""
+    """Add the arguments of ``render``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_picture(parser, required=True)
     parser.add_argument(
@@ -22,7 +22,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Draw the chosen SBs into a file; UsageError where there is none to draw."""
+    """Draw the chosen SBs into a file. UsageError if there is no SB to draw."""
     picture_form(options.output)
     blueprint = read_argument(options.file)
     picture = drawn(blueprint, options.output, options.sb or (), options.theme)

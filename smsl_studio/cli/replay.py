@@ -1,4 +1,4 @@
-"""``replay``: the events of a run again, from its log alone; whether the log is whole."""
+"""``replay``: prints the events of a run from its log, verifies the log, or writes an account."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ BEFORE = (
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``replay``."""
+    """Add the arguments of ``replay``."""
     parser.add_argument("log", metavar="LOG", help="a log of run --log; - is standard input")
     instead = parser.add_mutually_exclusive_group()
     instead.add_argument(
@@ -50,7 +50,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Print the events of a log, verify it, or write its account. 1: it does not verify."""
+    """Print the events of a log, verify it, or write its account. 1: the log is not sound."""
     if options.output is not None:
         check_page(options.output)
     with _log(options.log) as (stream, file):
@@ -110,7 +110,7 @@ def _account(stream: BinaryIO, file: str, output: str) -> int:
 
 @contextlib.contextmanager
 def _log(file: str) -> Iterator[tuple[BinaryIO, str]]:
-    """The bytes of a log, and its name in messages."""
+    """Open a log. Yield its bytes and its name for messages."""
     if file == "-":
         yield _standard_input(), STDIN
         return

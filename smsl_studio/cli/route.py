@@ -1,4 +1,5 @@
-"""``route``: the cheapest route between two states of one SB. Exit status 1 where none leads."""
+"""``route``: prints the cheapest route between two states of one SB. The exit status is 1 if there
+is no route."""
 
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from smsl_studio.legible import one_line
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``route``."""
+    """Add the arguments of ``route``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     parser.add_argument("--from", dest="start", required=True, metavar="S", help="State, SB/State")
     parser.add_argument("--to", dest="goal", required=True, metavar="S", help="State, SB/State")
@@ -28,7 +29,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Print the cheapest route and its cost. 0: there is one; 1: none leads to the goal."""
+    """Print the cheapest route and its cost. 0: there is a route; 1: there is none."""
     blueprint = read_argument(options.file)
     route = plan_route(blueprint, options.start, options.goal, options.avoid, options.sb)
     if route is None:

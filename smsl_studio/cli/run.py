@@ -1,4 +1,5 @@
-"""``run``: a blueprint in a world, headless. Exit status 0 where every goal was reached."""
+"""``run``: runs a blueprint in a world without a window. The exit status is 0 if every goal was
+reached."""
 
 from __future__ import annotations
 
@@ -33,7 +34,7 @@ UNINSPECTED = "UNINSPECTED: no inspection record stands behind this blueprint; s
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``run``."""
+    """Add the arguments of ``run``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
     _several(parser, "--goal", "SB/State", "where to go; one an SB (default: ACTIVATING of roots)")
@@ -79,7 +80,7 @@ def execute(options: argparse.Namespace, out: Output) -> int:
 
 
 class _ToldEvents:
-    """The events of a run, as they are told on standard output."""
+    """Prints the events of a run on standard output."""
 
     def __init__(self, out: Output, form: str, signals: Signals) -> None:
         self.finished = False
@@ -87,8 +88,7 @@ class _ToldEvents:
         self._begun = False
 
     def tell(self, event: Event) -> None:
-        """Print one event. With the last one the run is over, and a stop that was asked for is
-        done."""
+        """Print one event. The last event ends the run, and so it completes a requested stop."""
         if not self._begun:
             self._begun = True
             note(UNINSPECTED)
@@ -150,18 +150,19 @@ def _refused(event: Commanded) -> str:
 
 
 def _explain(done: Run, also_why: bool) -> None:
-    """Why the goal was not reached, and what stood in the way, one thing a line."""
+    """Print why the goal was not reached, and each obstacle on a line of its own."""
     if also_why:
         note(f"{done.reason}: {done.sentence}")
     holds = [event for event in done.events if isinstance(event, Held)]
     for line in holds[-1].details if holds else ():
         edge, _, reason = line.partition(": ")
-        # Most reasons name their edge themselves; it is said once.
+        # Most reasons name their edge themselves, so the edge is not printed twice.
         note(f"    {reason if reason.startswith(f'{edge} ') else line}")
 
 
 def _script(file: str | None, blueprint_file: str, blueprint: Blueprint) -> Script | None:
-    """The script of a run; - is standard input, unless the blueprint stands there."""
+    """Read the script of a run. ``-`` is standard input. UsageError if the blueprint comes from
+    there, too."""
     from smsl_studio.front.script.lines import read_script, script_of
 
     if file is None:

@@ -1,7 +1,7 @@
 """Ctrl-C, SIGTERM and SIGHUP on the command line stop the running command (see ``stop``).
 
-The first signal counts; later ones change nothing, so that what has to be closed is closed. Where a
-library has swallowed the exception it is raised again.
+Only the first signal counts, so that later signals do not interrupt the closing of files. If a
+library catches the exception and goes on, the exception is raised again.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from types import FrameType
 from smsl_studio.stop import GRACE, BrokenOff, Stopped, heeding, is_graceful, is_whole
 
 AGAIN = 1.0
-"""Wall seconds after which a stop that nobody has taken is raised once more."""
+"""The wall time (s) after which a stop without effect is raised again."""
 
 SOON = 0.002
-"""Wall seconds after which it is raised again where a library in C was being loaded."""
+"""The wall time (s) after which a stop is raised again if a library in C was being loaded."""
 
 NUMBERS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
 class Signals:
-    """What was signalled to this command: ``asked`` is the number of the signal, 0 for none."""
+    """The signals to this command. ``asked`` is the number of the first signal, or 0."""
 
     def __init__(self) -> None:
         self.asked = 0
@@ -33,33 +33,33 @@ class Signals:
 
     @property
     def status(self) -> int:
-        """The exit status of a command that was called off: 128 and the signal, as in shells."""
+        """The exit status of a stopped command: 128 + the number of the signal, as in shells."""
         return 128 + (self.asked or signal.SIGINT)
 
     def is_asked(self) -> bool:
-        """Whether the command is to stop."""
+        """Whether the command must stop."""
         return bool(self.asked)
 
     def take(self) -> None:
-        """Note that the stop is carried out: from now on only work that does not end is broken
-        off."""
+        """Note that the command carries out the stop. From now on only work that does not end is
+        broken off."""
         self._taken = True
         if self.asked:
             signal.setitimer(signal.ITIMER_REAL, AGAIN, AGAIN)
 
     def close(self) -> None:
-        """Note that the command is over: no signal stops it any more."""
+        """Note that the command is over. Later signals have no effect."""
         self._taken = self._over = True
         if self.asked:
             signal.setitimer(signal.ITIMER_REAL, 0.0)
 
     def heed(self) -> None:
-        """Raise Stopped where the command is to stop."""
+        """Raise Stopped if the command must stop."""
         if self.asked and not self._taken:
             raise Stopped
 
     def hear(self, number: int, frame: FrameType | None) -> None:
-        """The handler of the signals."""
+        """Handle a signal."""
         if self.asked or self._over:
             return
         self.asked = number
@@ -69,7 +69,7 @@ class Signals:
             self.insist(number, frame)
 
     def insist(self, number: int, frame: FrameType | None) -> None:
-        """Break off the work, unless it must be whole; such work checks for a stop at its end."""
+        """Break off the work, unless it must be whole. Such work checks for a stop at its end."""
         if not self.asked or self._over or is_whole():
             return
         if _loads_a_library(frame):
@@ -79,9 +79,9 @@ class Signals:
 
 
 def _loads_a_library(frame: FrameType | None) -> bool:
-    """Whether a library in C is being loaded: some of them crash where an exception comes then.
+    """Whether a library in C is being loaded. Some libraries crash on an exception at that time.
 
-    While one is loaded it may import modules in Python, in which the signal is heard.
+    A library may import Python modules while it is loaded, and a signal may come in them.
     """
     while frame is not None:
         if frame.f_code.co_name in ("exec_module", "create_module") and isinstance(
@@ -94,12 +94,12 @@ def _loads_a_library(frame: FrameType | None) -> bool:
 
 @contextmanager
 def heard() -> Iterator[Signals]:
-    """Hear the signals while a command runs; in the main thread only, as Python has it."""
+    """Handle the signals inside the block. Python allows this only in the main thread."""
     signals = Signals()
     if threading.current_thread() is not threading.main_thread():
         yield signals
         return
-    # Under nohup the end of the terminal is to be ignored, and stays so.
+    # Under nohup SIGHUP is ignored, and must stay ignored.
     deaf = signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
     numbers = [number for number in NUMBERS if number != signal.SIGHUP or not deaf]
     kept = {number: signal.signal(number, signals.hear) for number in numbers}

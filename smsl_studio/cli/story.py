@@ -1,4 +1,4 @@
-"""Run events as lines for people: the time, the word, and the fields that matter."""
+"""Run events as lines for people: the time, the name of the event, and its fields."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from smsl_studio.runlog.events import EdgeSwept, Event, RunFinished, SweepFinish
 
 _LEFT_OUT = ("event", "t")
 _PLACES = ("start", "configuration", "candidates")
-"""Values that are states, each by its SB; in all others a name stands before what belongs to it."""
+"""The fields that map an SB to a state. They are written ``SB/State``; other fields ``name
+value``."""
 
 
 def line_of(event: Event) -> str:
-    """One line of text for one event."""
+    """Return one line of text for one event."""
     if isinstance(event, EdgeSwept):
         return _edge(event)
     if isinstance(event, SweepFinished):

@@ -1,4 +1,4 @@
-"""``sweep``: every edge by itself in a world. Exit status 0 where all of them pass."""
+"""``sweep``: runs every edge alone in a world. The exit status is 0 if all edges pass."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from smsl_studio.stop import look_for_garbage
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``sweep``."""
+    """Add the arguments of ``sweep``."""
     parser.add_argument("file", metavar="FILE", help="a blueprint; - is standard input")
     add_world(parser, required=True)
     add_seed_and_host(parser)
@@ -37,7 +37,7 @@ def add_arguments(parser: ArgumentParser) -> None:
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Run every edge by itself and print the results. 0: all pass; 1: some do not."""
+    """Run every edge alone and print the results. 0: all edges pass; 1: some do not."""
     from smsl_studio.front.sweeps import sweep
 
     blueprint = read_argument(options.file)

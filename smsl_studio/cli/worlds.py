@@ -1,4 +1,4 @@
-"""``worlds``: the worlds there are, and where they come from."""
+"""``worlds``: lists the worlds and their plugins."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from smsl_studio.world.engines import TABLE
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """The arguments of ``worlds``."""
+    """Add the arguments of ``worlds``."""
     add_format(parser)
 
 
 def execute(options: argparse.Namespace, out: Output) -> int:
-    """Print every world, then the plugins that were not loaded, and why."""
+    """Print every world, then the plugins that were not loaded, with the reasons."""
     loaded = describe()
     worlds = [{"name": TABLE, "engine": TABLE, "hardware": False, "plugin": None, "location": None}]
     for plugin in loaded.plugins:

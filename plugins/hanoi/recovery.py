@@ -1,6 +1,6 @@
-"""How a ring that was lost is brought back: found by its pose, gripped where it lies, put on a peg.
+"""The recovery of a lost ring: it is found by its pose, gripped where it lies, and put on a peg.
 
-The fingers close along the direction in which nothing else stands in their way.
+The fingers come down in a direction without obstacles.
 """
 
 from __future__ import annotations
@@ -35,22 +35,24 @@ if TYPE_CHECKING:
     from .table import Table
 
 UPRIGHT = 0.85
-"""The least upward part of the axis of a ring that can be gripped from above: 32 degrees askew."""
+"""The smallest vertical part of the axis of a ring that can be gripped from above: the cosine of 32
+degrees."""
 
 WAYS = tuple(math.radians(angle) for angle in (0, 45, -45, 90))
-"""How far (rad) the hand may be turned from its usual direction, the best liked first."""
+"""The turns (rad) of the hand from its usual direction, in the order of preference."""
 
 SPREAD = 0.05
-"""How far (m) from the middle an opened finger's outer side is."""
+"""The distance (m) of an opened finger's outer side from the middle."""
 
 FINGER = 0.012
-"""Half the width of a finger, with a little room (m)."""
+"""Half of the width of a finger with a small clearance (m)."""
 
 
 def recover(table: Table, disk: Disk, peg: str) -> Generator[None, None, bool]:
-    """Bring a ring onto a peg from wherever it lies, or from the hand; False where that fails.
+    """Bring a ring onto a peg, from any place on the table or from the hand. Return False if that
+    fails.
 
-    It is not even tried where the ring lies too much askew, out of sight, or under another.
+    The operation fails at once if the ring is too tilted, out of sight, or under another ring.
     """
     if table.reading(disk) == peg:
         return True
@@ -82,7 +84,7 @@ def _can_be_gripped(table: Table, disk: Disk) -> bool:
 
 
 def _pick(table: Table, disk: Disk) -> Generator[None, None, None]:
-    """Come down around the ring, the hand turned as there is room, and close the fingers."""
+    """Turn the hand to a free direction, move it down around the ring, and close the fingers."""
     world = table.world
     centre = centre_of(world, disk)
     turned = _about_z(_clearest(table, disk)) @ DOWN
@@ -95,12 +97,13 @@ def _pick(table: Table, disk: Disk) -> Generator[None, None, None]:
 
 
 def _clearest(table: Table, disk: Disk) -> float:
-    """The turn of the hand (rad) with which the fingers come down past everything else."""
+    """Return the turn of the hand (rad) with which the fingers come down beside all obstacles."""
     (x, y, z), _ = table.world.pose(disk.name)
     obstacles = list(_obstacles(table, disk, z))
 
     def room(angle: float) -> float:
-        """The least distance (m) of an opened finger to anything; enough is enough."""
+        """Return the smallest distance (m) of an opened finger to an obstacle, up to a sufficient
+        distance."""
         along = np.array([-math.sin(angle), math.cos(angle)])
         free = 0.02
         for place, radius in obstacles:
@@ -116,10 +119,10 @@ def _clearest(table: Table, disk: Disk) -> float:
 def _obstacles(
     table: Table, disk: Disk, height: float
 ) -> Iterator[tuple[tuple[float, float], float]]:
-    """What stands up to where the fingers come: the middle and radius (m) of each."""
+    """Return middle and radius (m) of each obstacle that is as high as the fingers come."""
     (x, y, _), _ = table.world.pose(disk.name)
     for place in PEGS.values():
-        if math.dist(place, (x, y)) > PEG_RADIUS + 0.006:  # not the peg it lies around
+        if math.dist(place, (x, y)) > PEG_RADIUS + 0.006:  # not the peg inside the ring
             yield place, PEG_RADIUS
     for other in table.disks:
         (ox, oy, oz), _ = table.world.pose(other.name)
@@ -131,7 +134,7 @@ def _obstacles(
 
 
 def _distance(point: Array, start: Array, end: Array) -> float:
-    """The distance (m) of a point to a stretch, in the plane of the table."""
+    """Return the distance (m) of a point to a line segment in the plane of the table."""
     way = end - start
     share = float(np.clip(np.dot(point - start, way) / np.dot(way, way), 0.0, 1.0))
     return float(np.linalg.norm(point - start - share * way))
