@@ -1,4 +1,5 @@
-"""``convert``: by suffix, nothing lost; what cannot be is refused and the target left alone."""
+"""``convert``: the suffix names the form, nothing is lost, and a refusal leaves the target
+unchanged."""
 
 from __future__ import annotations
 

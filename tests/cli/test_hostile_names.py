@@ -1,4 +1,5 @@
-"""Whatever a file or a plugin calls its things: no output steers, turns round or hides."""
+"""Hostile names in files and plugins: no output controls a terminal, changes direction or hides
+text."""
 
 from __future__ import annotations
 

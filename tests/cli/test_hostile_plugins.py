@@ -1,4 +1,4 @@
-"""Every command that asks what plugins offer, beside plugins that do their worst."""
+"""Every command that needs the offers of plugins, run with hostile plugins."""
 
 from __future__ import annotations
 

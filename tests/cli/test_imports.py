@@ -1,4 +1,4 @@
-"""A blueprint from anybody names other files: no command opens, quotes, draws or records them."""
+"""A foreign blueprint names files outside its project: no command opens, quotes or records them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a command writes takes the place of nothing that it has read, or has not seen."""
+"""A command never writes over a file that it has read, or that it has not seen."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A plugin in the user's folder runs only once it was allowed; all commands say how it stands."""
+"""A plugin in the user's folder runs only after it was allowed. All commands report its state."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``replay``: what a run printed, from its log alone; and whether the log is the one written."""
+"""``replay``: it prints the same events as the run, from the log alone, and verifies the log."""
 
 from __future__ import annotations
 

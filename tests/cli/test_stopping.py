@@ -1,4 +1,4 @@
-"""A signal ends a command in order, whatever it is at."""
+"""A signal ends a command in order, at any step of its work."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A sweep of a blueprint with errors looks at every edge all the same: it is how one looks."""
+"""A sweep of a blueprint with errors still runs every edge, to help find the errors."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which facts are sensed elsewhere, and by whom, stands in the bindings file beside a blueprint."""
+"""The bindings file beside a blueprint names the facts of remote sensors, and their sources."""
 
 from __future__ import annotations
 

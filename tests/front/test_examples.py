@@ -1,4 +1,4 @@
-"""What the front door's docstrings show is what one gets: their examples are run as they stand.
+"""The examples in the docstrings of the front door are run, and give the shown results.
 
 They are run in a folder with the samples, their scripts and a log ``run.jsonl``.
 """

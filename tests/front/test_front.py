@@ -1,4 +1,4 @@
-"""The front door: what users import, and how a run ends when something is not as it should be."""
+"""The front door: the functions that users import, and the ends of runs with faults."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The game in physics, wherever the rings start: three millimetres of jitter, sensed at 50 Hz."""
+"""The game in physics from many starts: three millimetres of jitter, sensed at 50 Hz."""
 
 from __future__ import annotations
 

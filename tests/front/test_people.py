@@ -1,4 +1,4 @@
-"""People in worlds of plugins: what nothing there does or senses may be a person's."""
+"""People in worlds of plugins: a person may do the operations and answer the facts without code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the reference reader (pysmsl 0.1.1) accepts in silence, invents, loses or dies of.
+"""Known defects of the reference reader (pysmsl 0.1.1), which this reader does not have.
 
 One test for each of its known defects, named after it; what it does there stands in the first
 line, what is asserted is what ours does instead.

@@ -1,4 +1,4 @@
-"""The versions of a file that git keeps, also where its name, or there is no git at all, is odd."""
+"""The versions of a file in git, also for odd file names, and on a machine without git."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A script that asks for something every time comes to an end, and the record says why."""
+"""A script that asks for an operation every time comes to an end, and the log says why."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A script is checked line by line before anything runs; a wrong one says where and what to do."""
+"""A script is checked line by line before a run. A fault has its place and an advice."""
 
 from __future__ import annotations
 

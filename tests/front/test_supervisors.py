@@ -1,4 +1,4 @@
-"""At the level automatic an agent supervises, whoever starts the run."""
+"""At the level automatic an agent supervises the run, from every way to start it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What no run could get through is refused before it begins, at the SB where it stands."""
+"""A blueprint that is too large to run is refused before the run, with the SB that is too large."""
 
 from __future__ import annotations
 

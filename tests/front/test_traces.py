@@ -1,4 +1,4 @@
-"""The same trace wherever a run goes: in this process, in a child, in the window, from its log."""
+"""A run has the same trace in this process, in a child, in the window, and from its log."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The closed format between a child and its parent: what is written is read, and nothing else."""
+"""The closed format between a child and its parent: only bytes that it writes can be read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cost functions of a plugin: what they are asked, and what counts as an answer, in both hosts."""
+"""Cost functions of a plugin: their arguments, and valid and invalid answers, in both hosts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sensors that are disturbed on purpose: every kind, switched during a run, alike in both hosts."""
+"""Disturbed sensors: every kind of disturbance, switched during a run, equal in both hosts."""
 
 from __future__ import annotations
 

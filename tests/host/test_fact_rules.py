@@ -1,4 +1,4 @@
-"""What ``_facts`` declares of a fact reaches the monitor of a run."""
+"""The declarations of ``_facts`` reach the monitor of a run."""
 
 from __future__ import annotations
 

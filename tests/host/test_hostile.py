@@ -1,4 +1,4 @@
-"""Library code that does its worst costs the run, and never the process that dispatches."""
+"""Hostile library code ends its run at most, and never the process of the dispatcher."""
 
 from __future__ import annotations
 

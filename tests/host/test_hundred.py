@@ -1,4 +1,5 @@
-"""A hundred hostile plugins: none runs here, none stops the others, each is one named error."""
+"""A hundred hostile plugins: none runs in this process, none stops the others, each has one named
+fault."""
 
 from __future__ import annotations
 

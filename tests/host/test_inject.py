@@ -1,4 +1,5 @@
-"""Faults injected into a world by name: at once or over many ticks, alike in both hosts."""
+"""Faults that are injected into a world by name: at once or over many ticks, equal in both
+hosts."""
 
 from __future__ import annotations
 

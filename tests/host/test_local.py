@@ -1,4 +1,4 @@
-"""The local host: ticks, outcomes, sensors by their periods, and library code that goes wrong."""
+"""The local host: ticks, outcomes, sensors at their periods, and library code that fails."""
 
 from __future__ import annotations
 

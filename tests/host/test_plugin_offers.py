@@ -1,4 +1,4 @@
-"""What plugins offer is known without running their code here, whatever their code does."""
+"""The offers of plugins are found without running their code in this process, even if it fails."""
 
 from __future__ import annotations
 

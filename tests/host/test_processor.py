@@ -1,4 +1,4 @@
-"""What time of the processors a child was given: who had none is not mute."""
+"""The processor time of a child: a child without processor time does not count as silent."""
 
 from __future__ import annotations
 

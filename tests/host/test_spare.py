@@ -1,4 +1,5 @@
-"""A warm spare: quick to take, taken once, never shared, and never staler than the plugins."""
+"""The spare child: it is quick to take, serves one run only, and is never older than the
+plugins."""
 
 from __future__ import annotations
 

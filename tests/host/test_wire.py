@@ -1,4 +1,4 @@
-"""The parent's end of a child's pipe: frames as they may come, and what is none."""
+"""The parent's end of a child's pipe: valid frames in pieces, and bytes that are no valid frame."""
 
 from __future__ import annotations
 

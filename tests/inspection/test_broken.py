@@ -1,4 +1,4 @@
-"""No rule may crash, whatever is broken; and every quick fix either helps or says why not."""
+"""No rule crashes on a broken blueprint, and every quick fix either helps or says why it cannot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What has one cause is one finding with its places, and a rule never lists too many of them."""
+"""Faults with one cause are one finding with several places, and a rule lists a limited number."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Names that look alike: one finding a cause, and none for what a fact value tells apart."""
+"""Names that look alike: one finding for each cause, and none for names with different fact
+values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Each rule finds its planted fault, at the right key, and nothing in what is sound.
+"""Each rule finds its planted fault at the right key, and finds nothing in a sound blueprint.
 
 In the texts a ``^`` stands before the key the finding must point at; it is taken out before
 reading.

@@ -1,4 +1,4 @@
-"""Which code carries out an edge: the order of the bindings, and what does not fit."""
+"""The code of an edge: the order of the bindings, and bindings that do not fit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plugins are found in order; a broken one is one fault with its line and stops nobody."""
+"""Plugins are found in order. A broken plugin is one fault with its line and stops no other."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Name patterns are read in one documented way."""
+"""Name patterns are read by one documented rule."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is imported is what was digested, and the digest sees every file of the folder."""
+"""Exactly the digested code is imported, and the digest covers every file of the folder."""
 
 from __future__ import annotations
 

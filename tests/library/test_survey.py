@@ -1,4 +1,4 @@
-"""Folders and decisions are believed only where nobody else could have written them."""
+"""Folders and decisions are trusted only if no other user could have written them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What several sources say becomes one value as declared, and never more than they say."""
+"""Several sources give one value by the declared rule, and never a value that no source has."""
 
 from __future__ import annotations
 

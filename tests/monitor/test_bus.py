@@ -1,4 +1,4 @@
-"""The fact bus hands on the newest, is bounded in every flood, and counts what it leaves out."""
+"""The fact bus hands on the newest samples, is bounded in every flood, and counts lost samples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Facts age, say why they are unknown, and are refreshed by growing samples only."""
+"""Facts have an age, a reason if they are unknown, and are refreshed only by newer samples."""
 
 from __future__ import annotations
 

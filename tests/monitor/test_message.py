@@ -1,4 +1,4 @@
-"""A message counts only where every word of it is what it must be."""
+"""A message counts only if every word of it is valid."""
 
 from __future__ import annotations
 

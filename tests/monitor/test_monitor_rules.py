@@ -1,4 +1,4 @@
-"""Facts as they are declared: missing sensors, short disagreement, people, late samples."""
+"""Facts by their declared rules: missing sensors, short conflicts, people, late samples."""
 
 from __future__ import annotations
 

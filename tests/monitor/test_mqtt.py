@@ -1,4 +1,5 @@
-"""A run whose facts come over a real broker. Here is order; times are in ``benches/sensors.py``."""
+"""A run whose facts come over a real broker. Tests check the order; ``benches/sensors.py`` has
+times."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nothing that comes over a network is believed, lost without a count, or kept without a bound."""
+"""Messages from a network are checked, counted if they are lost, and kept within bounds."""
 
 from __future__ import annotations
 

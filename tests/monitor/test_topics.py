@@ -1,4 +1,4 @@
-"""A topic says which fact, whatever characters its names are made of, and in one spelling only."""
+"""A topic names one fact, with any characters in the names, and has exactly one spelling."""
 
 from __future__ import annotations
 

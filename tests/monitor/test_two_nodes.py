@@ -1,4 +1,4 @@
-"""Two nodes that speak for one source over a real broker: neither is believed."""
+"""Two nodes send samples of one source over a real broker: the fact becomes unknown."""
 
 from __future__ import annotations
 

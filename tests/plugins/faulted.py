@@ -1,6 +1,6 @@
-"""Hanoi runs in which something goes wrong, judged by the poses of the rings and nothing else.
+"""Hanoi runs with faults, judged only by the poses of the rings.
 
-The judge knows neither the plugin's sensors nor its table: it looks at the poses that are drawn.
+The judge does not use the plugin's sensors or its table. It uses only the poses for drawing.
 """
 
 from __future__ import annotations

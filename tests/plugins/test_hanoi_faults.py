@@ -1,4 +1,5 @@
-"""What goes wrong on the table never reads as if it had gone well; benches/faults.py has all 27."""
+"""A fault on the table never gives the readings of a success. benches/faults.py has all 27
+cases."""
 
 from __future__ import annotations
 

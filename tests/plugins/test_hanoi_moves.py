@@ -1,4 +1,4 @@
-"""The Panda carries rings, really: what it does, and how it fails."""
+"""The Panda carries rings in the simulation: its motions and its failures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the sensors say: pegs only for legal stacks, other values for everything else."""
+"""The readings of the sensors: pegs only for legal stacks, other values in all other cases."""
 
 from __future__ import annotations
 

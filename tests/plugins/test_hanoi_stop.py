@@ -1,4 +1,4 @@
-"""A stop brakes the drives: the arm stays where it is, with what it holds."""
+"""A stop brakes the drives: the arm stays at its place and keeps the held ring."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Canonical bytes: the vectors of RFC 8785, and what they promise for any values."""
+"""Canonical bytes: the test vectors of RFC 8785, and properties that hold for all values."""
 
 from __future__ import annotations
 

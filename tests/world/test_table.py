@@ -1,4 +1,4 @@
-"""The table world: facts that are written and read, and nothing that moves."""
+"""The table world: it writes and reads facts, and nothing moves in it."""
 
 from __future__ import annotations
 

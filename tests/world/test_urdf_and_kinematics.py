@@ -1,4 +1,4 @@
-"""The arm without an engine: where its tool is, and how to bring it somewhere."""
+"""The kinematics of the arm without an engine: from joints to the tool's pose, and back."""
 
 from __future__ import annotations
 

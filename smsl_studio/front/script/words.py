@@ -100,7 +100,7 @@ def seconds(_: Blueprint, value: Json) -> float:
 
 
 def yes_or_no(_: Blueprint, value: Json) -> bool:
-    """True or false; raises ``UsageError`` for any other value."""
+    """Return True or False. UsageError for any other value."""
     if not isinstance(value, bool):
         raise UsageError(f"{_shown(value)} is neither yes nor no", advice="Write true or false.")
     return value
