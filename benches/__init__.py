@@ -1,1 +1,2 @@
-"""What `./dev bench` measures: side by side with peers and with the physical limit, as ratios."""
+"""The measurements of `./dev bench`: ratios to peers and to the physical limit, taken side by
+side."""

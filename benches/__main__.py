@@ -48,7 +48,7 @@ PAGE = Path(__file__).parent.parent / "docs" / "benches.md"
 
 
 def rows(names: list[str], everything: bool) -> Iterator[tuple[str, Row]]:
-    """The rows of the named benches, each as soon as it is measured."""
+    """Yield the rows of the named benches, each as soon as it is measured."""
     for name in names:
         module = importlib.import_module(f"benches.{name}")
         make = getattr(module, "all_rows", module.rows) if everything else module.rows
@@ -57,7 +57,7 @@ def rows(names: list[str], everything: bool) -> Iterator[tuple[str, Row]]:
 
 
 def line(name: str, row: Row) -> str:
-    """One row of the Markdown table."""
+    """Write one row of the Markdown table."""
     others = ", ".join(f"{other} {figure:,.4g}" for other, figure in row.others)
     cells = (name, row.work, f"{row.ours:,.4g} {row.unit}", others, row.ratios(), row.bound)
     return "| " + " | ".join(cells) + " |"
@@ -75,13 +75,13 @@ HEAD = """| bench | work | ours | side by side | ours as a multiple | promise |
 
 
 def _help(names: list[str]) -> str:
-    """What the named benches do, or what can be asked for."""
+    """Return the descriptions of the named benches, or the list of all benches."""
     docs = [importlib.import_module(f"benches.{name}").__doc__ or "" for name in names]
     return "\n".join(docs) or f"{__doc__}\nBenches: {', '.join(BENCHES)}."
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print, and write the page where asked; 2 for a bench that does not exist."""
+    """Measure, print, and write the page if asked. Return 2 for an unknown bench."""
     if {"-h", "--help"} & set(arguments):
         print(_help([name for name in arguments if name in BENCHES]))
         return 0
@@ -107,7 +107,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _kept(wanted: list[str]) -> list[str]:
-    """The rows that the page has of benches that were not measured now."""
+    """Return the rows of the page for benches that were not measured now."""
     written = PAGE.read_text("utf-8").splitlines() if PAGE.exists() else []
     return [line for line in written if _bench_of(line) in set(BENCHES) - set(wanted)]
 

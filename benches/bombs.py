@@ -54,14 +54,14 @@ COMMANDS = {
 NEXT = dict(zip(FORMS, (*FORMS[1:], FORMS[0]), strict=True))
 """The form to which a file of each form is converted."""
 EMPTY = 1.5
-"""CPU seconds that an empty window takes on the machine on which the promise was made."""
+"""The CPU time (s) of an empty window on the machine on which the promise was made."""
 
 AT_A_TIME = 2
-"""So many processes at a time: what is taken is CPU time."""
+"""The number of processes at a time. CPU time is measured, so they may run side by side."""
 
 
 class Taken(NamedTuple):
-    """What one command took on one bomb."""
+    """The time and space that one command took on one bomb."""
 
     bomb: str
     form: str
@@ -71,7 +71,7 @@ class Taken(NamedTuple):
 
     @property
     def wrong(self) -> str:
-        """What is beyond the promise; empty where nothing is."""
+        """Say what is beyond the promise. The text is empty if nothing is."""
         if self.took.wrong:
             return self.took.wrong
         if self.seconds > 2 or self.took.seconds > SECONDS:
@@ -81,7 +81,7 @@ class Taken(NamedTuple):
         return ""
 
     def is_beyond(self, pace: float) -> bool:
-        """Whether it is beyond the promise on a machine that is quicker by ``pace``."""
+        """Whether it is beyond the promise on a machine that is ``pace`` times as fast."""
         late = self.seconds / pace > 2 or self.took.seconds / pace > SECONDS
         return bool(self.took.wrong) or late or self.space > 600 or self.took.space > SPACE
 
@@ -97,7 +97,7 @@ class Taken(NamedTuple):
 
 
 def rows() -> Iterator[Row]:
-    """Two rows a command, the worst time and the worst space, and one of all that is too much."""
+    """Yield two rows for each command (worst time, worst space), and one row for all excesses."""
     bombs, forms = _option("bombs", BOMBS), _option("forms", FORMS)
     commands, size = _option("commands", COMMANDS), float(_option("size", ("1",))[0])
     pairs = [(bomb, form) for bomb in bombs for form in forms if form in BY_NAME[bomb].forms]
@@ -143,13 +143,13 @@ def rows() -> Iterator[Row]:
 
 
 def _empty(taken: list[Taken]) -> tuple[tuple[str, float], ...]:
-    """What the window took before it looked at a file: it tells how quick the machine is."""
+    """Return the cost of the window before it reads a file. It shows the speed of the machine."""
     begun = [one.took.begun[0] for one in taken]
     return (("empty window", median(begun)),) if begun and all(begun) else ()
 
 
 def _blasts(name: str, form: str, size: float, commands: tuple[str, ...]) -> Iterator[Taken]:
-    """Every command on one bomb in one form."""
+    """Run every command on one bomb in one form."""
     bomb = BY_NAME[name]
     with TemporaryDirectory() as made:
         folder = Path(made)
@@ -176,7 +176,7 @@ def _put(part: str, words: dict[str, str]) -> str:
 
 
 def _state(name: str) -> tuple[str, str, str]:
-    """An SB that has states, and the first and the last of them."""
+    """Return an SB with states, and its first and last state."""
     values = _values(name)
     for branch, table in values.items():
         if isinstance(table, dict) and not branch.startswith("_"):

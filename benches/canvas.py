@@ -12,7 +12,7 @@ VIEW = (1280, 800)
 
 
 def rows() -> Iterator[Row]:
-    """Milliseconds at 27, 729 and 6,561 states, in a view of 1280 by 800."""
+    """Measure milliseconds at 27, 729 and 6,561 states, in a view of 1280 by 800 pixels."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     from PySide6.QtWidgets import QApplication
 

@@ -80,7 +80,7 @@ class Ours:
 
 
 class _Node(QGraphicsRectItem):
-    """A box with its name that takes its lines along."""
+    """A box with its name. Its lines move with it."""
 
     def __init__(self, name: str) -> None:
         super().__init__(-23.0, -12.0, 46.0, 24.0)

@@ -22,7 +22,7 @@ STATES = 3**10
 
 
 def rows() -> Iterator[Row]:
-    """The rows of this bench."""
+    """Measure the rows of this bench."""
     values = hanoi_values(10)
     text = json.dumps(values)
     before = _read(text)

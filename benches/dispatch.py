@@ -1,4 +1,4 @@
-"""Operations carried out per second, each with a trace and a listener.
+"""Operations per second, each with a trace and a listener.
 
 Three ways of ours. *By hand*: an operation is asked for in the table world; three facts are sensed
 three times (before anything moves, in the tick, when it has settled), source and target states are
@@ -84,7 +84,7 @@ def _ours() -> Callable[[], object]:
 
 
 def _route(made: Blueprint, world: str) -> float:
-    """The quickest of several runs, from when the route is planned until the goal is reached."""
+    """Return the shortest time of several runs, from the planned route to the goal."""
     found: list[float] = []
     for _ in range(9):
         dispatcher = Dispatcher(
@@ -102,7 +102,7 @@ def _route(made: Blueprint, world: str) -> float:
 
 
 def _blind() -> Loaded:
-    """A world in which every operation ends at once and nobody senses anything."""
+    """A world without sensors in which every operation ends at once."""
     library = OperationLibrary("blind")
 
     @library.world("blind", engine="table", settle=0.0)

@@ -1,4 +1,5 @@
-"""Edits: what one costs in a large file, and whether any history of them leads exactly back.
+"""Edits: the cost of one edit in a large file, and a check that undo restores every history
+exactly.
 
 1,000 histories, or with ``--all`` 10,000, over all cores.
 """
@@ -26,19 +27,19 @@ SHARE, ALL, PART = 1_000, 10_000, 50
 
 
 def rows() -> Iterator[Row]:
-    """What edits cost, and a tenth of all histories."""
+    """Measure the cost of edits, and check a tenth of all histories."""
     yield from _costs()
     yield _histories(SHARE)
 
 
 def all_rows() -> Iterator[Row]:
-    """What edits cost, and every history that is promised."""
+    """Measure the cost of edits, and check all promised histories."""
     yield from _costs()
     yield _histories(ALL)
 
 
 def _costs() -> Iterator[Row]:
-    """Edits of Hanoi 8 (6,561 states) in both lossless forms, each of what the last one left."""
+    """Edit Hanoi 8 (6,561 states) in both lossless forms, each edit after the one before it."""
     values = values_of(hanoi(8))
     for form in ("json", "smsl"):
         text = form_named(form).write(values)
@@ -61,7 +62,7 @@ Change = Callable[[Blueprint, str, int], Blueprint]
 
 
 def _again(blueprint: Blueprint, change: Change) -> Callable[[], object]:
-    """An edit that is made again and again, of another state each time."""
+    """Repeat an edit, each time on another state."""
     states = list(next(iter(blueprint)).table)
     middle = states[len(states) // 3 :: 97]
     edited, number = blueprint, count()
@@ -76,13 +77,14 @@ def _again(blueprint: Blueprint, change: Change) -> Callable[[], object]:
 
 
 def _first(read: Callable[[], Blueprint]) -> float:
-    """The first edit after reading: where things stand in the text has to be found then."""
+    """Make the first edit after reading. It has to find the places of all elements in the text."""
     blueprint = read()
     return median_ms(_again(blueprint, _rename), runs=1, warmup=0)
 
 
 def _histories(count: int) -> Row:
-    """Histories of edits, undo and redo in texts of every layout: those that do not come back."""
+    """Check histories of edits, undo and redo in texts of every layout. Count those that undo does
+    not restore."""
     with ProcessPoolExecutor(os.cpu_count(), get_context("spawn")) as pool:
         parts = list(pool.map(_part, range(0, count, PART)))
     edits, wrong = (sum(column) for column in zip(*parts, strict=True))
@@ -90,7 +92,8 @@ def _histories(count: int) -> Row:
 
 
 def _part(first: int) -> tuple[int, int]:
-    """How many edits the histories from one seed on have, and how many histories are wrong."""
+    """Return the number of edits in the histories of one share, and the number of wrong
+    histories."""
     edits = wrong = 0
     for seed in range(first, first + PART):
         try:

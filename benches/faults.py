@@ -1,4 +1,4 @@
-"""Nine faults in the hanoi world at three edges each, judged by where the rings truly stand.
+"""Nine faults in the hanoi world at three edges each, judged by the true places of the rings.
 
 Every run is done twice: with the plain blueprint, where a mismatch holds, and with the one that
 has failure states and recovery operations, where what is seen may be adopted. ``--table`` prints
@@ -27,7 +27,7 @@ HEAD = """\
 
 
 def rows() -> Iterator[Row]:
-    """How the 54 runs ended, and how many of them said or committed what was not so."""
+    """Count the ends of the 54 runs, and the runs that reported or committed something false."""
     start = time.process_time()
     pairs = list(stories())
     spent = time.process_time() - start
@@ -46,7 +46,7 @@ def rows() -> Iterator[Row]:
 
 
 def stories() -> Iterator[tuple[Story, Story]]:
-    """Every case held, and with failure states adopted."""
+    """Run every case twice: with hold, and with failure states adopted."""
     for case in cases():
         yield run_with(case, PLAIN), run_with(case, WITH_FAILURES, adopt=True)
 
@@ -72,7 +72,7 @@ def table() -> str:
 
 
 def _way(story: Story) -> str:
-    """The operations from the faulted one on; the first few of many."""
+    """Name the first operations from the faulted one on."""
     names = [
         event.address.rpartition("/")[2].removeprefix("Op_")
         for event in story.events

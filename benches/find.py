@@ -1,4 +1,4 @@
-"""Finding by typing in 59,049 states: the index, and each keystroke of what people type."""
+"""The search by typing in 59,049 states: the index, and each keystroke of typical searches."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MOST, BOUND = 40, 50.0
 
 
 def rows() -> Iterator[Row]:
-    """The rows of this bench."""
+    """Measure the rows of this bench."""
     blueprint = hanoi(10)
     yield Row("find: index of 59,049 states", median_ms(lambda: _indexed(blueprint), runs=5),
               bound="once a blueprint")  # fmt: skip

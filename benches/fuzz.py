@@ -23,7 +23,7 @@ SHARE, ALL, PART = 20_000, 200_000, 500
 
 @dataclass
 class Count:
-    """What came of some files of one suffix."""
+    """The results of some files with one suffix."""
 
     files: int = 0
     accepted: int = 0
@@ -32,7 +32,7 @@ class Count:
     crash: str = ""
 
     def add(self, other: Count) -> None:
-        """Count others in."""
+        """Add the results of other files."""
         self.files += other.files
         self.accepted += other.accepted
         self.crashes += other.crashes

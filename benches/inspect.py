@@ -1,4 +1,4 @@
-"""Inspecting, laying out and routing 6,561 states and 19,680 operations (Hanoi with 8 disks)."""
+"""Inspection, layout and routes of 6,561 states and 19,680 operations (Hanoi with 8 disks)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FAULTS = 20_000
 
 
 def rows() -> Iterator[Row]:
-    """Every call gets a blueprint nobody has asked anything yet, but where an index is kept."""
+    """Measure each call on a new blueprint, except where the index is kept."""
     text = write_json(values_of(hanoi(8)))
     document = parse_json(text, "bench.json")
     branch = read_blueprint(document)["SB1"]
@@ -42,6 +42,6 @@ def rows() -> Iterator[Row]:
 
 
 def _faulty() -> str:
-    """A file whose every key is doubled, and whose every target is a misspelt one."""
+    """Return a file in which every key is doubled and every target is misspelt."""
     doubled = (f'"s{n}": {{}}, "s{n}": {{"a": "t{n}"}}' for n in range(FAULTS))
     return f'{{"SB1": {{{", ".join(doubled)}}}}}'

@@ -1,4 +1,4 @@
-"""Kill -9 in the middle of drawing and typing: how much of the work the next start does not offer.
+"""Kill -9 during drawing and typing: the amount of work that the next start does not offer.
 
 A window does an edit every few milliseconds and writes the wall time of each to its parent, which
 kills it at a random moment and reads what its journal holds. ``rows`` kills ten times in each way,
@@ -77,7 +77,7 @@ def _rows(kills: int) -> Iterator[Row]:
 
 
 def _lost_ms(doing: str, after: float) -> float:
-    """Milliseconds of work, up to the kill, that the journal does not hold."""
+    """Return the milliseconds of work before the kill that the journal does not contain."""
     with TemporaryDirectory() as home:
         file = Path(shutil.copy(SAMPLE, Path(home) / "work.json"))
         times, killed = _killed(home, file, doing, after)

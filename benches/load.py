@@ -21,7 +21,7 @@ from smsl_studio.smsl.json_form import write_json
 
 PEERS = ("orjson", "json", "pydantic", "networkx")
 LIMIT = 600.0
-"""Seconds after which the reference reader is given up."""
+"""The time (s) after which the measurement of the reference reader is given up."""
 
 
 def rows() -> Iterator[Row]:

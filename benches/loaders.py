@@ -47,7 +47,7 @@ def into_networkx(raw: bytes) -> object:
 
 
 def with_pydantic() -> Callable[[bytes], object]:
-    """Nothing but the types of the maps; a header may hold the map of sub-SBs."""
+    """Check only the types of the maps. A header may contain the map of sub-SBs."""
     from pydantic import TypeAdapter
 
     adapter: TypeAdapter[Any] = TypeAdapter(dict[str, dict[str, dict[str, str | dict[str, int]]]])
@@ -62,7 +62,7 @@ def with_pysmsl(file: str) -> Callable[[bytes], object]:
 
 
 def loader(name: str, file: str) -> Callable[[bytes], object]:
-    """The way to load of that name, ready to go."""
+    """Return the way to load with this name, with its imports done."""
     if name == "pydantic":
         return with_pydantic()
     if name == "pysmsl":
@@ -76,7 +76,8 @@ def loader(name: str, file: str) -> Callable[[bytes], object]:
 
 
 def alone(file: Path, name: str, limit: float) -> tuple[float, float] | None:
-    """Milliseconds and bytes at the peak in a process of its own; None beyond so many seconds."""
+    """Return milliseconds and the peak in bytes, measured in a process of its own. None if it takes
+    longer than the limit (s)."""
     command = [sys.executable, "-m", "benches.loaders", str(file), name]
     try:
         told = subprocess.run(command, check=True, capture_output=True, timeout=limit)
@@ -95,7 +96,7 @@ def _bytes(field: str) -> int:
 
 
 def main(file: str, name: str) -> None:
-    """Load once, and tell what it cost."""
+    """Load once, and print the cost."""
     load = loader(name, file)
     if name != "pysmsl":
         load(SMALL)

@@ -1,4 +1,4 @@
-"""The hanoi world: how much physics costs, and how reliably the arm does what the file says."""
+"""The hanoi world: the cost of physics, and the reliability of the arm."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ FOUR = "samples/hanoi-4.json"
 
 
 def rows() -> Iterator[Row]:
-    """Sweeps and solves in CPU seconds, then the single doings of a world in milliseconds."""
+    """Measure sweeps and solves in CPU seconds, then single calls of a world in milliseconds."""
     yield _sweep(CORRECTED, "at most 120 s and 78 of 78")
     yield _sweep(PRINTED, "76 of 78: the two misprints fail")
     yield from _solves(CORRECTED, 20)
@@ -29,7 +29,7 @@ def rows() -> Iterator[Row]:
 
 
 def all_rows() -> Iterator[Row]:
-    """The same with five times as many solves."""
+    """Measure the same with five times as many solves."""
     yield _sweep(CORRECTED, "at most 120 s and 78 of 78")
     yield _sweep(PRINTED, "76 of 78: the two misprints fail")
     yield from _solves(CORRECTED, 100)
@@ -64,7 +64,7 @@ def _solves(file: str, seeds: int) -> Iterator[Row]:
 
 
 def _starts() -> Iterator[Row]:
-    """From asking for a run in a child to a standing world, in wall time."""
+    """Measure the wall time from the request of a run in a child to an open world."""
     blueprint = smsl.read(CORRECTED)
     spare = Spare()
     cold = [_started(ProcessHost(blueprint, "hanoi")) for _ in range(5)]

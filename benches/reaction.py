@@ -1,4 +1,4 @@
-"""How soon a run reacts: commands at random moments, a world's process that dies, hangs or freezes.
+"""The reaction time of a run: commands at random moments, and a world that dies, hangs or freezes.
 
 The world is a plugin's, in a process of its own, and an operation is always under way. A command is
 given by another thread; what counts is how many steps of the world begin after that until it is
@@ -58,7 +58,7 @@ TEXT = """{"WALK": {"HEADER": {"INITIAL": "State_0", "ACTIVATING": "State_1"},
 
 
 class Counting(ProcessHost):
-    """A process host that counts the steps of the world as they begin, and at which it braked."""
+    """A process host that counts the begun steps of the world, and notes the step of the brake."""
 
     begun = braked_at = 0
 
@@ -72,12 +72,12 @@ class Counting(ProcessHost):
 
 
 def rows() -> Iterator[Row]:
-    """A tenth of the commands, few tries."""
+    """Measure a tenth of the commands, with few tries."""
     return _rows(COMMANDS, TRIES)
 
 
 def all_rows() -> Iterator[Row]:
-    """Everything that is promised."""
+    """Measure everything that is promised."""
     return _rows(ALL_COMMANDS, ALL_TRIES)
 
 
@@ -98,7 +98,7 @@ def _rows(commands: int, tries: int) -> Iterator[Row]:
 
 @dataclass
 class _Said:
-    """A command that was given, and the steps that had begun by then."""
+    """A command, and the number of steps that had begun when it was given."""
 
     command: str
     begun: int
@@ -141,7 +141,7 @@ def _say(dispatcher: Dispatcher, host: Counting, word: str, said: list[_Said]) -
 
 
 def _going(dispatcher: Dispatcher) -> None:
-    """Have the operation under way, whatever was commanded before."""
+    """Bring the run back to a running operation after any command."""
     back = {
         "stopped": ("reset",),
         "paused": ("resume",),
@@ -178,7 +178,7 @@ def _kill(host: ProcessHost) -> None:
 
 
 def _nothing(host: ProcessHost) -> None:
-    """The operation itself does the harm."""
+    """Let the operation itself do the harm."""
 
 
 def _blueprint(operation: str) -> Blueprint:

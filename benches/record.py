@@ -1,4 +1,4 @@
-"""The record of a run: 10,000 changed logs, kill -9 of its writer, and what the chain costs.
+"""The log of a run: 10,000 changed logs, kill -9 of its writer, and the cost of the chain.
 
 ``tests/runlog/logs.py`` has the ways in which a log is changed, cut, reordered or encoded anew.
 ``accepted`` are changed logs that verify. A writer is killed after a random number of events that

@@ -33,7 +33,7 @@ START, GOAL = "State_" + "a" * DISKS, "State_" + "c" * DISKS
 
 
 def rows() -> Iterator[Row]:
-    """A first plan, a plan anew, one step, and what a failure costs."""
+    """Measure a first plan, a new plan, one step, and the cost of a failure."""
     blueprint = hanoi(DISKS)
     graph = graph_of(blueprint["SB1"])
     start, goal = graph.number(START), graph.number(GOAL)
@@ -88,7 +88,7 @@ def _next(tree: GoalTree, graph: BranchGraph, way: list[int]) -> float:
 
 
 def _failures(tree: GoalTree, graph: BranchGraph, way: list[int]) -> Iterator[float]:
-    """Microseconds for each failure; the edge is restored after it."""
+    """Return the microseconds of each failure. The edge is restored after it."""
     for edge in way[::3]:
         tree.route(graph.sources[way[0]])
         state = graph.sources[edge]

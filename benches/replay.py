@@ -1,7 +1,7 @@
-"""Replay: a log of 100,000 events, opened and jumped about in.
+"""Replay: a log of 100,000 events is opened, and random moments of it are shown.
 
-A long log is read beside the window. What the window waits for is measured on the wall, as a person
-does: the longest time in which it answers nothing while the log is read, and when it is shown.
+A long log is read beside the window. Wall time is measured: the longest time without an answer of
+the window while the log is read, and while it is shown.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from smsl_studio.runlog.playback import Playback
 EVENTS = 100_000
 JUMPS = 300
 PATIENCE = 120.0
-"""Wall seconds within which a log must have been read."""
+"""The wall time (s) within which a log must be read."""
 
 
 def long_run(count: int = EVENTS) -> tuple[Event, ...]:
-    """A run that goes round for ever: three events an operation."""
+    """Return a run in a circle, with three events for each operation."""
     told: list[Event] = [
         RunStarted(t=0.0, world="table", seed=0, start={"SB1": "State_0"}, goals=("SB1/State_9",))
     ]
@@ -58,7 +58,7 @@ def rows() -> Iterator[Row]:
 
 
 def _written(folder: Path, events: tuple[Event, ...]) -> Path:
-    """A log of a run, with the drawing that it is of beside it."""
+    """Write the log of a run, with its blueprint beside it."""
     states = {f"State_{n}": {"Op": f"State_{(n + 1) % 10}"} for n in range(10)}
     head = {"INITIAL": "State_0", "ACTIVATING": "State_9", "NUM_FACTS": 1}
     (folder / "round.json").write_text(json.dumps({"SB1": {"HEADER": head, **states}}))

@@ -1,4 +1,4 @@
-"""One line of the table, and how a figure is taken."""
+"""One row of the table, and the functions that measure its figures."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ class Row:
 
 
 def median_ms(work: Callable[[], object], runs: int = 7, warmup: int = 1) -> float:
-    """The median of several runs in milliseconds of CPU time, garbage collected before each."""
+    """Return the median of several runs in milliseconds of CPU time. Garbage is collected before
+    each."""
     for _ in range(warmup):
         work()
     times = []
@@ -44,7 +45,7 @@ def median_ms(work: Callable[[], object], runs: int = 7, warmup: int = 1) -> flo
 
 
 def process_ms(work: Callable[[], object], runs: int = 7, warmup: int = 1) -> float:
-    """The same for the processes that ``work`` starts and waits for."""
+    """Return the same for the processes that ``work`` starts and waits for."""
     for _ in range(warmup):
         work()
     times = []
@@ -56,6 +57,6 @@ def process_ms(work: Callable[[], object], runs: int = 7, warmup: int = 1) -> fl
 
 
 def _children() -> float:
-    """CPU seconds of all processes that were started and have ended."""
+    """Return the CPU seconds of all child processes that have ended."""
     spent = resource.getrusage(resource.RUSAGE_CHILDREN)
     return spent.ru_utime + spent.ru_stime

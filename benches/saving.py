@@ -1,4 +1,4 @@
-"""Saving: what it costs to have it whole or not at all, and kill -9 in the middle of it."""
+"""Saves: the cost of a save that is complete or has no effect, and kill -9 during a save."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sensors elsewhere: frozen nodes and brokers, floods, and what the reception of a message costs.
+"""Remote sensors: frozen nodes and brokers, floods, and the cost of receiving a message.
 
 A run by hand is paced as the window paces it, and its first fact comes over a mosquitto of its own.
 A node or the broker is frozen (SIGSTOP) at a random moment; ``beyond`` is how much later than the
@@ -89,7 +89,7 @@ def _rows(tries: int) -> Iterator[Row]:
 
 
 class _Bench:
-    """A broker, a node, and a run that hears it."""
+    """A broker, a node, and a run that receives the node's samples."""
 
     def __init__(self, folder: Path) -> None:
         copy(samples_dir() / "hanoi-2.json", folder)
@@ -111,7 +111,7 @@ class _Bench:
         self._broker.kill()
 
     def freeze(self, who: str, tries: int) -> list[float]:
-        """How many ms after the maximum age the fact is unknown, each time."""
+        """Return the ms from the largest age of the fact until it is unknown, for each try."""
         frozen: Node | Broker = self._node if who == "node" else self._broker
         beyond = []
         for _ in range(tries):
@@ -129,7 +129,7 @@ class _Bench:
         return beyond
 
     def flood(self, source: str) -> Iterator[Row]:
-        """What a flood costs the run, whose first fact has a node that speaks as ever."""
+        """Measure the effect of a flood on a run whose first fact has a normal node."""
         flooding = "scale" if source.startswith("a ") else "nobody"
         topic = str(FactTopic("lab", "main", "SB1", 1, flooding))
         command = [sys.executable, "-c", FLOODER, str(self._broker.port), topic]
@@ -229,5 +229,5 @@ def _beside() -> Row:
 
 
 def _resident() -> float:
-    """MB of memory at most so far."""
+    """Return the peak of memory so far, in MB."""
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

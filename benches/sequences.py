@@ -1,4 +1,4 @@
-"""10,000 random sequences at a real window: after each act all that it shows agrees.
+"""10,000 random sequences of acts in a real window: after each act all its parts must agree.
 
 An act adds a state or an operation, renames, moves, deletes, undoes, redoes, saves, opens the file
 again, shows another mode, tab, SB or fact, or runs a few operations in a table world. After it the
@@ -19,17 +19,17 @@ from benches.row import Row
 
 ALL, SOME = 10_000, 1_000
 SHARE = 50
-"""Sequences at one window, before another one is opened."""
+"""The number of sequences in one window before another window is opened."""
 PROCESSES = 2
 
 
 def rows() -> Iterator[Row]:
-    """A tenth."""
+    """Run a tenth of the sequences."""
     return _rows(SOME)
 
 
 def all_rows() -> Iterator[Row]:
-    """All of them, which takes an hour of two cores."""
+    """Run all sequences, which takes an hour of two cores."""
     return _rows(ALL)
 
 

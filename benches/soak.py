@@ -1,4 +1,4 @@
-"""A long day at one window: what of its memory is kept for each thing that was done and is over.
+"""A long day in one window: the memory that finished work leaves behind.
 
 A state is added and undone, a run is made and let go of, a window is opened and closed, again and
 again. What the process has in memory is read after a first share of each, and at the end; the rest
@@ -25,19 +25,19 @@ if TYPE_CHECKING:
 SAMPLES = Path(__file__).resolve().parents[1] / "samples"
 PAIRS, RUNS, WINDOWS, TENTH = 2_000, 60, 40, 10
 FIRST = 0.25
-"""The share after which memory is read for the first time: caches are full by then."""
+"""The share of the work after which memory is first read. Caches are full then."""
 PATIENCE = 60.0
 PAGE = os.sysconf("SC_PAGESIZE") / 1000
-"""kB of one page of memory."""
+"""The size of one page of memory, in kB."""
 
 
 def rows() -> Iterator[Row]:
-    """A tenth of a day."""
+    """Run a tenth of the day."""
     return _rows(TENTH)
 
 
 def all_rows() -> Iterator[Row]:
-    """The day."""
+    """Run the whole day."""
     return _rows(1)
 
 

@@ -16,7 +16,7 @@ FRAME = "below 16 ms"
 
 
 def rows() -> Iterator[Row]:
-    """Milliseconds for each key, for an edit from the canvas, and for the list of names."""
+    """Measure milliseconds for each key, for an edit from the canvas, and for the list of names."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     from PySide6.QtWidgets import QApplication
 

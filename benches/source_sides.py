@@ -18,7 +18,7 @@ WORD = '"Op_1"'
 
 
 class Ours:
-    """The source pane on a text; the caret stands in the middle of it."""
+    """The source pane with a text. The caret is in its middle."""
 
     def __init__(self, text: str, size: tuple[int, int]) -> None:
         self._text, self._size = text, size
@@ -31,7 +31,7 @@ class Ours:
         return self._pane.editor.sheet.text
 
     def open(self) -> None:
-        """Another pane, shown."""
+        """Make and show another pane."""
         pane = SourcePane(self._session, LIGHT)
         pane.resize(*self._size)
         pane.show()
@@ -45,12 +45,12 @@ class Ours:
         self._pane.grab()
 
     def key(self) -> None:
-        """A letter, and the text and its gutter repainted."""
+        """Type a letter, and repaint the text and its gutter."""
         _press(self._pane.editor)
         self._pane.editor.gutter.repaint()
 
     def names(self) -> None:
-        """The list of names that fit here."""
+        """Make the list of names that fit here."""
         self._pane.popup.ask()
 
     def forget(self) -> None:
@@ -60,7 +60,7 @@ class Ours:
         self._pane.editor.load(self._text)
 
     def edit(self) -> None:
-        """An edit from the canvas, patched into the text and painted."""
+        """Make an edit from the canvas, patch it into the text, and paint."""
         state = next(reversed(self._session.blueprint["SB1"].table))
         address = Address("SB1", state)
         self._session.edit("Rename", lambda bp: editing.rename(bp, address, f"{state}1"))
@@ -72,7 +72,7 @@ class Ours:
 
 
 class Bare:
-    """Qt's text widget on the same text: what any other editor in Qt stands on."""
+    """Qt's text widget with the same text. Other editors in Qt are based on it."""
 
     def __init__(self, text: str, size: tuple[int, int]) -> None:
         self._edit = QPlainTextEdit()
@@ -94,7 +94,7 @@ class Bare:
         self._edit.grab()
 
     def key(self) -> None:
-        """A letter, and the text repainted."""
+        """Type a letter, and repaint the text."""
         _press(self._edit)
 
     def close(self) -> None:

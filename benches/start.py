@@ -21,7 +21,7 @@ application.processEvents()
 
 
 def rows() -> Iterator[Row]:
-    """``check`` on the 3-disk file, and the window on it, drawn once."""
+    """Measure ``check`` on the 3-disk file, and the window with this file, drawn once."""
     empty = process_ms(lambda: _process("-c", "pass"))
     pydantic = process_ms(lambda: _process("-c", "import pydantic"))
     widgets = process_ms(lambda: _process("-c", BARE))

@@ -1,4 +1,5 @@
-"""How soon a stop is heard: the real program, stopped at random moments of every phase.
+"""The time until a stop has an effect: the real program is stopped at random moments of every
+phase.
 
 The command line is copied (fork) at the beginning of a phase, goes on, and gets SIGINT or SIGTERM
 at a moment drawn from the phase; the time until its process has ended is taken, with all its

@@ -1,4 +1,5 @@
-"""Stories: 500 that no run can tell, with a good chain, and 500 true ones of every end.
+"""Logs: 500 logs with events that no run can have, but a valid chain, and 500 true logs of every
+end.
 
 ``tests/runlog/true_stories.py`` runs them, ``tests/runlog/impossible.py`` changes them. Impossible
 stories are drawn evenly from all operators, each from another true log where there is one.
@@ -49,7 +50,7 @@ def _true(folder: Path) -> list[bytes]:
 
 
 def _changed(stories: list[Story]) -> tuple[Counter[str], list[str]]:
-    """How many stories each operator has changed, and those of them that are accepted."""
+    """Count the logs that each operator has changed, and the accepted logs among them."""
     random, drawn, accepted = Random(1), Counter[str](), list[str]()
     while drawn.total() < STORIES:
         for operator in OPERATORS[: STORIES - drawn.total()]:

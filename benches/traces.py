@@ -1,4 +1,4 @@
-"""Traces: any run tells the same here, in a child process, in the window, and from its log."""
+"""Traces: a run has equal events in this process, in a child, in the window, and from its log."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.front.test_traces import in_child_and_log, in_process, in_window
 
 RUNS = 200
 WINDOW = 60.0
-"""Wall seconds a run may take in the window."""
+"""The wall time (s) that a run may take in the window."""
 
 
 def rows() -> Iterator[Row]:

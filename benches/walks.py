@@ -1,4 +1,4 @@
-"""200 walks of a screen reader through a window in which somebody draws and runs all the time.
+"""200 walks of a screen reader through a window in which a person draws and runs all the time.
 
 The window is a child on a virtual screen with a bus of its own; Debian's ``pyatspi`` asks every
 thing in it for all it offers (``tests/stories/screen_reader``). Counted are windows that died and

@@ -144,7 +144,8 @@ _RESTARTABLE = Restartable()
 
 
 def restartable() -> Restartable:
-    """Return the context of such work. It is one object, because a run enters it at every proposal."""
+    """Return the context of such work. It is one object, because a run enters it at every
+    proposal."""
     return _RESTARTABLE
 
 

@@ -1,1 +1,1 @@
-"""What the bench ``bombs`` starts: the real program on one file, its time and memory taken."""
+"""The processes of the bench ``bombs``: the real program on one file, with its time and memory."""

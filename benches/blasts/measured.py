@@ -1,4 +1,4 @@
-"""One process under limits: how much CPU time and address space it takes, and how it ends."""
+"""One process under limits: its CPU time, its address space, and its end."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tempfile import TemporaryFile
 
 SECONDS = 15
 SPACE = 1_500_000_000
-"""What no command may take, whatever its file: CPU seconds, and bytes of address space."""
+"""The limits of every command with any file: CPU seconds, and bytes of address space."""
 KILLED_AFTER = 2 * SECONDS
 
 

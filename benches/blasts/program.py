@@ -24,7 +24,7 @@ LOOK = 100
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Carry it out; the exit status."""
+    """Run the command, and return its exit status."""
     resource.setrlimit(resource.RLIMIT_CPU, (KILLED_AFTER, KILLED_AFTER))
     if arguments[0] == "window":
         return show(arguments[1])
@@ -68,7 +68,7 @@ def show(file: str) -> int:
 
 
 def peak() -> str:
-    """The most address space that this process had, in kB."""
+    """Return the peak of address space of this process, in kB."""
     lines = Path("/proc/self/status").read_text().splitlines()
     return next(line.split()[1] for line in lines if line.startswith("VmPeak"))
 

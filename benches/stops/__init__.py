@@ -1,1 +1,1 @@
-"""What the bench ``stopping`` starts: inputs that last, and programs that are stopped meanwhile."""
+"""The processes of the bench ``stopping``: programs with long work that are stopped during it."""

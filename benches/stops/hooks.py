@@ -1,4 +1,4 @@
-"""A hook before a function of the program, wherever that is called from."""
+"""A hook that is called before a function of the program, for every caller."""
 
 from __future__ import annotations
 

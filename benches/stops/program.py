@@ -115,7 +115,7 @@ class Moments:
         return -9
 
     def _wrong(self, status: int, signalled: int, children: list[int]) -> str:
-        """What is wrong with how it ended; empty where it ended in order."""
+        """Say what is wrong with its end. The text is empty if it ended in order."""
         text = self._text()
         if "Traceback" in text:
             return text[-500:]
@@ -138,13 +138,13 @@ class Moments:
         return ""
 
     def _ended_by_itself(self, status: int, signalled: int) -> bool:
-        """Whether what was asked for was done when the signal came."""
+        """Whether the command had finished its work when the signal came."""
         if self._scene.command[0] == "run":
             return self._reason() not in ("stopped", "")
         return status in (0, -signalled)
 
     def _reason(self) -> str:
-        """Why the run says that it ended; empty where it does not."""
+        """Return the reason in the run's last event. The text is empty if there is none."""
         last = [line for line in self._text().splitlines() if line.startswith("{")][-1:]
         return str(json.loads(last[0]).get("reason", "")) if last else ""
 

@@ -1,4 +1,4 @@
-"""The phases of the command line in which a stop may come, and how each is brought about."""
+"""The phases of the command line in which a stop may come, with the command for each phase."""
 
 from __future__ import annotations
 
