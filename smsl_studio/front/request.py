@@ -33,7 +33,7 @@ class RunRequest:
     ``broker`` (HOST:PORT) and ``site`` are for remote sensors. ``speed`` is simulated time divided
     by wall time; None means as fast as possible. ``log`` is the file for the recording. A run
     ``by_hand`` chooses no operation itself. ``attended`` says that a person can end a hold; None
-    means that a run with people's tasks is attended. ``person`` is the name of the person who
+    means that only a run ``by_hand`` is attended. ``person`` is the name of the person who
     supervises if there is no ``supervisor``. ``plugin_paths`` are searched before all other
     folders.
 
