@@ -16,7 +16,7 @@ from smsl_studio.smsl.document.arrangement import Placed, aligned, arranged, per
 from smsl_studio.smsl.document.likeness import same
 from smsl_studio.smsl.document.pieces import Piece, spliced
 from smsl_studio.smsl.document.stretches import Stretch, differing, stretches, whole
-from smsl_studio.smsl.json_form.spans import JsonSpans, MemberRow, Part, skip_space
+from smsl_studio.smsl.json_form.spans import JsonSpans, MemberRow, SpanPart, skip_space
 from smsl_studio.smsl.json_form.style import JsonStyle, render, scalar, style_of
 
 Json = Any
@@ -117,7 +117,7 @@ class _Container:
         self._text, self._old, self._new = splicer.text, old, new
         self._row = splicer.spans.row(path, start)
         self._parts, self._lengths = list(self._row.parts), list(self._row.lengths)
-        self._arranged: list[tuple[Stretch, list[str], list[Part]]] = []
+        self._arranged: list[tuple[Stretch, list[str], list[SpanPart]]] = []
         self._values: Values = {}
         """The values that are not the very objects of the new ones."""
         self._header = "HEADER" if len(path) == 1 else ""
@@ -200,13 +200,13 @@ class _Container:
             slots = _filled(slots, arranged([slot.key for slot in slots], new, self._header), gap)
         back = {now: was for was, now in kept.items()}
         pieces: list[str] = []
-        parts: list[Part] = []
+        parts: list[SpanPart] = []
         before = row.parts[part.begin].before if part.begin < len(row) else len(self._lead)
         for index, slot in enumerate(slots):
             key, middle = self._key(slot, back)
             former = self._old.get(back.get(slot.key, ""))
             value = self._value(slot, former, new[slot.key])
-            parts.append(Part(before, len(key), len(middle), len(value)))
+            parts.append(SpanPart(before, len(key), len(middle), len(value)))
             ends = index + 1 == len(slots) and following is None
             behind = "" if ends else slot.gap or gap
             pieces += (key, middle, value, behind)

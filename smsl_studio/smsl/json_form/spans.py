@@ -28,7 +28,7 @@ def skip_space(text: str, at: int) -> int:
     return match.end() if match else at
 
 
-class Part(NamedTuple):
+class SpanPart(NamedTuple):
     """One member as four lengths: what stands before its key, the key, what stands between key and
     value, the value."""
 
@@ -48,7 +48,7 @@ class MemberRow:
     It is never changed: a text that was spliced has another one for what was changed in it.
     """
 
-    def __init__(self, keys: list[str], parts: list[Part], lengths: list[int]) -> None:
+    def __init__(self, keys: list[str], parts: list[SpanPart], lengths: list[int]) -> None:
         self.keys, self.parts, self.lengths = keys, parts, lengths
 
     @classmethod
@@ -58,7 +58,7 @@ class MemberRow:
         for key, key_start, key_end, value_start, value_end in members:
             keys.append(key)
             parts.append(
-                Part(key_start - at, key_end - key_start, value_start - key_end,
+                SpanPart(key_start - at, key_end - key_start, value_start - key_end,
                      value_end - value_start)
             )  # fmt: skip
             lengths.append(value_end - at)

@@ -13,7 +13,7 @@ from smsl_studio.smsl.document.arrangement import survivors
 from smsl_studio.smsl.document.likeness import same
 from smsl_studio.smsl.document.pieces import Piece
 from smsl_studio.smsl.document.stretches import Stretch, differing, stretches, whole
-from smsl_studio.smsl.native_form.elements import Element, ElementShapes, PlacedShapes, Shape
+from smsl_studio.smsl.native_form.elements import Element, ElementShape, ElementShapes, PlacedShapes
 from smsl_studio.smsl.native_form.headers import respelled_header
 from smsl_studio.smsl.native_form.members import Map, MemberSplicer, respell_key
 from smsl_studio.smsl.native_form.rows import ElementRow, RowFrame, Slot
@@ -68,7 +68,7 @@ class BranchSplice:
         """What has to be changed in the text, in order."""
         return [change.piece for change in self._changes]
 
-    def shape_after(self, text: str, grown: int, former: Shape) -> Shape:
+    def shape_after(self, text: str, grown: int, former: ElementShape) -> ElementShape:
         """Its shape in the new text, which grew by so many characters before it."""
         start = self._branch.start + grown
         patches = []

@@ -41,7 +41,7 @@ class Element(NamedTuple):
         return self.kind in ("state", "field")
 
 
-class Shape(NamedTuple):
+class ElementShape(NamedTuple):
     """An element by its lengths: ``before`` is how far it begins behind the end of the one before
     it. Its other offsets are counted from its own begin."""
 
@@ -72,7 +72,7 @@ class ElementShapes:
     It is never changed: a text that was spliced has another one for what was changed in it.
     """
 
-    def __init__(self, shapes: list[Shape], lengths: list[int]) -> None:
+    def __init__(self, shapes: list[ElementShape], lengths: list[int]) -> None:
         self.shapes, self.lengths = shapes, lengths
 
     @classmethod
@@ -82,7 +82,7 @@ class ElementShapes:
         for kind, key, start, end, key_start, key_end, value_start, value_end, inside in elements:
             inner = cls.of(inside, start + 1) if kind == "branch" else None
             shapes.append(
-                Shape(kind, key, start - at, end - start, key_start - start, key_end - start,
+                ElementShape(kind, key, start - at, end - start, key_start - start, key_end - start,
                       value_start - start, value_end - start, inner)
             )  # fmt: skip
             lengths.append(end - at)

@@ -43,7 +43,7 @@ AGGREGATIONS = (
 TABLED = ("values", "on", "failure")
 """Words that the table of values shows."""
 SENSED = ("sensors", "unit", "predicate", "aggregation", "k", "max_age", "conflict_after")
-"""Words of a fact that is read; one that a sub-SB expands has none of them (R24)."""
+"""Words of a fact that is read; one that a sub-SB expands has none of them."""
 
 
 class FactForm(NoteForm):

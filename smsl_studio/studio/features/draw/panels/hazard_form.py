@@ -1,4 +1,4 @@
-"""The hazards of a file: facts that must never hold together (rule R19)."""
+"""The hazards of a file: facts that must never hold together."""
 
 from __future__ import annotations
 
