@@ -54,7 +54,7 @@ WORDS: dict[str, dict[str, str]] = {
         "confirm": "Who must confirm it first.",
         "duration": "How many seconds it takes.",
         "timeout": "Seconds after which it counts as failed.",
-        "stop": "What a stop does to it: abort, hold or finish.",
+        "stop": "What a pause does to it: abort, hold or finish. A stop always cancels it.",
         "resumes": "Whether it goes on after a pause held it.",
         "touches": "Facts that are unknown after it was cancelled, besides those it changes.",
         "repeatable": "Whether it may be tried again after a failure.",

@@ -101,7 +101,8 @@ class OperationForm(NoteForm):
             "Time limit", "Seconds until the operation counts as failed", seconds, "s", "none"
         )).field  # fmt: skip
         self.stop = self.add("stop", ChoiceLine(
-            "On stop", "What a stop does while it runs", STOPS, "As its function says"
+            "On pause", "What a pause does while it runs. Stop always cancels it.", STOPS,
+            "As its function says",
         )).field  # fmt: skip
         self.resumes = self.add("resumes", SwitchLine(
             "Resumes", "Whether it goes on after a pause held it; its function says where not said"
