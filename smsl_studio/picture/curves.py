@@ -9,13 +9,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point, between
+from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
+from smsl_studio.picture.strands import NEAR, TIP_GAP, LineStyle, Strand, drawn
+
+__all__ = [
+    "TIP_GAP",
+    "Between",
+    "LineStyle",
+    "around",
+    "in_row",
+    "is_clear",
+    "is_forward",
+    "is_outward",
+    "joined",
+    "meets",
+    "strands_of",
+]
 
 OPPOSITE, PARALLEL = 16.0, 18.0
-START_GAP, TIP_GAP = 1.0, 2.0
-NEAR = 0.8
-"""A curve leaves and arrives at this share of its offset."""
-_SHARES = np.linspace(0.0, 1.0, 33)
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,14 +42,6 @@ class Between:
         return len(self.there) + len(self.back)
 
 
-@dataclass(frozen=True, slots=True)
-class LineStyle:
-    """How lines are drawn: the scene's units in a mark's pixel, and whether nodes are compact."""
-
-    unit: float = 1.0
-    compact: bool = False
-
-
 def joined(
     pair: Between,
     source: NodeBox,
@@ -52,25 +55,42 @@ def joined(
     ``outward`` is the direction away from the middle of the picture: a lone curve bends there. None
     says that the straight way is not free of other nodes.
     """
+    strands = strands_of(pair, source, target, style, outward, only)
+    return dict(zip(strands, drawn(list(strands.values()), style), strict=True))
+
+
+def strands_of(
+    pair: Between,
+    source: NodeBox,
+    target: NodeBox,
+    style: LineStyle,
+    outward: Point | None,
+    only: int | None = None,
+) -> dict[int, Strand]:
+    """What those lines are to be, not drawn yet."""
     straight = outward is not None and not style.compact and in_row(source, target)
     normal = _normal(source, target)
-    shapes: dict[int, EdgeShape] = {}
+    strands: dict[int, Strand] = {}
     for edge, there, offset in _side_by_side(pair, source, target, style, only):
-        ends = (source, target) if there else (target, source)
-        if straight:
-            shapes[edge] = _straight(*ends, offset, normal, style)
-        else:
-            bow = 0.0
-            if len(pair) == 1 and outward is not None and not style.compact:
-                bow = _gentle(source, target, normal, outward)
-            shapes[edge] = curve(*ends, offset, bow, normal, style)
-    return shapes
+        a, b = (source, target) if there else (target, source)
+        bow = 0.0
+        if not straight and len(pair) == 1 and outward is not None and not style.compact:
+            bow = _gentle(a, b, normal, outward)
+        strands[edge] = Strand(a, b, offset, bow, normal, straight)
+    return strands
 
 
 def is_forward(source: NodeBox, target: NodeBox) -> bool:
     """Whether the way runs to the right, or straight down."""
     dx, dy = target.x - source.x, target.y - source.y
     return dx > 1.0 or (abs(dx) <= 1.0 and dy > 0.0)
+
+
+def is_outward(source: NodeBox, target: NodeBox, middle: Point) -> bool:
+    """Whether the direction in which offsets count leads away from the middle of the picture."""
+    nx, ny = _normal(source, target)
+    x, y = (source.x + target.x) / 2 - middle[0], (source.y + target.y) / 2 - middle[1]
+    return nx * x + ny * y >= 0.0
 
 
 def in_row(source: NodeBox, target: NodeBox) -> bool:
@@ -128,42 +148,6 @@ def _reach(source: NodeBox, target: NodeBox) -> float:
     return min(min((box.w - 6.0) / nx, (box.h - 6.0) / ny) for box in (source, target))
 
 
-def _straight(
-    source: NodeBox, target: NodeBox, offset: float, normal: Point, style: LineStyle
-) -> EdgeShape:
-    dx, dy = normal[0] * offset, normal[1] * offset
-    ends = np.array([[source.x + dx, source.y + dy], [target.x + dx, target.y + dy]])
-    line = ends[0] + (ends[1] - ends[0]) * _SHARES[:, None]
-    cut = between(line, source, target, START_GAP * style.unit, TIP_GAP * style.unit)
-    out = _outer_side(ends, offset, normal)
-    return EdgeShape(cut[[0, -1]], "line", _label_side(ends, offset, normal), out)
-
-
-def curve(
-    source: NodeBox, target: NodeBox, offset: float, bow: float, normal: Point, style: LineStyle
-) -> EdgeShape:
-    """A line that leaves beside the middle, bends by ``bow`` and arrives beside the middle."""
-    near = offset * (0.5 if style.compact else NEAR)
-    start = (source.x + normal[0] * near, source.y + normal[1] * near)
-    end = (target.x + normal[0] * near, target.y + normal[1] * near)
-    # The control point of a quadratic curve bends its middle by half.
-    bend = 2.0 * (offset - near + bow)
-    middle = (
-        (start[0] + end[0]) / 2 + normal[0] * bend,
-        (start[1] + end[1]) / 2 + normal[1] * bend,
-    )
-    line = _quadratic(start, middle, end)
-    cut = between(line, source, target, START_GAP * style.unit, TIP_GAP * style.unit)
-    out = _outer_side(cut, offset or bow, normal)
-    return EdgeShape(cut, "curve", _label_side(cut, offset, normal), out)
-
-
-def _quadratic(a: Point, b: Point, c: Point) -> Floats:
-    t = _SHARES[:, None]
-    points: Floats = (1 - t) ** 2 * np.array(a) + 2 * t * (1 - t) * np.array(b) + t**2 * np.array(c)
-    return points
-
-
 def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> float:
     """The bend of a lone edge that is in no row: slight, away from the middle of the picture."""
     if in_row(source, target):
@@ -171,21 +155,6 @@ def _gentle(source: NodeBox, target: NodeBox, normal: Point, outward: Point) -> 
     length = math.hypot(target.x - source.x, target.y - source.y)
     away = normal[0] * outward[0] + normal[1] * outward[1]
     return math.copysign(min(0.05 * length, 14.0), away)
-
-
-def _label_side(line: Floats, offset: float, normal: Point) -> int:
-    """On which side of a steep line its label stands: away from the line beside it."""
-    dx, dy = line[-1] - line[0]
-    if abs(dx) > 0.35 * abs(dy) or offset == 0.0:
-        return 0
-    return _outer_side(line, offset, normal)
-
-
-def _outer_side(line: Floats, offset: float, normal: Point) -> int:
-    """The side of a line (1 right, -1 left as it runs) on which its offset lies."""
-    dx, dy = line[-1] - line[0]
-    right = -dy * normal[0] + dx * normal[1]
-    return 1 if right * offset >= 0.0 else -1
 
 
 def is_clear(
@@ -232,7 +201,7 @@ def around(
     for share in (0.08, 0.16, 0.26, 0.38):
         for side in (first, -first):
             bend = side * share * length
-            trial = curve(source, target, 0.0, bend, normal, style)
+            (trial,) = drawn([Strand(source, target, 0.0, bend, normal, False)], style)
             if not meets(trial.points, boxes, (pair.a, pair.b), 8.0 * style.unit):
                 return _bent(pair, source, target, style, normal, bend)
     return joined(pair, source, target, style, None)
@@ -241,8 +210,8 @@ def around(
 def _bent(
     pair: Between, source: NodeBox, target: NodeBox, style: LineStyle, normal: Point, bend: float
 ) -> dict[int, EdgeShape]:
-    shapes: dict[int, EdgeShape] = {}
-    for edge, there, offset in _side_by_side(pair, source, target, style):
-        ends = (source, target) if there else (target, source)
-        shapes[edge] = curve(*ends, offset, bend, normal, style)
-    return shapes
+    sides = list(_side_by_side(pair, source, target, style))
+    ends = ((source, target), (target, source))
+    strands = [Strand(*ends[not there], offset, bend, normal, False) for _, there, offset in sides]
+    edges = (edge for edge, _, _ in sides)
+    return dict(zip(edges, drawn(strands, style), strict=True))

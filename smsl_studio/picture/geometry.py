@@ -7,14 +7,17 @@ ones are routed edge by edge when one comes into view.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from smsl_studio.picture import labels, loops
-from smsl_studio.picture.curves import Between, LineStyle, around, in_row, is_clear, joined
+from smsl_studio.picture.curves import Between, LineStyle, around, in_row, is_clear, strands_of
+from smsl_studio.picture.former import FormerLines, Routing
 from smsl_studio.picture.lanes import Passing, in_lanes
 from smsl_studio.picture.picture import Picture
 from smsl_studio.picture.shape import EdgeShape, Floats, NodeBox, Point
+from smsl_studio.picture.strands import Strand, drawn
 
 MOST_AROUND = 60
 """At most so many pairs of states get a way around nodes; in a denser picture it shows nothing."""
@@ -25,24 +28,37 @@ LabelSize = Callable[[int], tuple[float, float]]
 
 
 class Geometry:
-    """Shapes and label places by edge number; ``boxes`` is an (n, 4) array of centre, half size."""
+    """Shapes and label places by edge number; ``boxes`` is an (n, 4) array of centre, half size.
+
+    ``former`` is the routing of a small picture before an edit: what the edit does not touch is
+    taken over from it, and everything lies as if it had been routed whole.
+    """
 
     def __init__(
-        self, picture: Picture, boxes: Floats, style: LineStyle, label_size: LabelSize
+        self,
+        picture: Picture,
+        boxes: Floats,
+        style: LineStyle,
+        label_size: LabelSize,
+        former: Routing | None = None,
     ) -> None:
         self.picture, self.boxes, self.style = picture, boxes, style
         self._label_size = label_size
         self._shapes: dict[int, EdgeShape] = {}
+        self._strands: dict[int, Strand] = {}
         self._labels: dict[int, labels.Rect | None] = {}
+        self.routing: Routing | None = None
+        """How the edges of a small picture were routed, for the picture after the next edit."""
+        self._work: Routing | None = None
+        self._former: FormerLines | None = None
         self._box: dict[int, NodeBox] = {}
         self._pairs: dict[tuple[int, int], Between] = {}
         self._middle = self._centre()
         self._places: labels.LabelPlaces | None = None
         self._lines = labels.LinePieces({})
         self.small = picture.small
-        self._around = 0
         if self.small:
-            self._route_all()
+            self._route_small(former)
 
     def shape(self, edge: int) -> EdgeShape:
         """The line of an edge."""
@@ -51,6 +67,13 @@ class Geometry:
             self._route(edge)
             found = self._shapes[edge]
         return found
+
+    def prepare(self, edges: Iterable[int]) -> None:
+        """Route the edges that were not asked for yet, all at once."""
+        for edge in edges:
+            if edge not in self._shapes and edge not in self._strands:
+                self._plan(edge)
+        self._draw()
 
     def label(self, edge: int) -> labels.Rect | None:
         """The place of an edge's label (left, top, right, bottom); None while it hides."""
@@ -75,6 +98,8 @@ class Geometry:
         Used while states are dragged: all else stays as it is until they are let go.
         """
         concerned: dict[int, None] = {}
+        if self._work is not None:
+            self._work.clear.clear()
         for state in states:
             self._box.pop(state, None)
             concerned.update(dict.fromkeys(self.picture.edges_of(state)))
@@ -106,6 +131,11 @@ class Geometry:
     # One edge at a time
 
     def _route(self, edge: int) -> None:
+        self._plan(edge)
+        self._draw()
+
+    def _plan(self, edge: int) -> None:
+        """Find out how an edge is to run; what is a line of its pair is drawn by ``_draw``."""
         a, b = int(self.picture.source[edge]), int(self.picture.target[edge])
         if b < 0:
             self._shapes[edge] = self._stub(a, edge)
@@ -114,7 +144,14 @@ class Geometry:
         else:
             pair = self._pair(a, b)
             only = edge if len(pair) > MOST_AT_ONCE and not self.small else None
-            self._shapes |= self._pair_shapes(pair, only)
+            self._plan_pair(pair, only)
+
+    def _draw(self) -> None:
+        """Draw all lines that wait for it."""
+        if self._strands:
+            lines = drawn(list(self._strands.values()), self.style)
+            self._shapes |= zip(self._strands, lines, strict=True)
+            self._strands.clear()
 
     def _pair(self, a: int, b: int) -> Between:
         key = (min(a, b), max(a, b))
@@ -123,18 +160,36 @@ class Geometry:
             found = self._pairs[key] = Between(*key, *self.picture.between(*key))
         return found
 
-    def _pair_shapes(self, pair: Between, only: int | None) -> dict[int, EdgeShape]:
+    def _plan_pair(self, pair: Between, only: int | None) -> None:
         source, target = self.box(pair.a), self.box(pair.b)
         outward = self._outward(pair.a, pair.b)
-        if self.small and self._around < MOST_AROUND and not self._clear(pair):
-            self._around += 1
-            return around(pair, source, target, self.style, self.boxes, outward)
-        return joined(pair, source, target, self.style, outward, only=only)
+        work = self._work
+        if work is None:
+            self._strands |= strands_of(pair, source, target, self.style, outward, only)
+            return
+        held = self._former.pair(pair, source, target) if self._former is not None else None
+        if held is not None:
+            shapes, bends = held
+            self._shapes |= shapes
+        elif bends := len(work.bent) < MOST_AROUND and not self._clear(pair, work):
+            self._shapes |= around(pair, source, target, self.style, self.boxes, outward)
+        else:
+            self._strands |= strands_of(pair, source, target, self.style, outward)
+        if bends:
+            work.bent.add((pair.a, pair.b))
 
-    def _clear(self, pair: Between) -> bool:
+    def _clear(self, pair: Between, work: Routing) -> bool:
+        """Whether the straight way between two states of a small picture meets no other node."""
         ends = (pair.a, pair.b)
-        gap = 6.0 * self.style.unit
-        return is_clear(self.box(pair.a), self.box(pair.b), self.boxes, ends, gap)
+        found = work.clear.get(ends)
+        if found is None:
+            source, target = self.box(pair.a), self.box(pair.b)
+            if self._former is not None:
+                found = self._former.clear(pair, source, target)
+            if found is None:
+                found = is_clear(source, target, self.boxes, ends, 6.0 * self.style.unit)
+            work.clear[ends] = found
+        return found
 
     def _stub(self, state: int, edge: int) -> EdgeShape:
         """The line of an edge whose target is missing: a short arrow to nowhere."""
@@ -146,25 +201,56 @@ class Geometry:
 
     # All edges of a small picture
 
-    def _route_all(self) -> None:
+    def _route_small(self, former: Routing | None) -> None:
+        work = self._work = Routing(self.picture, self.boxes, self._middle, self.style)
+        if former is not None and len(former.bent) < MOST_AROUND:
+            held = FormerLines(former, work)
+            self._former = held if held.fits else None
+        self._route_all(work)
+        if self._former is not None and len(work.bent) >= MOST_AROUND:
+            # Which lines lead around nodes depends on their order now.
+            self._shapes, self._labels = {}, {}
+            self._route_small(None)
+            return
+        self._former = None
+        self.routing = replace(
+            work,
+            boxes=self.boxes.copy(),
+            shapes=dict(self._shapes),
+            labels=dict(self._labels),
+            sizes=dict(work.sizes),
+            clear=dict(work.clear),
+            bent=set(work.bent),
+        )
+
+    def _route_all(self, work: Routing) -> None:
         passing: list[Passing] = []
         looping: dict[int, None] = {}
         for edge, (a, b) in enumerate(
             zip(self.picture.source.tolist(), self.picture.target.tolist(), strict=True)
         ):
-            if edge in self._shapes:
+            if edge in self._shapes or edge in self._strands:
                 continue
             if a == b:
                 looping[a] = None
-            elif b >= 0 and in_row(self.box(a), self.box(b)) and not self._clear(self._pair(a, b)):
+            elif (
+                b >= 0
+                and in_row(self.box(a), self.box(b))
+                and not self._clear(self._pair(a, b), work)
+            ):
                 passing.append(Passing(edge, a, b))
             else:
-                self._route(edge)
+                self._plan(edge)
         boxes = [self.box(i) for i in range(len(self.picture))]
         self._shapes |= in_lanes(passing, boxes, self._middle, self.style.unit)
         for one in passing:
-            if one.edge not in self._shapes:
-                self._route(one.edge)
+            if one.edge not in self._shapes and one.edge not in self._strands:
+                self._plan(one.edge)
+        self._draw()
+        if self._former is not None:
+            same = self._former.shape
+            self._shapes = {edge: same(edge, shape) for edge, shape in self._shapes.items()}
+            self._former.lines_known(self._shapes)
         self._lines = labels.LinePieces(self._shapes)
         self._places = labels.LabelPlaces(self.boxes, self.style.unit)
         for state in looping:
@@ -184,14 +270,24 @@ class Geometry:
             return
         size = self._label_size(edge)
         shape = self.shape(edge)
+        if self._work is not None:
+            self._work.sizes[edge] = size
         if edge in self._labels or size[0] <= 0.0:
             self._labels.setdefault(edge, None)
             return
         places = self._places
         if places is None:
             places = self._places = self._fresh_places()
+        former = self._former
+        if former is not None and former.has_label(edge, shape, size):
+            rect = self._labels[edge] = former.label(edge)
+            if rect is not None:
+                places.take(rect)
+            return
         compact = self.style.compact
-        self._labels[edge] = labels.place(edge, shape, size, places, self._lines, compact)
+        rect = self._labels[edge] = labels.place(edge, shape, size, places, self._lines, compact)
+        if former is not None:
+            former.label_moved(edge, rect)
 
     def _fresh_places(self) -> labels.LabelPlaces:
         places = labels.LabelPlaces(self.boxes, self.style.unit)
@@ -208,6 +304,16 @@ class Geometry:
         box = self.box(state)
         places = self._places or self._fresh_places()
         sizes = [self._label_size(e) for e in own]
+        if self._work is not None:
+            self._work.sizes |= dict(zip(own, sizes, strict=True))
+        former = self._former
+        if former is not None and former.has_loops(state, own, sizes, box):
+            for edge in own:
+                self._shapes[edge], rect = former.loop(edge)
+                self._labels[edge] = rect
+                if rect is not None:
+                    places.take(rect)
+            return
         names = loops.CORNERS
         if box.y > self._middle[1]:
             names = ("top right", "bottom right", *names[2:])
@@ -233,3 +339,5 @@ class Geometry:
             self._labels[edge] = rect if free else None
             if free:
                 places.take(rect)
+        if former is not None:
+            former.loops_moved(state, {e: (self._shapes[e], self._labels[e]) for e in own})

@@ -47,9 +47,11 @@ class LabelPlaces:
         at = np.floor(boxes[:, :2] / self._cell).astype(np.int64)
         key = at[:, 0] * 1_000_003 + at[:, 1]
         order = np.argsort(key, kind="stable")
-        found, starts = np.unique(key[order], return_index=True)
+        sorted_ = key[order]
+        starts = np.nonzero(np.diff(sorted_, prepend=sorted_[:1] - 1))[0]
         stops = np.append(starts[1:], len(order))[: len(starts)]
-        self._rows = {int(k): order[i:j] for k, i, j in zip(found, starts, stops, strict=True)}
+        cells = zip(sorted_[starts].tolist(), starts.tolist(), stops.tolist(), strict=True)
+        self._rows = {k: order[i:j] for k, i, j in cells}
 
     def take(self, rect: Rect, margin: float = 1.0) -> None:
         """Keep a rectangle free of labels from now on."""
@@ -86,19 +88,14 @@ class LinePieces:
     """Every line's pieces in one array, to count the lines a label would cover."""
 
     def __init__(self, shapes: dict[int, EdgeShape]) -> None:
-        pieces, owners = [], []
-        for edge, shape in shapes.items():
-            points = shape.points
-            if shape.way in ("curve", "loop"):
-                # A gentle curve is near enough to a few straight pieces.
-                points = np.vstack([points[:-1:4], points[-1:]])
-            pieces.append(np.hstack([points[:-1], points[1:]]))
-            owners.append(np.full(len(points) - 1, edge))
+        pieces = [shape.pieces for shape in shapes.values()]
         self._pieces = np.vstack(pieces) if pieces else np.zeros((0, 4))
-        self._owners = np.concatenate(owners) if owners else np.zeros(0, dtype=int)
+        self._owners = np.repeat(np.array(list(shapes), dtype=int), [len(p) for p in pieces])
 
     def covered(self, edge: int, rects: Sequence[Rect]) -> list[int]:
         """How many pieces of other lines each rectangle would cover."""
+        if not len(self._pieces):
+            return [0] * len(rects)
         box = np.array(rects)
         a, b = self._pieces[:, :2], self._pieces[:, 2:]
         low, high = np.minimum(a, b), np.maximum(a, b)

@@ -102,7 +102,19 @@ def _zoom_apart(count: int, a: Ints, b: Ints, across: Floats, down: Floats) -> f
     each = np.minimum(across, down)
     np.maximum.at(needed, a, each)
     np.maximum.at(needed, b, each)
-    return float(np.quantile(needed, 0.75))
+    return _quartile(needed)
+
+
+def _quartile(values: Floats) -> float:
+    """What three quarters of the values do not exceed, between two of them where it falls there.
+
+    ``np.quantile`` gives the same; it loads numpy's masked arrays for it.
+    """
+    at = 0.75 * (len(values) - 1)
+    low = int(at)
+    ordered = np.sort(values)
+    a, b, share = float(ordered[low]), float(ordered[min(low + 1, len(values) - 1)]), at - low
+    return b - (b - a) * (1.0 - share) if share >= 0.5 else a + (b - a) * share
 
 
 def _near_pairs(at: Floats) -> tuple[Ints, Ints]:

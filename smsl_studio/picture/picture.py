@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain, repeat
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,17 +58,16 @@ class Picture:
         self.branch: StateBranch = blueprint[branch]
         self.names = tuple(self.branch.table)
         self.index = {name: i for i, name in enumerate(self.names)}
-        source: list[int] = []
-        target: list[int] = []
-        operations: list[str] = []
-        for i, edges in enumerate(self.branch.table.values()):
-            source.extend([i] * len(edges))
-            operations.extend(edges)
-            target.extend(self.index.get(name, -1) for name in edges.values())
-        self.source: Ints = np.array(source, dtype=np.int32)
-        self.target: Ints = np.array(target, dtype=np.int32)
-        self.operations = tuple(operations)
-        self.prefix = shared_prefix(set(operations))
+        table = self.branch.table
+        counts = np.fromiter(map(len, table.values()), np.int32, len(self.names))
+        targets = chain.from_iterable(edges.values() for edges in table.values())
+        numbers = map(self.index.get, targets, repeat(-1))
+        self.source: Ints = np.repeat(np.arange(len(self.names), dtype=np.int32), counts)
+        self.target: Ints = np.fromiter(numbers, np.int32, len(self.source))
+        self.first: Ints = np.cumsum(counts, dtype=np.int32) - counts
+        """The number of the first edge out of each state; the others follow it."""
+        self.operations = tuple(chain.from_iterable(table.values()))
+        self.prefix = shared_prefix(set(self.operations))
         self._faces: dict[int, Face] = {}
         self._kinds: dict[int, str] = {}
 
@@ -80,12 +80,13 @@ class Picture:
         alone = len(self.names) <= SMALL_STATES and len(self.operations) <= SMALL_EDGES
         return alone and self.crowd <= MOST_CAREFUL
 
-    @cached_property
-    def edge_index(self) -> dict[tuple[str, str], int]:
-        """The number of each edge by (state, operation)."""
-        names = self.names
-        pairs = zip(self.source.tolist(), self.operations, strict=True)
-        return {(names[i], op): e for e, (i, op) in enumerate(pairs)}
+    def numbered(self, state: str, operation: str) -> int:
+        """The number of the edge of this name out of a state, -1 where there is none."""
+        at = self.index.get(state, -1)
+        operations = self.branch.table[state] if at >= 0 else ()
+        if operation not in operations:
+            return -1
+        return int(self.first[at]) + list(operations).index(operation)
 
     @cached_property
     def incident(self) -> tuple[Ints, Ints]:
@@ -111,6 +112,14 @@ class Picture:
         order = np.argsort(keys, kind="stable")
         return keys[order], order.astype(np.int32)
 
+    @cached_property
+    def drawn_once(self) -> NDArray[np.bool_]:
+        """One of two opposite edges, and each whose opposite is missing: the others lie on them."""
+        forward = self.source.astype(np.int64) * len(self) + self.target
+        back = self.target.astype(np.int64) * len(self) + self.source
+        once: NDArray[np.bool_] = (self.source < self.target) | ~np.isin(back, forward)
+        return once
+
     def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """The numbers of the edges from ``a`` to ``b``, and of those from ``b`` to ``a``."""
         keys, numbers = self._by_ends
@@ -128,7 +137,7 @@ class Picture:
         """The number of an edge by its address, -1 where it does not stand here."""
         if address.branch != self.branch.name or not address.operation:
             return -1
-        return self.edge_index.get((address.state, address.operation), -1)
+        return self.numbered(address.state, address.operation)
 
     def node(self, address: Address) -> int:
         """The number of a state by its address, -1 where it is no state of this SB."""

@@ -83,6 +83,20 @@ class EdgeShape:
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         return float(low[0]), float(low[1]), float(high[0]), float(high[1])
 
+    def is_like(self, other: EdgeShape) -> bool:
+        """Whether another line is the very same."""
+        if (self.way, self.side, self.out) != (other.way, other.side, other.out):
+            return False
+        return bool(np.array_equal(self.points, other.points))
+
+    @cached_property
+    def pieces(self) -> Floats:
+        """Its straight pieces, (n, 4); a gentle curve is near enough to a few of them."""
+        points = self.points
+        if self.way in ("curve", "loop"):
+            points = np.vstack([points[:-1:4], points[-1:]])
+        return np.hstack([points[:-1], points[1:]])
+
     def distance(self, x: float, y: float) -> float:
         """How far a point lies from the line."""
         start, step = self.points[:-1], self.points[1:] - self.points[:-1]
@@ -110,30 +124,6 @@ class NodeBox:
         outside = np.hypot(np.maximum(dx, 0.0), np.maximum(dy, 0.0))
         depth: Floats = outside + np.minimum(np.maximum(dx, dy), 0.0) - self.radius
         return depth
-
-
-def between(
-    points: Floats, source: NodeBox, target: NodeBox, start_gap: float, end_gap: float
-) -> Floats:
-    """A line cut where it leaves ``source`` and reaches ``target``, with a gap to each border."""
-    first = source.depth(points) - start_gap
-    last = target.depth(points) - end_gap
-    inside = np.nonzero(first <= 0.0)[0]
-    begin = int(inside[-1]) if len(inside) else 0
-    reached = np.nonzero(last[begin:] <= 0.0)[0]
-    end = begin + int(reached[0]) if len(reached) else len(points) - 1
-    if begin >= len(points) - 1 or end <= begin:
-        return points[[0, -1]]
-    head = _crossing(points, first, begin) if len(inside) else points[begin]
-    tail = _crossing(points, last, end - 1) if len(reached) else points[end]
-    return np.vstack([[head], points[begin + 1 : end], [tail]])
-
-
-def _crossing(points: Floats, depth: Floats, i: int) -> Floats:
-    a, b = depth[i], depth[i + 1]
-    share = a / (a - b) if a != b else 0.0
-    crossing: Floats = points[i] + (points[i + 1] - points[i]) * share
-    return crossing
 
 
 def rounded(corners: list[Point], radius: float) -> Floats:

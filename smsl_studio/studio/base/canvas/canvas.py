@@ -16,6 +16,7 @@ from PySide6.QtGui import (
     QFocusEvent,
     QKeyEvent,
     QMouseEvent,
+    QPaintEvent,
     QResizeEvent,
     QShowEvent,
     QWheelEvent,
@@ -46,6 +47,7 @@ class Canvas(BranchView):
         super().__init__(tokens, parent)
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
+        self._painted = False
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -76,13 +78,23 @@ class Canvas(BranchView):
             picture = Picture(blueprint, branch)
             if positions is None:
                 positions = place_states(picture.branch)
-            sheet = Sheet(picture, positions, self.ink, self.marks)
+            former = self.sheet if self.sheet and self.sheet.is_of(branch) else None
+            sheet = Sheet(picture, positions, self.ink, self.marks, former)
         self.show_sheet(sheet)
         if not keep_view:
             self.look_at_opening()
         self.overlays.show_branch(blueprint, branch)
         self.hand.look_again()
         self._describe()
+
+    def look_at_opening(self) -> None:
+        """Show everything, or what is about the initial state; before the first picture that waits
+        until the size is settled.
+        """
+        if self._painted:
+            super().look_at_opening()
+        else:
+            self.camera.keep("opening")
 
     def show_places(
         self, blueprint: Blueprint, branch: str, positions: Mapping[str, Position]
@@ -173,6 +185,10 @@ class Canvas(BranchView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place what floats again, and look at what was looked at before."""
         super().resizeEvent(event)
+        if self._painted:
+            self._fit_in()
+
+    def _fit_in(self) -> None:
         self.cover()
         self.overlays.place()
         if self.camera.keeps:
@@ -180,11 +196,19 @@ class Canvas(BranchView):
         else:
             self.refresh_pool()
 
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Before the first picture, look from where it opens: the size is settled only now."""
+        if not self._painted:
+            self._painted = True
+            self._fit_in()
+        super().paintEvent(event)
+
     def showEvent(self, event: QShowEvent) -> None:
         """Place what floats and look again, because the size is known only now."""
         super().showEvent(event)
-        self.overlays.place()
-        self.look_again()
+        if self._painted:
+            self.overlays.place()
+            self.look_again()
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer; with Ctrl pan up and down, with Shift sideways."""

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.curves import LineStyle, meets
+from smsl_studio.picture.former import Routing
 from smsl_studio.picture.geometry import Geometry
 from smsl_studio.picture.levels import (
     BOX_SIZE,
@@ -44,8 +45,14 @@ class Sheet:
     """One SB as it is shown now."""
 
     def __init__(
-        self, picture: Picture, positions: Mapping[str, Position], ink: Ink, marks: Marks
+        self,
+        picture: Picture,
+        positions: Mapping[str, Position],
+        ink: Ink,
+        marks: Marks,
+        former: Sheet | None = None,
     ) -> None:
+        """``former`` is the sheet of the same SB before an edit."""
         self.picture, self.ink = picture, ink
         self.at: Floats = np.array(
             [positions.get(name, (0.0, 0.0)) for name in picture.names], dtype=np.float64
@@ -56,6 +63,8 @@ class Sheet:
         """Grows whenever lines or labels lie elsewhere."""
         self._measure()
         self._geometry: dict[tuple[bool, float], Geometry] = {}
+        self._former = former.routings if former is not None else {}
+        self._kept_reaches = -1, (self.at.T, self.at.T)
         self._texts: dict[int, EdgeText] = {}
         self.set_zoom(1.0)
 
@@ -71,6 +80,10 @@ class Sheet:
             full, compact = np.full(count, full.max()), np.full(count, compact.max())
         self.full_widths, self.compact_widths = full, compact
         self.spacing = spacing_of(self.at, full, compact)
+
+    def is_of(self, branch: str) -> bool:
+        """Whether it shows the SB of this name."""
+        return self.picture.branch.name == branch
 
     @property
     def roomy(self) -> bool:
@@ -100,10 +113,20 @@ class Sheet:
             edges.update(dict.fromkeys(geometry.forget(places)))
         return list(edges)
 
+    @property
+    def routings(self) -> dict[tuple[bool, float], Routing]:
+        """How a small picture was routed, by size of marks."""
+        full = {key: one for key, one in self._former.items() if not key[0]}
+        found = ((key, one.routing) for key, one in self._geometry.items())
+        return full | {key: one for key, one in found if one is not None}
+
+    def _route_anew(self) -> None:
+        self.version += 1
+        self._former, self._geometry = self.routings, {}
+
     def settle(self) -> None:
         """Route and label anew: states have come to rest elsewhere."""
-        self.version += 1
-        self._geometry.clear()
+        self._route_anew()
         self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
         self.set_zoom(self.zoom)
 
@@ -115,8 +138,7 @@ class Sheet:
         relabel = marks.findings != self.looks.marks.findings and self.picture.small
         changed = self.looks.change(marks)
         if relabel:
-            self.version += 1
-            self._geometry.clear()
+            self._route_anew()
             return changed[0], set(range(len(self.picture.operations)))
         return changed
 
@@ -189,6 +211,7 @@ class Sheet:
                 self._boxes(unit),
                 LineStyle(unit, self.compact),
                 lambda edge: self._label_size(edge, unit),
+                self._former.pop(key, None),
             )
         return found
 
@@ -222,20 +245,28 @@ class Sheet:
 
     def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
         """The numbers of edges whose straight way (with room for bends) meets a rectangle."""
-        source, target = self.picture.source, self.picture.target
-        if not len(source):
+        if not len(self.picture.source):
             return np.zeros(0, dtype=np.intp)
-        a, b = self.at[source], self.at[np.where(target < 0, source, target)]
-        low, high = np.minimum(a, b), np.maximum(a, b)
+        low, high = self._reaches()
         # Lanes and loops reach out of the way between two states.
         room = (170.0 if self.picture.small else 60.0) * self.unit
         inside = (
-            (high[:, 0] >= left - room)
-            & (low[:, 0] <= right + room)
-            & (high[:, 1] >= top - room)
-            & (low[:, 1] <= bottom + room)
+            (high[0] >= left - room)
+            & (low[0] <= right + room)
+            & (high[1] >= top - room)
+            & (low[1] <= bottom + room)
         )
         return np.nonzero(inside)[0]
+
+    def _reaches(self) -> tuple[Floats, Floats]:
+        """The least and the greatest x and y of the straight way of each edge, each (2, n)."""
+        version, reaches = self._kept_reaches
+        if version != self.version:
+            source, target = self.picture.source, self.picture.target
+            a, b = self.at[source].T, self.at[np.where(target < 0, source, target)].T
+            reaches = np.minimum(a, b), np.maximum(a, b)
+            self._kept_reaches = self.version, reaches
+        return reaches
 
     def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:
         """The edge whose label or line is at a point, -1 for none."""

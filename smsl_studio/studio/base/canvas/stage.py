@@ -14,10 +14,11 @@ from PySide6.QtWidgets import QFrame, QGraphicsScene, QGraphicsView, QWidget
 from smsl_studio.blueprint.address import Address
 from smsl_studio.picture.levels import Level
 from smsl_studio.picture.marks import Marks
+from smsl_studio.studio.base.canvas.background import EdgePainter, FarNodePainter
 from smsl_studio.studio.base.canvas.camera import Camera
 from smsl_studio.studio.base.canvas.gesture_layer import GestureLayer
-from smsl_studio.studio.base.canvas.layers import EdgeLayer, FarNodeLayer, LitLayer
 from smsl_studio.studio.base.canvas.lit_labels import LitLabel
+from smsl_studio.studio.base.canvas.lit_layer import LitLayer
 from smsl_studio.studio.base.canvas.node_item import NodePool
 from smsl_studio.studio.base.canvas.sheet import Position, Sheet
 from smsl_studio.studio.base.paint import batch
@@ -30,7 +31,7 @@ DOT_STEP, DOT = 16.0, 1.5
 
 
 class Stage(QGraphicsView):
-    """A view with three layers and a pool of node items, painted from one sheet."""
+    """A view with a background that is kept, a layer and a pool of node items, all of one sheet."""
 
     picture_changed = Signal()
     """States stand elsewhere or look different."""
@@ -47,11 +48,10 @@ class Stage(QGraphicsView):
         self.camera = Camera(self)
         self.pool = NodePool()
         scene = QGraphicsScene(self)
-        self._layers = EdgeLayer(0.0), FarNodeLayer(5.0), LitLayer(20.0)
-        self.edge_layer, self.far_layer, self.lit_layer = self._layers
-        self.edge_layer.over = self.lit_layer
+        self.lit_layer = LitLayer(20.0)
+        self.edges, self.far_nodes = EdgePainter(self.lit_layer), FarNodePainter()
         self.gestures = GestureLayer(self)
-        for layer in (*self._layers, self.gestures):
+        for layer in (self.lit_layer, self.gestures):
             scene.addItem(layer)
         self.setScene(scene)
         self._set_up()
@@ -62,6 +62,8 @@ class Stage(QGraphicsView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.MinimalViewportUpdate)
+        # What is not lit is painted once, scrolled along, and anew where it was told to be other.
+        self.setCacheMode(QGraphicsView.CacheModeFlag.CacheBackground)
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
         self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
         self.setOptimizationFlag(QGraphicsView.OptimizationFlag.DontSavePainterState)
@@ -80,12 +82,11 @@ class Stage(QGraphicsView):
         self._sheet = sheet
         if sheet is not None:
             sheet.set_zoom(self.camera.zoom)
-        for layer in self._layers:
-            layer.sheet = sheet
+        self.lit_layer.sheet = sheet
         self.gestures.clear()
         self.cover()
         self.refresh_pool()
-        self.scene().update()
+        self._repaint()
 
     @property
     def positions(self) -> dict[str, Position]:
@@ -111,7 +112,7 @@ class Stage(QGraphicsView):
         if self._sheet is not None:
             self._sheet.ink = self._ink
         self.setBackgroundBrush(tokens.canvas)
-        self.scene().update()
+        self._repaint()
         self.viewport().update()
 
     @property
@@ -130,7 +131,7 @@ class Stage(QGraphicsView):
         self.refresh_pool()
         if len(states) > POOL or len(edges) > POOL:
             self.pool.refresh(sheet)
-            self.scene().update()
+            self._repaint()
         else:
             for state in states:
                 self.update_node(state)
@@ -199,7 +200,7 @@ class Stage(QGraphicsView):
             item = self.pool.used.get(state)
             if item is not None:
                 item.show_state(sheet, state)
-        self.scene().update(before.united(self._dirty(list(places), edges)))
+        self._repaint(before.united(self._dirty(list(places), edges)))
         self.picture_changed.emit()
 
     def _dirty(self, states: list[int], edges: list[int] | None = None) -> QRectF:
@@ -231,13 +232,13 @@ class Stage(QGraphicsView):
             self.cover()
             self.refresh_pool()
             self.pool.refresh(self._sheet)
-            self.scene().update()
+            self._repaint()
 
     def update_edges(self, edges: Iterable[int]) -> None:
         """Paint these edges again."""
         numbers = list(edges)
         if numbers and self._sheet is not None:
-            self.scene().update(self._dirty([], numbers))
+            self._repaint(self._dirty([], numbers))
 
     def update_lit(self, before: Mapping[int, LitLabel]) -> None:
         """Paint again the labels of lit edges that are not what they were."""
@@ -255,7 +256,7 @@ class Stage(QGraphicsView):
                     rect = QRectF(left, top, right - left, bottom - top)
                     # What the label of a change covers hides, and comes back when that moves.
                     pad = (160.0 if sheet.looks.marks.changes else 4.0) * sheet.unit
-                    self.scene().update(rect.adjusted(-pad, -pad, pad, pad))
+                    self._repaint(rect.adjusted(-pad, -pad, pad, pad))
 
     def update_node(self, state: int) -> None:
         """Paint this node again."""
@@ -275,7 +276,7 @@ class Stage(QGraphicsView):
         wide = max(self.viewport().width(), 400) / zoom + 300.0
         high_ = max(self.viewport().height(), 300) / zoom + 300.0
         rect = rect.adjusted(-wide, -high_, wide, high_)
-        for layer in (*self._layers, self.gestures):
+        for layer in (self.lit_layer, self.gestures):
             layer.cover(rect)
         if rect != self.sceneRect():
             self.scene().setSceneRect(rect)
@@ -288,7 +289,7 @@ class Stage(QGraphicsView):
             sheet.set_zoom(zoom)
             self.refresh_pool()
             self.pool.refresh(sheet)
-        self.scene().update()
+        self._repaint()
         self.zoom_changed.emit(zoom)
 
     def refresh_pool(self) -> None:
@@ -308,23 +309,42 @@ class Stage(QGraphicsView):
         pad = 40.0 * sheet.unit
         view.adjust(-pad, -pad, pad, pad)
         seen = sheet.states_in(view.left(), view.top(), view.right(), view.bottom())
-        if sheet.level is Level.FULL or (sheet.level is Level.COMPACT and len(seen) <= POOL):
+        whole = sheet.level is Level.FULL
+        whole = whole or (sheet.level is Level.COMPACT and len(seen) <= POOL)
+        if whole:
             states = seen
         lit = sheet.looks.lit_states
         if len(lit) <= 2 * POOL:
             states = list(dict.fromkeys([*states, *lit]))
         for item in self.pool.show(sheet, states):
             self.scene().addItem(item)
-        near = frozenset(self.pool.used)
-        if near != self.far_layer.near:
-            self.far_layer.near = near
-            if sheet.level is not Level.FULL:
-                self.far_layer.update()
+        self._look_at(self.seen, frozenset() if whole else frozenset(self.pool.used), whole)
+
+    def _look_at(self, view: QRectF, near: frozenset[int], whole: bool) -> None:
+        """Paint the background anew where what is painted there depends on what is in view."""
+        sheet = self._sheet
+        assert sheet is not None
+        sides = view.left(), view.top(), view.right(), view.bottom()
+        before, other = self.far_nodes.near, self.edges.look_at(sheet, sides)
+        if self.far_nodes.look_at(sheet, sides, near, whole) or other or len(before ^ near) > POOL:
+            self._repaint()
+        else:
+            half, pad = sheet.halves(), 4.0 * sheet.unit
+            for state in before ^ near:
+                if state < len(sheet.at):
+                    (x, y), (w, h) = sheet.at[state], half[state] + pad
+                    self._repaint(QRectF(x - w, y - h, 2 * w, 2 * h))
+
+    def _repaint(self, rect: QRectF | None = None) -> None:
+        """Paint a part of the scene anew, or all of it: also what is kept of it."""
+        self.scene().invalidate(rect if rect is not None else QRectF())
 
     def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
-        """Canvas colour and a dot every 16 pixels (or the next power of two of the scene)."""
+        """Canvas, a dot every 16 pixels (or the next power of two of the scene), then all edges
+        that are not lit and the nodes that have no item.
+        """
         area = QRectF(rect)  # type: ignore[arg-type]
-        tokens = self._ink.tokens
+        tokens, sheet = self._ink.tokens, self._sheet
         painter.fillRect(area, tokens.canvas)
         step = DOT_STEP
         while step * self.zoom < 11.0:
@@ -333,6 +353,9 @@ class Stage(QGraphicsView):
             step /= 2.0
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         batch.draw_grid(painter, area, step, DOT / self.zoom, tokens.dot)
+        if sheet is not None and len(sheet.picture):
+            self.edges.paint(painter, sheet, area)
+            self.far_nodes.paint(painter, sheet, area)
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:
         """Scroll, give items to the nodes that came into view, and tell that the view moved."""

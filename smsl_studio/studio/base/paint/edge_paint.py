@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 from weakref import WeakKeyDictionary
@@ -120,6 +121,28 @@ def paint_line(
     painter.setPen(NO_PEN)
     painter.setBrush(colour)
     painter.drawPolygon(tip)
+
+
+def paint_plain(
+    painter: QPainter,
+    shapes: Sequence[EdgeShape],
+    look: EdgeLook,
+    with_ink: LineInk,
+    drawn: EdgeShapes,
+) -> None:
+    """Lines and arrowheads of edges that all look alike: all lines, then all heads."""
+    ink, unit, compact = with_ink
+    colour, width, dashes = _stroke(look, ink, compact)
+    head = HEAD - (1.0 if compact else 0.0)
+    both = [drawn.of(shape, head * unit, (head - 2.0) * unit) for shape in shapes]
+    painter.setBrush(NO_BRUSH)
+    painter.setPen(pen(colour, width * unit, tuple(d * unit for d in dashes)))
+    for body, _ in both:
+        painter.drawPolyline(body)
+    painter.setPen(NO_PEN)
+    painter.setBrush(colour)
+    for _, tip in both:
+        painter.drawPolygon(tip)
 
 
 class EdgeShapes:

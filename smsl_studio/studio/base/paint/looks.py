@@ -45,9 +45,14 @@ class Looks:
         found = self._nodes.get(state) or NodeLook(dimmed=self.marks.dimmed)
         return replace(found, hovered=True) if state == self.hovered_state else found
 
+    @property
+    def plain(self) -> EdgeLook:
+        """How every edge looks that is not lit."""
+        return EdgeLook(dimmed=self.marks.dimmed)
+
     def edge(self, edge: int) -> EdgeLook:
         """How the edge with this number looks."""
-        found = self._edges.get(edge) or EdgeLook(dimmed=self.marks.dimmed)
+        found = self._edges.get(edge) or self.plain
         return replace(found, hovered=True) if edge == self.hovered_edge else found
 
     @property
@@ -138,8 +143,8 @@ class Looks:
         state = self._picture.node(address)
         if state < 0:
             return
-        for operation in self._picture.branch.table[address.state]:
-            edge = self._picture.edge_index[address.state, operation]
+        first = int(self._picture.first[state])
+        for edge in range(first, first + len(self._picture.branch.table[address.state])):
             edges.setdefault(edge, {})["out"] = True
 
     def _near(

@@ -1,0 +1,182 @@
+"""The background of a canvas: all edges that are not lit, and the nodes that have no item.
+
+It is painted once and kept as long as nothing of it changes. Far below a readable size edges and
+nodes are painted in batches from numpy buffers. Near, edges are painted one by one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QPainter, QPen
+
+from smsl_studio.legible import plain_text
+from smsl_studio.picture import labels
+from smsl_studio.picture.labels import Rect
+from smsl_studio.picture.levels import Level
+from smsl_studio.studio.base.canvas.lit_layer import LitLayer
+from smsl_studio.studio.base.canvas.sheet import Numbers, Sheet
+from smsl_studio.studio.base.paint import batch
+from smsl_studio.studio.base.paint.edge_paint import EdgeShapes, LineInk, paint_label, paint_plain
+
+MANY_EDGES = 700
+"""Beyond so many edges in view they are painted in a batch."""
+SMOOTH_EDGES, SMOOTH_NODES = 3000, 1500
+"""From so many in view on they are painted without smooth borders."""
+
+
+def _sides(rect: QRectF) -> Rect:
+    return rect.left(), rect.top(), rect.right(), rect.bottom()
+
+
+def _cosmetic(pen: QPen) -> QPen:
+    pen.setCosmetic(True)
+    return pen
+
+
+class EdgePainter:
+    """All edges that are not lit, below the nodes: how many are in view decides how they look."""
+
+    def __init__(self, over: LitLayer) -> None:
+        """``over`` is what is painted above."""
+        self._drawn, self._over = EdgeShapes(), over
+        self._near = self._smooth = True
+
+    def look_at(self, sheet: Sheet, view: Rect) -> bool:
+        """This part of the scene is in view now; whether edges look different for that."""
+        before, seen = (self._near, self._smooth), sheet.edges_in(*view)
+        self._near = sheet.level >= Level.COMPACT and len(seen) <= MANY_EDGES
+        source, target = sheet.picture.source[seen], sheet.picture.target[seen]
+        self._smooth = int(((target >= 0) & (source != target)).sum()) < SMOOTH_EDGES
+        return before != (self._near, self._smooth)
+
+    def paint(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint edges one by one where they are near and few, else in one batch."""
+        edges = sheet.edges_in(*_sides(exposed))
+        if self._near:
+            self._paint_near(painter, sheet, edges.tolist())
+        elif len(edges):
+            self._paint_far(painter, sheet, edges)
+
+    def _paint_near(self, painter: QPainter, sheet: Sheet, edges: list[int]) -> None:
+        geometry, looks = sheet.geometry, sheet.looks
+        rest = [e for e in edges if not looks.is_lit(e)]
+        geometry.prepare(rest)
+        ink = LineInk(sheet.ink, sheet.unit, sheet.compact)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        shapes, look = [geometry.shape(e) for e in rest], looks.plain
+        paint_plain(painter, shapes, look, ink, self._drawn)
+        if looks.marks.dimmed:
+            return
+        unit = sheet.unit
+        painter.save()
+        painter.scale(unit, unit)
+        for edge, rect in self.names(sheet, rest).items():
+            centre = QPointF((rect[0] + rect[2]) / 2 / unit, (rect[1] + rect[3]) / 2 / unit)
+            paint_label(painter, sheet.text(edge), centre, look, sheet.ink)
+        painter.restore()
+
+    def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:
+        """Where the names of these edges stand; one that the label of a change covers hides."""
+        found = {edge: rect for edge in edges if (rect := sheet.geometry.label(edge)) is not None}
+        if not sheet.looks.marks.changes:
+            return found
+        lit = self._over.shown().values()
+        over = [one.rect for one in lit if sheet.edge_look(one.edge).change]
+        return {e: r for e, r in found.items() if not any(labels.meet(r, one) for one in over)}
+
+    def _paint_far(self, painter: QPainter, sheet: Sheet, edges: Numbers) -> None:
+        """Straight lines; opposite edges lie on each other, heads are two strokes."""
+        tokens = sheet.ink.tokens
+        source, target = sheet.picture.source[edges], sheet.picture.target[edges]
+        keep = (target >= 0) & (source != target)
+        source, target = source[keep], target[keep]
+        colour = tokens.dim if sheet.looks.marks.dimmed else tokens.edge
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._smooth)
+        painter.setPen(_cosmetic(QPen(colour, 1.0)))
+        a, b = sheet.at[source], sheet.at[target]
+        if sheet.level is Level.DOT:
+            once = sheet.picture.drawn_once[edges][keep]
+            batch.draw_lines(painter, np.hstack([a[once], b[once]]))
+            return
+        step = b - a
+        length = np.maximum(np.hypot(step[:, 0], step[:, 1]), 1e-6)[:, None]
+        along = step / length
+        across = np.column_stack([-along[:, 1], along[:, 0]])
+        shift = across * 2.5 * sheet.unit
+        half = sheet.halves()[target] if len(target) else step
+        # Where the line meets the target's box.
+        reach = np.minimum(
+            half[:, 0] / np.maximum(np.abs(along[:, 0]), 1e-6),
+            half[:, 1] / np.maximum(np.abs(along[:, 1]), 1e-6),
+        )[:, None]
+        tip = b - along * (reach + sheet.unit) + shift
+        size = 4.0 * sheet.unit
+        batch.draw_lines(
+            painter,
+            np.vstack(
+                [
+                    np.hstack([a + shift, tip]),
+                    np.hstack([tip, tip - along * size + across * size * 0.5]),
+                    np.hstack([tip, tip - along * size - across * size * 0.5]),
+                ]
+            ),
+        )
+
+
+class FarNodePainter:
+    """Nodes that are dots, boxes, or too many to be items."""
+
+    def __init__(self) -> None:
+        self.near: frozenset[int] = frozenset()
+        """States that are shown by an item of their own, where not all in view are."""
+        self._whole, self._smooth = True, True
+
+    def look_at(self, sheet: Sheet, view: Rect, near: frozenset[int], whole: bool) -> bool:
+        """This part of the scene is in view now; whether all nodes look different for that.
+
+        ``whole`` says that every state in view has an item, else those in ``near`` have one.
+        """
+        before = self._whole, self._smooth
+        seen = 0 if whole else sum(1 for state in sheet.states_in(*view) if state not in near)
+        self.near, self._whole, self._smooth = near, whole, seen < SMOOTH_NODES
+        return before != (self._whole, self._smooth)
+
+    def paint(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
+        """Paint dots or boxes for the states that have no node item."""
+        if self._whole:
+            return
+        states = sheet.states_in(*_sides(exposed))
+        tokens = sheet.ink.tokens
+        rows = np.array([s for s in states if s not in self.near], dtype=np.int64)
+        if not len(rows):
+            return
+        if sheet.level is Level.DOT:
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._smooth)
+            size = min(6.0, max(1.6, sheet.spacing.pitch * sheet.zoom * 0.42))
+            dots = QPen(tokens.slate, size)
+            dots.setCapStyle(Qt.PenCapStyle.RoundCap if self._smooth else Qt.PenCapStyle.SquareCap)
+            painter.setPen(_cosmetic(dots))
+            batch.draw_points(painter, sheet.at[rows])
+            return
+        half = sheet.halves()[rows]
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, self._smooth)
+        painter.setPen(_cosmetic(QPen(tokens.nl, 1.2)))
+        painter.setBrush(tokens.surf)
+        batch.draw_rects(painter, np.hstack([sheet.at[rows] - half, half * 2]))
+        if sheet.level is Level.COMPACT:
+            self._texts(painter, sheet, rows.tolist())
+
+    def _texts(self, painter: QPainter, sheet: Sheet, rows: list[int]) -> None:
+        unit, type_ = sheet.unit, sheet.ink.short
+        painter.save()
+        painter.scale(unit, unit)
+        painter.setFont(type_.font)
+        painter.setPen(sheet.ink.tokens.tx)
+        for row in rows:
+            text = type_.elided(sheet.picture.face(row).short, float(sheet.compact_widths[row]) - 8)
+            x, y = sheet.at[row] / unit
+            painter.drawText(QPointF(x - type_.width(text) / 2, y + type_.rise), plain_text(text))
+        painter.restore()

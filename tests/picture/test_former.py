@@ -1,0 +1,116 @@
+"""After an edit only what it touches is routed anew, and all lies as if everything had been."""
+
+from __future__ import annotations
+
+import random
+
+import numpy as np
+import pytest
+
+from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
+from smsl_studio.blueprint.model import Blueprint
+from smsl_studio.errors import StudioError
+from smsl_studio.generate.rules import hanoi
+from smsl_studio.graph.layout import place_states
+from smsl_studio.picture.curves import LineStyle
+from smsl_studio.picture.former import Routing
+from smsl_studio.picture.geometry import Geometry
+from smsl_studio.picture.picture import Picture
+from tests.stories.at_canvas import sample
+
+Places = dict[str, tuple[float, float]]
+
+
+def geometry_of(
+    blueprint: Blueprint, branch: str, places: Places, style: LineStyle, former: Routing | None
+) -> Geometry:
+    """The geometry of an SB; its nodes are as wide as their names, its labels as well."""
+    picture = Picture(blueprint, branch)
+    at = np.array([places[name] for name in picture.names]).reshape(-1, 2)
+    size = (46.0, 24.0) if style.compact else (108.0, 54.0)
+    wide = [max(size[0], 7.0 * len(name)) for name in picture.names]
+    half = np.column_stack([wide, np.full(len(wide), size[1])]) / 2 * style.unit
+
+    def label_size(edge: int) -> tuple[float, float]:
+        return (len(picture.label(edge)) * 6.0 + 8.0) * style.unit, 15.0 * style.unit
+
+    return Geometry(picture, np.hstack([at, half.reshape(-1, 2)]), style, label_size, former)
+
+
+def assert_alike(one: Geometry, whole: Geometry) -> None:
+    for edge in range(len(whole.picture.operations)):
+        mine, other = one.shape(edge), whole.shape(edge)
+        name = whole.picture.operations[edge]
+        assert mine.is_like(other), f"the line of {name} lies elsewhere"
+        assert one.label(edge) == whole.label(edge), f"the label of {name} lies elsewhere"
+
+
+def edited(blueprint: Blueprint, branch: str, dice: random.Random, places: Places) -> Blueprint:
+    """The blueprint after one edit, chosen by dice; ``places`` follow it."""
+    table = blueprint[branch].table
+    state, other = dice.choice(list(table)), dice.choice(list(table))
+    operation = dice.choice(list(table[state]) or [""])
+    at = Address(branch, state, operation)
+    what = dice.choice(
+        ["name", "operation", "add", "connect", "loop", "lead", "cut", "gone", "move"]
+    )
+    spot = (dice.randrange(-9, 30) * 40.0, dice.randrange(-9, 20) * 30.0)
+    if what == "name":
+        new = state + "x" * dice.randrange(1, 14)
+        places[new] = places[state]
+        return editing.rename(blueprint, Address(branch, state), new)
+    if what == "operation" and operation:
+        return editing.rename(blueprint, at, operation + "y" * dice.randrange(1, 9))
+    if what == "add":
+        name = f"New{len(table)}{dice.randrange(1000)}"
+        places[name] = spot
+        return editing.add_state(blueprint, branch, name, spot)
+    if what in ("connect", "loop"):
+        goal = state if what == "loop" else other
+        name = f"Op_{dice.randrange(10_000)}"
+        return editing.add_operation(blueprint, branch, state, name, goal)
+    if what == "lead" and operation:
+        return editing.retarget(blueprint, at, other)
+    if what == "cut" and operation:
+        return editing.delete(blueprint, [at])
+    if what == "gone" and len(table) > 2:
+        return editing.delete(blueprint, [Address(branch, state)])
+    places[state] = spot
+    return editing.set_layout(blueprint, branch, {state: spot})
+
+
+SAMPLES = [("hanoi-corrected.json", 8), ("hfsm.json", 8), ("registration.json", 8)]
+
+
+@pytest.mark.parametrize(("name", "seeds"), SAMPLES)
+@pytest.mark.parametrize("style", [LineStyle(), LineStyle(1.3, True)])
+def test_a_picture_after_an_edit_is_the_one_that_is_routed_whole(
+    name: str, seeds: int, style: LineStyle
+) -> None:
+    for seed in range(seeds):
+        dice, blueprint = random.Random(seed), sample(name)
+        branch = dice.choice(list(blueprint.branches))
+        places = dict(place_states(blueprint[branch]))
+        former = geometry_of(blueprint, branch, places, style, None).routing
+        for _ in range(8):
+            try:
+                blueprint = edited(blueprint, branch, dice, places)
+            except StudioError:
+                continue
+            after = geometry_of(blueprint, branch, places, style, former)
+            assert_alike(after, geometry_of(blueprint, branch, places, style, None))
+            former = after.routing
+
+
+def test_an_edit_takes_over_the_lines_that_it_does_not_touch() -> None:
+    blueprint = hanoi(4)
+    places = dict(place_states(blueprint["SB1"]))
+    before = geometry_of(blueprint, "SB1", places, LineStyle(), None)
+    names = list(blueprint["SB1"].table)
+    places["State_new"] = places[names[0]]
+    after = editing.rename(blueprint, Address("SB1", names[0]), "State_new")
+    now = geometry_of(after, "SB1", places, LineStyle(), before.routing)
+    edges = range(len(now.picture.operations))
+    anew = [edge for edge in edges if now.shape(edge) is not before.shape(edge)]
+    assert 0 < len(anew) < 12, "only the lines at the renamed state are made"
