@@ -22,6 +22,7 @@ BENCHES = (
     "replan",
     "start",
     "canvas",
+    "window_edits",
     "source",
     "physics",
     "faults",

@@ -31,7 +31,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.dispatch.drive.terms import RunTerms
 from smsl_studio.generate.rules import hanoi
 from smsl_studio.host.local import LocalHost
-from smsl_studio.library.loading import Loaded, Plugin
+from smsl_studio.library.loaded import Loaded, Plugin
 from smsl_studio.library.operation_library import OperationLibrary
 
 LOOP = (

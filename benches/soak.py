@@ -87,13 +87,13 @@ def _pair(seat: Seat) -> None:
 
 
 def _run(seat: Seat) -> None:
-    run = seat.window.run_pane.run
+    run = seat.window.features.run.pane.run
     seat.window.set_mode("run")
-    seat.window.run_pane.play()
+    seat.window.features.run.pane.play()
     _until(lambda: run.story.moment.finished is not None)
     assert run.phase == "goal_reached", run.phase
     run.close()
-    seat.window.run_pane.show_drawing()
+    seat.window.features.run.pane.show_drawing()
 
 
 def _window(folder: Path, text: str) -> None:

@@ -38,7 +38,7 @@ def show(file: str) -> int:
     """Open a window on a file, and wait until it is drawn and inspected, or told to be broken."""
     from PySide6.QtCore import QEventLoop, QTimer
 
-    from smsl_studio.library.loading import Loaded
+    from smsl_studio.library.loaded import Loaded
     from smsl_studio.studio.base.settings import Settings
     from smsl_studio.studio.base.style import dress
     from smsl_studio.studio.base.theme import LIGHT

@@ -77,12 +77,12 @@ class Moments:
         self._window: Window = make_window(self._windows, str(folder / self._scene.file))
         self._until(lambda: self._windows.plugins.known)
         self._window.set_mode("run")
-        _choose(self._window.run_pane.transport.world, self._scene.world)
+        _choose(self._window.features.run.pane.transport.world, self._scene.world)
         os.environ["STALL"] = self._scene.stall
 
     def moment(self, number: int) -> dict[str, Any]:
         """Begin a run, and stop it in the phase."""
-        run = self._window.run_pane.run
+        run = self._window.features.run.pane.run
         PLACE.unlink(missing_ok=True)
         Path("begun").unlink(missing_ok=True)
         self._press(Qt.Key.Key_F5)

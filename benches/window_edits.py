@@ -1,0 +1,87 @@
+"""What a person waits for in the window: an edit until the picture is right, the wheel, a pan.
+
+An edit is carried out as a key or a gesture does it, and all that Qt has to do then is done before
+the clock stops: forms, rows and the picture. Its rest (findings, source, journal) comes beside or
+later, and has a row of its own. Frames of wheel and pan are painted before the clock stops.
+Times are CPU time of the window's own thread; a rest counts that of all threads.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from benches.row import Row
+
+SIZES = (3, 4, 6, 8)
+FRAME = "at most 16 ms"
+REST = "at most 150 ms"
+SETTLED = "at most 200 ms"
+KINDS = ("rename a state", "add a state", "delete a state", "move a state", "connect two")
+
+
+def rows() -> Iterator[Row]:
+    """Milliseconds at 27, 81, 729 and 6,561 states."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["SMSL_STUDIO_HOME"] = folder
+        for disks in SIZES:
+            yield from _rows(disks, Path(folder))
+
+
+def _rows(disks: int, folder: Path) -> Iterator[Row]:
+    from benches.window_sides import Seat
+
+    seat = Seat(disks, folder)
+    states = f"{3**disks:,} states"
+    try:
+        for kind in KINDS:
+            figure, rest = _edits(seat, seat.edits(kind))
+            yield Row(f"{states}: {kind}", figure, "ms", bound=FRAME)
+            yield Row(f"{states}: {kind}, until all rests", rest, "ms", bound=REST)
+        for words, near in (("fitted", False), ("at 100 %", True)):
+            for way, turn in (("wheel", seat.zoom), ("pan", seat.pan)):
+                seat.look(near)
+                frames, rest = _frames(seat, turn)
+                yield Row(f"{states}: {way}, {words}: the usual frame", statistics.median(frames))
+                yield Row(f"{states}: {way}, {words}: the slowest", max(frames), bound=FRAME)
+                yield Row(f"{states}: {way}, {words}: then rests in", rest, bound=SETTLED)
+    finally:
+        seat.close()
+
+
+def _edits(seat: object, steps: Iterator[Callable[[], object]]) -> tuple[float, float]:
+    """The median of an edit until the picture is right, and of all that follows."""
+    from benches.window_sides import Seat
+
+    assert isinstance(seat, Seat)
+    shown, rests = [], []
+    for step in steps:
+        seat.rest()
+        start, whole = time.thread_time(), time.process_time()
+        step()
+        seat.paint()
+        shown.append((time.thread_time() - start) * 1000)
+        seat.rest()
+        rests.append((time.process_time() - whole) * 1000)
+    return statistics.median(shown), statistics.median(rests)
+
+
+def _frames(seat: object, turn: Callable[[int], object]) -> tuple[list[float], float]:
+    """Each of twelve frames, and what is left to do after the last one."""
+    from benches.window_sides import Seat
+
+    assert isinstance(seat, Seat)
+    frames = []
+    for step in range(12):
+        start = time.thread_time()
+        turn(1 if step < 6 else -1)
+        seat.paint()
+        frames.append((time.thread_time() - start) * 1000)
+    start = time.thread_time()
+    seat.rest()
+    return frames, (time.thread_time() - start) * 1000
