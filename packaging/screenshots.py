@@ -133,7 +133,7 @@ class Studio:
                 self._shoot(window, f"{mode}-{name}-{theme}-{size[0]}x{size[1]}")
                 if size == FRONT and scene.world == "hanoi":
                     self._shoot(window, f"{mode}-{theme}")
-                window.run_pane.pause()
+                window.features.run.pane.pause()
             window.session.history.setClean()
             window.close()
 
@@ -180,7 +180,7 @@ class Studio:
             window.files.open_copy(ROOT / "samples" / "hanoi-corrected.json")
             self._until(partial(self._knows, window))
             window.set_mode("run")
-            transport = window.run_pane.transport
+            transport = window.features.run.pane.transport
             transport.world.setCurrentIndex(transport.world.findData(world))
             window.set_mode("supervise")
             come_to(window)
@@ -194,7 +194,7 @@ class Studio:
         return window.inspector.current and self._windows.plugins.known
 
     def _under_way(self, window: Window) -> None:
-        pane = window.run_pane
+        pane = window.features.run.pane
         pane.transport.speed.setCurrentText("Max")
         pane.play()
         self._until(partial(self._has_done, window, 3))
@@ -203,19 +203,19 @@ class Studio:
         pane.run.set_speed(0.01)
 
     def _hold(self, window: Window) -> None:
-        run = window.run_pane.run
-        window.run_pane.step()
+        run = window.features.run.pane.run
+        window.features.run.pane.step()
         self._until(partial(self._has_done, window, 1))
         for item in run.status.possible if run.status else ():
             run.prune(item.address, "the grip slipped here")
-        window.run_pane.play()
+        window.features.run.pane.play()
         self._until(lambda: run.phase == "no_route")
 
     def _map(self, window: Window) -> None:
-        window.run_pane.step()
+        window.features.run.pane.step()
         self._until(partial(self._has_done, window, 1))
-        window.supervise.set_full_map(True)
-        self._until(window.supervise.is_mapped)
+        window.features.supervise.pane.set_full_map(True)
+        self._until(window.features.supervise.pane.is_mapped)
 
     def take_people(self) -> None:
         """A task of which one of two has answered, and the table of levels before the next run."""
@@ -225,7 +225,7 @@ class Studio:
         window.files.open_copy(ROOT / "samples" / "registration-people.json")
         self._until(lambda: window.inspector.current and self._windows.plugins.known)
         window.set_mode("supervise")
-        pane, card = window.run_pane, window.people.card
+        pane, card = window.features.run.pane, window.features.people.people.card
         pane.play()
         said: list[str] = []
         while (task := self._task_after(window, said)).kind != "confirm" or task.persons == 1:
@@ -246,8 +246,8 @@ class Studio:
         self._until(lambda: pane.run.phase == "stopped")
         pane.run.end()
         self._until(lambda: not pane.run.exists)
-        window.people.edit_levels()
-        editor = window.people.editor
+        window.features.people.people.edit_levels()
+        editor = window.features.people.people.editor
         assert editor is not None
         for row, level in ((0, "human"), (10, "human"), (12, "shared")):
             editor.table.selectRow(row)
@@ -272,7 +272,7 @@ class Studio:
         window = make_window(self._windows, str(path))
         self._until(partial(self._knows, window))
         window.set_mode("run")
-        pane = window.run_pane
+        pane = window.features.run.pane
         pane.transport.by_hand.setChecked(True)
         pane.play()
         self._until(lambda: pane.run.phase == "ready")
@@ -300,8 +300,8 @@ class Studio:
         script = smsl.read_script(ROOT / "samples" / "scripts" / "hanoi-pruned.jsonl", blueprint)
         smsl.run(blueprint, "hanoi", script=script, avoid=["State_aaa/Op_1c"], log=log)
         window = make_window(self._windows, str(log))
-        self._until(lambda: window.replaying.is_open)
-        replay = window.replaying.replay
+        self._until(lambda: window.features.replay.verbs.is_open)
+        replay = window.features.replay.verbs.replay
         assert replay.recording is not None
         events = replay.recording.retelling.events
         shut = next(at for at, event in enumerate(events, 1) if event.event == "operation_pruned")
@@ -315,7 +315,9 @@ class Studio:
         found: list[Task] = []
 
         def there() -> bool:
-            found[:] = [task for task in window.people.card.tasks if task.name not in said]
+            found[:] = [
+                task for task in window.features.people.people.card.tasks if task.name not in said
+            ]
             return bool(found)
 
         self._until(there)
@@ -344,7 +346,7 @@ class Studio:
 
     def _run(self, window: Window, scene: Scene) -> None:
         window.set_mode("run")
-        pane, transport = window.run_pane, window.run_pane.transport
+        pane, transport = window.features.run.pane, window.features.run.pane.transport
         transport.world.setCurrentIndex(transport.world.findData(scene.world))
         transport.speed.setCurrentText("Max")
         pane.world.patient = True
@@ -360,11 +362,11 @@ class Studio:
         pane.pause()
 
     def _has_done(self, window: Window, operations: int) -> bool:
-        status = window.run_pane.run.status
+        status = window.features.run.pane.run.status
         return status is not None and status.operations >= operations
 
     def _well_under_way(self, window: Window) -> bool:
-        status = window.run_pane.run.status
+        status = window.features.run.pane.run.status
         return (
             status is not None
             and status.running is not None
@@ -374,7 +376,7 @@ class Studio:
 
     def _set_going(self, window: Window) -> None:
         """Between two pictures the run is paused, so that all of them show the same operation."""
-        pane = window.run_pane
+        pane = window.features.run.pane
         pane.play()
         self._until(lambda: pane.run.phase == "running")
         self._wait(0.12)

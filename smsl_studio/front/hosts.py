@@ -11,7 +11,8 @@ from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.request import RunRequest
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.protocol import Host
-from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.loading import discover
 from smsl_studio.world.engines import TABLE
 
 if TYPE_CHECKING:

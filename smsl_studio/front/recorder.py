@@ -12,7 +12,7 @@ from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.errors import SaveError, UsageError
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.run_header import log_header
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.ends import UNBEGUN
 from smsl_studio.runlog.events import Event, Held, RunFinished
 from smsl_studio.runlog.log import RunLog

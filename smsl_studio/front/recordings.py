@@ -20,13 +20,10 @@ from smsl_studio.runlog.causes import Causes
 from smsl_studio.runlog.events import RunStarted
 from smsl_studio.runlog.grammar.log_reader import Going, LoggedRun, read_log
 from smsl_studio.runlog.history import RunHistory, Story
-from smsl_studio.runlog.log import FORMAT
 from smsl_studio.runlog.playback import Playback
 from smsl_studio.smsl.forms import SUFFIXES
-from smsl_studio.smsl.inputs import read_ordinary
 
 SUFFIX = ".jsonl"
-_FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
 READ, FOLDED, TOLD = 0.5, 0.75, 0.95
 """Shares of the time it takes until a log is read, folded and told as a story."""
 ANOTHER = "It was recorded with another version of this blueprint"
@@ -63,14 +60,6 @@ class Recording:
     def asked(self, key: str) -> Any:
         """What the header says; None where it says nothing."""
         return self.run.header.get(key)
-
-
-def is_recording(path: Path) -> bool:
-    """Whether a file is a run log, by how it begins; false where it cannot be read."""
-    try:
-        return read_ordinary(path, len(_FIRST)).raw.startswith(_FIRST)
-    except (OSError, ValueError):
-        return False
 
 
 def open_recording(path: Path, drawn: Blueprint, going: Going = _nobody) -> Recording:

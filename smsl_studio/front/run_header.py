@@ -19,7 +19,7 @@ from smsl_studio.front.request import RunRequest
 from smsl_studio.front.version import version
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.grounds import grounds_of
 from smsl_studio.runlog.names import names_of
 from smsl_studio.seal.digest import sha256_hex

@@ -26,7 +26,7 @@ from smsl_studio.front.script.addresses import Written, operations_at, states_at
 from smsl_studio.front.script.fit import check_faults
 from smsl_studio.front.script.player import ScriptPlayer
 from smsl_studio.front.script.script import Act, Script
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.table_faults import table_faults
 from smsl_studio.runlog.events import Event, RunFinished
 from smsl_studio.stop import Stopped, heeding, whole

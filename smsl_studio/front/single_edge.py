@@ -16,7 +16,7 @@ from smsl_studio.front.hosts import make_host
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.starts import start_for_edge
 from smsl_studio.host.protocol import Host
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.events import (
     Committed,
     EdgeSwept,

@@ -15,7 +15,7 @@ from smsl_studio.host.plugin_offers import describe
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import bindings_beside
 from smsl_studio.library.bound import leaf_facts
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.world.engines import TABLE
 
 

@@ -30,7 +30,8 @@ from smsl_studio.host.confinement import confine
 from smsl_studio.host.local import LocalHost
 from smsl_studio.host.protocol import OpenedWorld, Outcome, Tick
 from smsl_studio.host.wire import ChildWire
-from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.loading import discover
 from smsl_studio.smsl.forms import form_named
 from smsl_studio.world.engines import TABLE, preload
 

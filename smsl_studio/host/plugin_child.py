@@ -26,7 +26,8 @@ from smsl_studio.host.description import LARGEST, written
 from smsl_studio.host.plugin_process import SIZE, PluginAnswer, PluginProcess
 from smsl_studio.host.vocabulary import COUNT, sentence
 from smsl_studio.host.wire import ChildWire
-from smsl_studio.library.loading import PluginFault, load_plugin
+from smsl_studio.library.loaded import PluginFault
+from smsl_studio.library.loading import load_plugin
 from smsl_studio.library.survey import FoundPlugin
 
 STEP = row(COUNT, COUNT, optional(opaque(LARGEST)), sentence())

@@ -22,7 +22,8 @@ from smsl_studio.host.exit_words import ending_words
 from smsl_studio.host.plugin_child import STEP
 from smsl_studio.host.started_child import Child, start_child
 from smsl_studio.host.wire import NoAnswer
-from smsl_studio.library.loading import Loaded, Plugin, PluginFault, gathered
+from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
+from smsl_studio.library.loading import gathered
 from smsl_studio.library.survey import FoundPlugin, PluginState, survey
 from smsl_studio.stop import heed
 

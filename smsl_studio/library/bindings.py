@@ -28,7 +28,7 @@ from smsl_studio.library.bound import (
     leaf_facts,
     noted_touches,
 )
-from smsl_studio.library.loading import Loaded, Plugin
+from smsl_studio.library.loaded import Loaded, Plugin
 from smsl_studio.library.operation_library import CostEntry, OperationEntry, SensorEntry
 from smsl_studio.library.table import table_bindings
 from smsl_studio.world.engines import TABLE

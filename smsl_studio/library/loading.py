@@ -13,98 +13,13 @@ from __future__ import annotations
 import contextlib
 import sys
 from collections.abc import Callable, Collection, Iterable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-from smsl_studio.errors import Place, PluginError, WorldError, did_you_mean
-from smsl_studio.library.operation_library import FaultEntry, OperationLibrary, WorldEntry
+from smsl_studio.errors import Place, PluginError
+from smsl_studio.library.loaded import Loaded, Plugin, PluginFault
+from smsl_studio.library.operation_library import OperationLibrary
 from smsl_studio.library.plugin_package import import_plugin, place_of
 from smsl_studio.library.survey import FoundPlugin, PluginState, survey
-from smsl_studio.world.engines import TABLE
-
-
-@dataclass(frozen=True, slots=True)
-class Plugin:
-    """A loaded plugin: its description, its source, its location and its library."""
-
-    name: str
-    version: str
-    description: str
-    source: str
-    location: str
-    library: OperationLibrary
-
-
-@dataclass(frozen=True, slots=True)
-class PluginFault:
-    """A plugin that did not load: its name, a sentence about the fault, and its place."""
-
-    plugin: str
-    sentence: str
-    place: Place | None
-    location: str
-
-    def __str__(self) -> str:
-        where = f"{self.place}: " if self.place else f"{self.location}: "
-        what = f"the plugin {self.plugin!r} did not load: " if self.plugin else ""
-        return f"{where}{what}{self.sentence}"
-
-
-@dataclass(frozen=True, slots=True)
-class Loaded:
-    """The result of loading: loaded plugins, faults, and plugins that may not be loaded.
-
-    The plugins in ``waiting`` are new, changed or forbidden. None of their code has run.
-    """
-
-    plugins: tuple[Plugin, ...] = ()
-    faults: tuple[PluginFault, ...] = ()
-    waiting: tuple[FoundPlugin, ...] = ()
-
-    @property
-    def worlds(self) -> tuple[str, ...]:
-        """The names of all worlds, the built-in ``table`` first."""
-        return (TABLE, *(name for plugin in self.plugins for name in plugin.library.worlds))
-
-    def world(self, name: str) -> tuple[Plugin, WorldEntry]:
-        """Return the plugin that offers a world, and its entry. WorldError if no plugin offers it.
-        The advice has a similar name if there is one."""
-        for plugin in self.plugins:
-            if name in plugin.library.worlds:
-                return plugin, plugin.library.worlds[name]
-        for found in self.waiting:
-            if found.manifest is not None and name in found.manifest.worlds:
-                raise WorldError(
-                    f"the world {name!r} is of the plugin {found.name!r} in {found.location}, "
-                    f"which is not loaded: {found.reason}"
-                )
-        near = did_you_mean(name, self.worlds)
-        # The worlds of a plugin that did not load are not known.
-        faults = [fault for fault in self.faults if not near or name in fault.plugin]
-        broken = "".join(f" {fault}." for fault in faults)
-        for found in self.waiting:
-            if (not near and not _says_worlds(found)) or name in found.name:
-                broken += f" {found.location}: the plugin {found.name!r} is not loaded: "
-                broken += f"{found.reason}."
-        advice = near or f"There are {', '.join(self.worlds)}."
-        raise WorldError(f"there is no world {name!r}.{broken}".removesuffix("."), advice=advice)
-
-    def serving(self, world: str) -> tuple[Plugin, ...]:
-        """Return the plugins whose operations and sensors belong to a world: the world's own
-        plugin first, then the plugins without worlds."""
-        if world == TABLE:
-            return ()
-        own, _ = self.world(world)
-        return (own, *(plugin for plugin in self.plugins if not plugin.library.worlds))
-
-    def locations(self, world: str) -> tuple[str, ...]:
-        """Return the locations of the plugins that a run in a world must load."""
-        return tuple(plugin.location for plugin in self.serving(world) if plugin.library.serves)
-
-    def faults_of(self, world: str) -> dict[str, FaultEntry]:
-        """Return the faults of a plugin's world, by name."""
-        plugin, _ = self.world(world)
-        return {e.name: e for e in plugin.library.faults.values() if e.world == world}
 
 
 def discover(
@@ -267,8 +182,3 @@ def _check_words(plugin: Plugin, found: FoundPlugin) -> None:
                 f"it registers {missing[0]!r}, which is not among the {kind} of its plugin.toml",
                 advice=f"Add it to {kind} there.",
             )
-
-
-def _says_worlds(found: FoundPlugin) -> bool:
-    """Whether the manifest of a plugin names its worlds."""
-    return found.manifest is not None and bool(found.manifest.worlds)

@@ -70,6 +70,16 @@ class FoundPlugin:
         return self.sources.digest if self.sources else ""
 
     @property
+    def is_forbidden(self) -> bool:
+        """Whether somebody forbade it."""
+        return self.state is PluginState.FORBIDDEN
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether its files are others than those that were allowed."""
+        return self.state is PluginState.CHANGED
+
+    @property
     def reason(self) -> str:
         """The reason why it is not loaded, with an advice. It is empty for an allowed plugin."""
         allow = f"smsl-studio plugins allow {self.name}"

@@ -19,13 +19,15 @@ import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from smsl_studio.errors import Place, SaveError
 from smsl_studio.legible import json_text
-from smsl_studio.runlog.events import Event
 from smsl_studio.seal.chain import Chain
 from smsl_studio.smsl.outputs import open_new
+
+if TYPE_CHECKING:
+    from smsl_studio.runlog.events import Event
 
 Json = Any
 FORMAT = "smsl-run"

@@ -16,7 +16,7 @@ from smsl_studio.front.runs import run
 from smsl_studio.host.plugin_offers import describe
 from smsl_studio.host.process import ChildTerms, ProcessHost
 from smsl_studio.host.protocol import Outcome
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from tests.hostile_files import write_files
 from tests.hostile_plugins import RUNNING, write_hostile, write_running
 from tests.plugin_folder import LAMP, LAMP_PLUGIN, blueprint_of, write_plugin

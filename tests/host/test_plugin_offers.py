@@ -16,7 +16,8 @@ from smsl_studio.errors import HostError
 from smsl_studio.host.confinement import keeps_apart
 from smsl_studio.host.description import AbsentCode
 from smsl_studio.host.plugin_offers import describe
-from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.loading import discover
 from smsl_studio.stop import StopListener, Stopped, heeding
 from tests.plugin_folder import write_plugin
 from tests.processes import child_processes

@@ -15,7 +15,8 @@ from smsl_studio.front.inputs import read
 from smsl_studio.library.bindings import bind
 from smsl_studio.library.bindings_file import BindingsFile, bindings_beside, read_bindings
 from smsl_studio.library.bound import Bindings
-from smsl_studio.library.loading import Loaded, discover
+from smsl_studio.library.loaded import Loaded
+from smsl_studio.library.loading import discover
 from tests.plugin_folder import blueprint_of, write_plugin
 
 PLUGIN = """

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.errors import WorldError
-from smsl_studio.library.loading import PluginFault, discover
+from smsl_studio.library.loaded import PluginFault
+from smsl_studio.library.loading import discover
 from tests.plugin_folder import LAMP_PLUGIN, write_allowed, write_plugin
 
 GOOD = """

@@ -141,7 +141,7 @@ def _title(window: Window, path: Path) -> Iterator[str]:
     words = path.name
     if path.read_bytes().decode() != texts:
         words += " (edited)"
-    pane = window.run_pane
+    pane = window.features.run.pane
     if mode != "draw" and pane.run.foreign and pane.run.shown:
         words = path.name
     if window.windowTitle() != f"{words} · SMSL Studio":
@@ -186,7 +186,7 @@ def _panels(window: Window) -> Iterator[str]:
 
 def _run(window: Window) -> Iterator[str]:
     """The canvas of Run mode draws the run's version, else the drawing, and in its places."""
-    pane = window.run_pane
+    pane = window.features.run.pane
     if window.mode != "run":
         return
     run, session = pane.run, window.session

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from smsl_studio.dispatch.dispatcher import Dispatcher
 from smsl_studio.front.request import RunRequest
 from smsl_studio.front.runs import open_request
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.document.files.dialogs import Dialogs
 from smsl_studio.studio.features.draw.canvas.connect_card import ConnectCard
@@ -55,15 +55,15 @@ class Seat:
         self.window.activateWindow()
         # What is painted says nothing here, and painting would be most of the work.
         self.window.setUpdatesEnabled(False)
-        speed = self.window.run_pane.transport.speed
+        speed = self.window.features.run.pane.transport.speed
         speed.setCurrentIndex(speed.findData(FASTEST))
         self.folder, self.path, self.answer = folder, folder, "discard"
         QApplication.processEvents()
 
     def open(self, name: str, text: str) -> None:
         """Begin anew: another file, no run, and nothing of before."""
-        self.window.run_pane.run.close()
-        self.window.run_pane.show_drawing()
+        self.window.features.run.pane.run.close()
+        self.window.features.run.pane.show_drawing()
         self.window.session.history.setClean()
         self.window.set_mode("draw")
         self.window.show_tab("Properties")
@@ -72,7 +72,7 @@ class Seat:
         self.reopen("discard")
 
     def close(self) -> None:
-        self.window.run_pane.run.close()
+        self.window.features.run.pane.run.close()
         self.window.session.history.setClean()
         self.window.close()
         QApplication.processEvents()
@@ -143,7 +143,7 @@ class Seat:
 
     def step(self) -> None:
         """One operation of a run, which begins where there is none."""
-        run = self.window.run_pane.run
+        run = self.window.features.run.pane.run
         with patch.object(run_session, "open_request", _in_this_process):
             self.act("run_step")
             self._until(lambda: not run.exists or run.phase != "opening")
@@ -151,7 +151,7 @@ class Seat:
 
     def stop(self) -> None:
         """Stop the run, and end it."""
-        run = self.window.run_pane.run
+        run = self.window.features.run.pane.run
         if run.exists:
             self.act("run_stop")
             self._until(lambda: not run.exists or run.phase == "stopped")

@@ -26,7 +26,7 @@ class AtRun:
 
     @property
     def pane(self) -> RunPane:
-        return self.person.window.run_pane
+        return self.person.window.features.run.pane
 
     @property
     def phase(self) -> str:

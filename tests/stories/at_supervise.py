@@ -25,11 +25,11 @@ class AtSupervise:
 
     @property
     def pane(self) -> SupervisePane:
-        return self.person.window.supervise
+        return self.person.window.features.supervise.pane
 
     @property
     def run(self) -> RunSession:
-        return self.person.window.run_pane.run
+        return self.person.window.features.run.pane.run
 
     @property
     def phase(self) -> str:
@@ -54,7 +54,7 @@ class AtSupervise:
 
     def start(self, world: str, key: Key = Key.Key_F5) -> None:
         """Choose a world in Run mode, go back, and start."""
-        transport = self.person.window.run_pane.transport
+        transport = self.person.window.features.run.pane.transport
         self.person.ctrl(Key.Key_2)
         if transport.world.currentText() != world:
             self.person.choose(transport.world, world)

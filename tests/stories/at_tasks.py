@@ -44,9 +44,9 @@ class AtTasks:
         for one in named:
             person.windows.persons.put(one)
         self.events: list[Event] = []
-        self.run = person.window.run_pane.run
+        self.run = person.window.features.run.pane.run
         self.run.events_told.connect(self.events.extend)
-        pane = person.window.run_pane
+        pane = person.window.features.run.pane
         person.ctrl(Qt.Key.Key_2)
         person.until(lambda: pane.transport.world.findText("table") >= 0)
         if pane.transport.world.currentText() != "table":
@@ -55,7 +55,7 @@ class AtTasks:
 
     @property
     def people(self) -> People:
-        return self.person.window.people
+        return self.person.window.features.people.people
 
     @property
     def card(self) -> TaskCard:

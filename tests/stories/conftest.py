@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from smsl_studio.host.plugin_offers import describe
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress
 from smsl_studio.studio.base.theme import LIGHT
@@ -62,6 +62,6 @@ def sit(qapp: QApplication, qtbot: QtBot, home: Path) -> Iterator[Sit]:
     for window in windows:
         assert isinstance(window, Window)
         window.session.history.setClean()
-        window.run_pane.run.close()
+        window.features.run.pane.run.close()
         window.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)

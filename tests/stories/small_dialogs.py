@@ -20,7 +20,7 @@ from smsl_studio.blueprint import editing
 from smsl_studio.front.revisions import Revision
 from smsl_studio.home import user_folder
 from smsl_studio.inspection.repair import Repair
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress
 from smsl_studio.studio.base.theme import LIGHT

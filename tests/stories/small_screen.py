@@ -17,7 +17,7 @@ from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress
 from smsl_studio.studio.base.theme import LIGHT
@@ -64,9 +64,9 @@ def main(file: str) -> dict[str, Box]:
     QTest.qWait(400)
     window.activateWindow()
     QTest.keyClick(window, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
-    window.run_pane.transport.world.setCurrentText("table")
+    window.features.run.pane.transport.world.setCurrentText("table")
     QTest.keyClick(window, Qt.Key.Key_F10)
-    until(lambda: window.run_pane.run.exists)
+    until(lambda: window.features.run.pane.run.exists)
     told = {"screen": box(window.screen().availableGeometry())}
     for key, mode in ((Qt.Key.Key_1, "draw"), (Qt.Key.Key_3, "supervise"), (Qt.Key.Key_2, "run")):
         QTest.keyClick(window, key, Qt.KeyboardModifier.ControlModifier)
@@ -78,7 +78,7 @@ def main(file: str) -> dict[str, Box]:
         told[f"frame in {mode}"] = box(window.frameGeometry())
     stop = stop_of(window)
     QTest.mouseClick(stop, Qt.MouseButton.LeftButton, pos=QPoint(stop.width() - 4, 20))
-    until(lambda: window.run_pane.run.phase == "stopped")
+    until(lambda: window.features.run.pane.run.phase == "stopped")
     return told
 
 

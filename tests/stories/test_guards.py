@@ -94,7 +94,9 @@ def test_a_critical_fact_that_is_lost_holds_and_says_which(sit: Sit, tmp_path: P
         "Fault hold: Target chosen of PLAN, a critical fact, reads 1, not 0"
     )
     run.person.ctrl(Key.Key_3)
-    words = [label.text() for label in run.person.window.supervise.findChildren(QLabel)]
+    words = [
+        label.text() for label in run.person.window.features.supervise.pane.findChildren(QLabel)
+    ]
     assert "Guarded fact lost" in words
 
 

@@ -85,7 +85,7 @@ def test_keys_act_when_the_choice_of_persons_has_gone_with_its_card(
     room.person.press(Key.Key_F8)
     room.until_phase("stopped")
     room.person.until(lambda: not room.card.frame.isVisible())
-    assert focus() is room.person.window.supervise
+    assert focus() is room.person.window.features.supervise.pane
 
 
 def run_with_a_question(person: Person) -> AtRun:
@@ -95,7 +95,7 @@ def run_with_a_question(person: Person) -> AtRun:
     person.press(Key.Key_F10)
     run.until_done(1)
     possible = run.pane.possible
-    possible.list.prune_wanted.emit(person.window.run_pane.run.status.route[0])  # type: ignore[union-attr]
+    possible.list.prune_wanted.emit(person.window.features.run.pane.run.status.route[0])  # type: ignore[union-attr]
     assert possible.asking.reason.hasFocus()
     return run
 

@@ -96,4 +96,4 @@ def test_very_many_states_open_at_the_initial_one(sit: Sit, tmp_path: Path) -> N
 def test_a_run_is_watched_whole(sit: Sit) -> None:
     person = sit(SAMPLES / "hanoi-4.json")
     person.ctrl(Key.Key_2)
-    assert person.window.run_pane.canvas.canvas.outside == 0
+    assert person.window.features.run.pane.canvas.canvas.outside == 0

@@ -75,7 +75,7 @@ def test_time_runs_out_it_is_no_yes_and_a_late_answer_is_refused(sit: Sit, tmp_p
     notes = {"actor": "human", "question": "Fix the head", "answer_within": 20,
              "escalates_to": "surgeon"}  # fmt: skip
     room = AtTasks(sit(asking(tmp_path, go=notes)), NURSE)
-    room.person.window.run_pane.transport.speed.setCurrentText("Max")
+    room.person.window.features.run.pane.transport.speed.setCurrentText("Max")
     room.start()
     room.until_said("Fix the head Nobody answered in time. This is no yes.")
     room.until_phase("fault_hold")
@@ -102,7 +102,7 @@ def test_a_task_is_in_sight_in_every_mode_and_one_key_leads_to_it(sit: Sit, tmp_
         assert window.mode == mode
         assert badge.isVisible()
         assert badge.text() == "Your decision is needed"
-        assert stop.isVisible() or window.run_pane.transport.stop.isVisible()
+        assert stop.isVisible() or window.features.run.pane.transport.stop.isVisible()
     room.person.press(Key.Key_F4)
     assert window.mode == "supervise"
     assert badge.isHidden()
@@ -127,7 +127,9 @@ def test_letters_command_and_choose_nobody_while_the_choice_of_persons_has_the_k
     room.person.press(Key.Key_S)
     assert who.choice.currentText() == before
     room.person.press(Key.Key_V)
-    assert room.person.window.supervise.step_in.asking.isVisible(), "V asks for a veto"
+    assert room.person.window.features.supervise.pane.step_in.asking.isVisible(), (
+        "V asks for a veto"
+    )
     assert who.choice.currentText() == before
 
 
@@ -214,7 +216,7 @@ def test_give_back_is_in_view_while_people_are_asked(sit: Sit) -> None:
     room = AtTasks(sit(SAMPLES / "registration-people.json", (1440, 900)), NURSE)
     room.start()
     room.until_asked("Is the head fixed in the clamp?")
-    supervise = room.person.window.supervise
+    supervise = room.person.window.features.supervise.pane
     supervise.setFocus()
     room.person.press(Key.Key_T)
     room.person.press(Key.Key_Return)
@@ -274,7 +276,7 @@ def test_why_a_run_holds_is_said_once(sit: Sit, tmp_path: Path) -> None:
     room = AtTasks(sit(asking(tmp_path, go=notes)), NURSE)
     room.start()
     room.until_phase("fault_hold")
-    supervise = room.person.window.supervise
+    supervise = room.person.window.features.supervise.pane
     assert "within 0.5 s" in room.run.sentence
     room.person.until(supervise.hold.isVisible)
     assert supervise.step_in.refusal == ""

@@ -69,7 +69,7 @@ def test_a_person_is_named_by_keyboard_and_stops_a_run_in_that_name(
 
     room.start()
     room.until_asked("go: please carry it out")
-    assert person.window.supervise.bar.person == "A. Okafor"
+    assert person.window.features.supervise.pane.bar.person == "A. Okafor"
     person.press(Key.Key_F8)
     person.until(lambda: any(isinstance(e, Commanded) for e in room.events))
     (stop,) = [e for e in room.events if isinstance(e, Commanded)]

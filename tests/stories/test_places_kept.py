@@ -60,7 +60,7 @@ def test_one_state_by_hand_leaves_all_others_where_they_were(
     again = sit(path)
     assert _drawn(again) == seen
     again.ctrl(Key.Key_2)
-    shown = again.window.run_pane.canvas.canvas.positions
+    shown = again.window.features.run.pane.canvas.canvas.positions
     assert {name: (round(x, 1), round(y, 1)) for name, (x, y) in shown.items()} == seen
 
 
@@ -77,7 +77,7 @@ def test_the_run_shows_states_where_the_drawing_has_them_also_unsaved(sit: Sit) 
     QTest.keyClick(field, Key.Key_Return)
     order = sorted(_drawn(person).items(), key=lambda one: (one[1][0], one[0]))
     person.ctrl(Key.Key_2)
-    shown = person.window.run_pane.canvas.canvas.positions
+    shown = person.window.features.run.pane.canvas.canvas.positions
     assert [n for n, _ in sorted(shown.items(), key=lambda one: (one[1][0], one[0]))] == [
         n for n, _ in order
     ]

@@ -142,7 +142,7 @@ def test_a_world_in_waiting_is_what_the_next_run_begins_in(sit: Sit) -> None:
         assert run.pane.run.world_process == waiting
         person.press(Key.Key_F8)
     finally:
-        person.window.run_pane.shut()
+        person.window.features.run.pane.shut()
         spare.close()
 
 

@@ -39,9 +39,9 @@ class AtReplay:
 
     def __init__(self, person: Person) -> None:
         self.person = person
-        self.replay: Replay = person.window.replaying.replay
-        self.pane: ReplayPane = person.window.replaying.pane
-        self.bar = person.window.replaying.transport
+        self.replay: Replay = person.window.features.replay.verbs.replay
+        self.pane: ReplayPane = person.window.features.replay.verbs.pane
+        self.bar = person.window.features.replay.verbs.transport
 
     def active(self) -> dict[str, str]:
         return dict(self.replay.story.moment.configuration)
@@ -105,10 +105,10 @@ def test_everything_says_that_it_is_a_replay_and_nothing_can_be_commanded(
     assert person.window.status_line.words.startswith("REPLAY | World table")
     said = [part.text() for part in person.window.status_line.run_right]
     assert "Recorded, nothing can be commanded" in said
-    assert not person.window.run_pane.run.exists
+    assert not person.window.features.run.pane.run.exists
     person.press(Key.Key_F8)
     person.press(Key.Key_F10)
-    assert not person.window.run_pane.run.exists
+    assert not person.window.features.run.pane.run.exists
     assert at.replay.index > 0
 
 
@@ -164,7 +164,7 @@ def test_it_plays_to_its_end_and_is_closed(sit: Sit, tmp_path: Path) -> None:
     assert at.replay.index == at.replay.count
     person.click(at.bar.leave)
     assert person.window.mode == "run"
-    assert not person.window.replaying.is_open
+    assert not person.window.features.replay.verbs.is_open
 
 
 def test_a_log_that_was_changed_opens_with_a_clear_mark(sit: Sit, tmp_path: Path) -> None:
@@ -191,7 +191,7 @@ def test_without_the_file_of_the_drawing_it_is_found_or_asked_for(sit: Sit, tmp_
     person.click(at.bar.leave)
     person.window.open_path(lost)
     assert "is not found" in person.window.toast.words
-    assert not person.window.replaying.is_open
+    assert not person.window.features.replay.verbs.is_open
 
 
 def test_a_log_does_not_have_any_file_opened_that_it_names(tmp_path: Path) -> None:
@@ -235,7 +235,7 @@ def slow(tmp_path: Path) -> Iterator[Slow]:
 def test_a_log_that_takes_long_is_read_beside_the_window(sit: Sit, slow: Slow) -> None:
     person = sit(HANOI)
     path, come = slow
-    replaying = person.window.replaying
+    replaying = person.window.features.replay.verbs
     replaying.open(path)
     person.until(replaying.card.isVisible)
     assert replaying.card.words.text() == "Reading slow.jsonl, 0%"
@@ -250,7 +250,7 @@ def test_a_log_that_takes_long_is_read_beside_the_window(sit: Sit, slow: Slow) -
 def test_a_log_that_takes_long_can_be_given_up(sit: Sit, tmp_path: Path, slow: Slow) -> None:
     person = sit(HANOI)
     path, come = slow
-    replaying = person.window.replaying
+    replaying = person.window.features.replay.verbs
     replaying.open(path)
     person.click(replaying.card.cancel)
     assert not replaying.card.isVisible()
@@ -267,6 +267,6 @@ def test_what_is_no_log_is_refused(sit: Sit, tmp_path: Path) -> None:
     person = sit(HFSM)
     path = tmp_path / "notes.jsonl"
     path.write_text("nothing\n")
-    person.window.replaying.open(path)
-    assert not person.window.replaying.is_open
+    person.window.features.replay.verbs.open(path)
+    assert not person.window.features.replay.verbs.is_open
     assert "no run log" in person.window.toast.words

@@ -94,7 +94,7 @@ def test_a_question_that_outlives_the_run_leaves_its_results(sit: Sit, tmp_path:
     person.ctrl(Key.Key_2)
 
     def end() -> None:
-        window.run_pane.play()
+        window.features.run.pane.play()
         run.until_phase("Goal reached")
         answer(person, "Discard changes")
 

@@ -127,8 +127,8 @@ def test_nothing_runs_and_nothing_is_drawn_on_a_text_that_does_not_read(sit: Sit
     assert person.window.session.history.count() == count
     assert "does not read, line 1" in person.window.toast.words
     person.press(Key.Key_F5)
-    assert not person.window.run_pane.run.exists
-    assert "does not read" in person.window.run_pane.canvas.banner
+    assert not person.window.features.run.pane.run.exists
+    assert "does not read" in person.window.features.run.pane.canvas.banner
     person.ctrl(Key.Key_1)
     person.ctrl(Key.Key_Z)
     assert person.window.session.broken is None

@@ -72,7 +72,7 @@ def test_after_f8_the_keys_go_to_what_is_watched(sit: Sit, mode: Qt.Key) -> None
     person.press(Key.Key_F10)
     run.until_done(1)
     person.ctrl(mode)
-    bar = person.window.supervise.bar if mode == Key.Key_3 else run.pane.transport
+    bar = person.window.features.supervise.pane.bar if mode == Key.Key_3 else run.pane.transport
     bar.play.setFocus()
     person.press(Key.Key_F8)
     run.until_phase("Stopped")

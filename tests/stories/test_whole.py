@@ -49,7 +49,7 @@ def test_nothing_is_cut_in_any_state_of_a_run(sit: Sit, phase: str, mode: str) -
 def _come_to(at: AtSupervise, phase: str) -> None:
     if phase == "Ready":
         at.person.ctrl(Key.Key_2)
-        at.person.click(at.person.window.run_pane.transport.by_hand)
+        at.person.click(at.person.window.features.run.pane.transport.by_hand)
         at.person.ctrl(Key.Key_3)
         at.start("table")
         return

@@ -195,9 +195,9 @@ def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
     person = sit(HANOI)
     person.ctrl(Key.Key_2)
     window = person.window
-    assert window.body.pages.currentWidget() is window.run_pane
+    assert window.body.pages.currentWidget() is window.features.run.pane
     assert not window.docks.left.isVisible()
-    assert window.focusWidget() is window.run_pane.canvas.canvas
+    assert window.focusWidget() is window.features.run.pane.canvas.canvas
     person.ctrl(Key.Key_1)
     assert window.body.pages.currentWidget() is window.canvas
     assert window.focusWidget() is window.canvas
@@ -207,7 +207,7 @@ def test_a_mode_changes_the_body_and_back(sit: Sit) -> None:
 
 def test_stop_keeps_its_place_in_every_mode_while_a_run_exists(sit: Sit) -> None:
     person = sit(HANOI)
-    window, pane = person.window, person.window.run_pane
+    window, pane = person.window, person.window.features.run.pane
     stop = window.mode_bar.stop
     assert not stop.isVisible()
     person.ctrl(Key.Key_2)
@@ -223,7 +223,7 @@ def test_stop_keeps_its_place_in_every_mode_while_a_run_exists(sit: Sit) -> None
     person.until(lambda: pane.run.phase == "stopped")
     assert stop.isVisible()
     person.ctrl(Key.Key_3)
-    bar = window.supervise.bar
+    bar = window.features.supervise.pane.bar
     assert bar.stop.size() == stop.size()
     assert abs(bar.stop.mapTo(window, bar.stop.rect().center()).x() - place.x()) <= 2
     person.ctrl(Key.Key_1)
@@ -286,7 +286,7 @@ def test_the_palette_over_a_name_being_edited_gives_the_focus_to_what_is_left(si
 
 def test_the_canvas_of_run_is_drawn_when_it_is_seen(sit: Sit) -> None:
     person, fresh = sit(SAMPLES / "hfsm.json"), Address("SB1", "State011")
-    session, canvas = person.window.session, person.window.run_pane.canvas.canvas
+    session, canvas = person.window.session, person.window.features.run.pane.canvas.canvas
     session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State011"))
     assert canvas.sheet is None, "an edit in Draw waits for one canvas only"
     person.ctrl(Key.Key_2)

@@ -1,22 +1,19 @@
-"""Stop, take over, and the ways back: nothing that was going on resumes by itself."""
+"""Stop, take over, and the ways back: nothing that was going on resumes by itself.
+
+What an effect needs of a run is imported in it, so that the table of commands can be read alone.
+"""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from smsl_studio.blueprint.address import fact_text
-from smsl_studio.blueprint.check import FactKey
-from smsl_studio.blueprint.levels import sensed_facts
-from smsl_studio.dispatch.execution.needed import everywhere
-from smsl_studio.dispatch.execution.recovery import located, stands
-from smsl_studio.dispatch.execution.stage import ActionStage
-from smsl_studio.dispatch.execution.words import all_words
 from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.errors import HostError
-from smsl_studio.runlog.events import GivenBack, RunReset, RunStopped, TakenOver
 from smsl_studio.stop import LONGEST, BrokenOff, StopListener, Stopped, heeding
 
 if TYPE_CHECKING:
+    from smsl_studio.blueprint.check import FactKey
     from smsl_studio.dispatch.drive.driver import Driver
 
 PATIENCE = 2
@@ -26,6 +23,8 @@ MUTE = "the simulation process did not brake and was ended"
 
 def stop(driver: Driver, *, by: str = PERSON) -> str:
     """Brake and latch; where nobody attends the run, or its world is gone, that is its end."""
+    from smsl_studio.runlog.events import RunStopped
+
     run, state = driver.run, driver.state
     gone = ""
     try:
@@ -46,6 +45,8 @@ def stop(driver: Driver, *, by: str = PERSON) -> str:
 
 def reset(driver: Driver, *, by: str = PERSON) -> str:
     """Unlatch to paused; what the stopped operation may have touched is unknown."""
+    from smsl_studio.runlog.events import RunReset
+
     run, touched = driver.run, driver.state.reset()
     driver.say("")
     unknown = tuple(fact_text(*key) for key in touched)
@@ -66,6 +67,9 @@ def end(driver: Driver, *, by: str = PERSON) -> str:
 
 def take_over(driver: Driver, *, by: str = PERSON) -> str:
     """Automation is locked out; the dispatcher only observes."""
+    from smsl_studio.blueprint.levels import sensed_facts
+    from smsl_studio.runlog.events import TakenOver
+
     run = driver.run
     _cut(driver, f"{by} took over")
     driver.state.take_over(by)
@@ -79,6 +83,8 @@ def take_over(driver: Driver, *, by: str = PERSON) -> str:
 def give_back(driver: Driver, *, by: str = PERSON) -> str:
     """Ask the scene, and people first what only they can say of it; the one configuration it
     agrees with is offered to be accepted."""
+    from smsl_studio.dispatch.execution.needed import everywhere
+
     driver.run.look()
     driver.state.offer(None)
     facts = everywhere(driver.run)
@@ -94,6 +100,9 @@ def give_back(driver: Driver, *, by: str = PERSON) -> str:
 
 def _offer(driver: Driver) -> str:
     """What giving back finds; why there is nothing to accept, empty where there is."""
+    from smsl_studio.dispatch.execution.recovery import located
+    from smsl_studio.dispatch.execution.words import all_words
+
     run, state = driver.run, driver.state
     found = located(run)
     if len(found) == 1:
@@ -114,6 +123,9 @@ def _offer(driver: Driver) -> str:
 
 def accept(driver: Driver, *, by: str = PERSON) -> str:
     """Take what giving back found, if the scene still says so; the run is paused then."""
+    from smsl_studio.dispatch.execution.recovery import located
+    from smsl_studio.runlog.events import GivenBack
+
     run, state, offered = driver.run, driver.state, driver.state.offered
     if offered is None:
         return "nothing is offered: give it back first"
@@ -132,6 +144,8 @@ def accept(driver: Driver, *, by: str = PERSON) -> str:
 
 def adopt(driver: Driver, *, by: str = PERSON) -> str:
     """While it holds: take the one configuration the scene agrees with."""
+    from smsl_studio.dispatch.execution.recovery import stands
+
     found = driver.trouble.candidates
     if len(found) != 1:
         several = " or ".join(_states(one) for one in found)
@@ -153,6 +167,8 @@ def _states(configuration: object) -> str:
 
 def _cut(driver: Driver, reason: str) -> tuple[FactKey, ...]:
     """Brake, and end what is carried out; the facts it may have touched."""
+    from smsl_studio.dispatch.execution.stage import ActionStage
+
     run, carrier = driver.run, driver.carrier
     touched: tuple[FactKey, ...] = ()
     if carrier is None or carrier.stage is not ActionStage.RUNNING:

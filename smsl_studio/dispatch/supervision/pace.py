@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.joint import JointStep
-from smsl_studio.dispatch.execution.guards import asked
-from smsl_studio.dispatch.supervision.recheck import recheck
 from smsl_studio.dispatch.supervision.row import PERSON
-from smsl_studio.runlog.events import OperationRefused, Resumed
 from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
+    from smsl_studio.blueprint.address import Address
     from smsl_studio.dispatch.drive.driver import Driver
 
 
@@ -22,6 +18,10 @@ def ask(driver: Driver, address: Address, *, by: str = PERSON, every_time: bool 
 
     ``every_time``: it is asked for by itself whenever the run comes by, so it must end.
     """
+    from smsl_studio.blueprint.joint import JointStep
+    from smsl_studio.dispatch.execution.guards import asked
+    from smsl_studio.runlog.events import OperationRefused
+
     run = driver.run
     reasons: tuple[str, ...]
     if driver.carrier is not None:
@@ -68,6 +68,9 @@ def pause(driver: Driver, *, by: str = PERSON) -> str:
 def resume(driver: Driver, *, by: str = PERSON) -> str:
     """Go on after a pause or a hold: state and route are checked again. By hand: run by itself
     from now on."""
+    from smsl_studio.dispatch.supervision.recheck import recheck
+    from smsl_studio.runlog.events import Resumed
+
     state = driver.state
     if driver.phase == "ready":
         state.follow(route=True)
@@ -82,6 +85,8 @@ def resume(driver: Driver, *, by: str = PERSON) -> str:
 
 def step(driver: Driver, *, by: str = PERSON) -> str:
     """One operation of the route, then wait again; ignored while one is carried out."""
+    from smsl_studio.dispatch.supervision.recheck import recheck
+
     if driver.phase == "running" and driver.carrier is not None:
         return f"{driver.carrier.step.asked} is being carried out; step is ignored until it ended"
     if driver.state.once:

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from smsl_studio.blueprint.address import Address
 from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.errors import AddressError, UsageError
-from smsl_studio.runlog.events import CostsChanged, OperationPruned, OperationRestored
 from smsl_studio.stop import restartable
 
 if TYPE_CHECKING:
@@ -42,6 +41,8 @@ def veto(
 
 def prune(driver: Driver, address: Address, reason: str, *, by: str = PERSON) -> str:
     """Shut an edge out; if it is being carried out, stop it."""
+    from smsl_studio.runlog.events import OperationPruned
+
     run, carrier = driver.run, driver.carrier
     if unknown := _unknown(driver, address):
         return unknown
@@ -56,6 +57,8 @@ def prune(driver: Driver, address: Address, reason: str, *, by: str = PERSON) ->
 
 def restore(driver: Driver, address: Address, *, by: str = PERSON) -> str:
     """Let a pruned, avoided, vetoed or risky edge be used again."""
+    from smsl_studio.runlog.events import OperationRestored
+
     run = driver.run
     if not driver.course.restore(address):
         return f"{address} is not shut out"
@@ -65,6 +68,8 @@ def restore(driver: Driver, address: Address, *, by: str = PERSON) -> str:
 
 def set_cost(driver: Driver, address: Address, cost: float, *, by: str = PERSON) -> str:
     """Price an edge anew; the route is found again at the next operation."""
+    from smsl_studio.runlog.events import CostsChanged
+
     run = driver.run
     if unknown := _unknown(driver, address):
         return unknown

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from smsl_studio.dispatch.supervision.row import PERSON
 from smsl_studio.errors import HostError, StudioError
-from smsl_studio.runlog.events import Disturbed, FaultInjected
 
 if TYPE_CHECKING:
     from smsl_studio.dispatch.drive.driver import Driver
@@ -16,6 +15,8 @@ def disturb(
     driver: Driver, /, target: str, kind: str, *, by: str = PERSON, **parameters: float | str
 ) -> str:
     """Disturb a sensor, or all of one fact (``SB/digit``), from now on; ``none`` ends it."""
+    from smsl_studio.runlog.events import Disturbed
+
     run = driver.run
     try:
         met = run.host.disturb(target, kind, **parameters)
@@ -30,6 +31,8 @@ def disturb(
 
 def inject(driver: Driver, /, fault: str, *, by: str = PERSON, **parameters: float | str) -> str:
     """Have something go wrong in the world, by the name that its plugin gave it."""
+    from smsl_studio.runlog.events import FaultInjected
+
     run = driver.run
     try:
         run.host.inject(fault, **parameters)

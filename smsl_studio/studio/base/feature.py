@@ -11,7 +11,7 @@ from typing import Protocol
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu, QWidget
 
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
@@ -50,8 +50,8 @@ class Feature:
     handed to it where the shell lists them all.
     """
 
-    pages: Mapping[str, Page] = MappingProxyType({})
-    """What it shows, by mode."""
+    pages: Mapping[str, Callable[[], Page]] = MappingProxyType({})
+    """What it shows, by mode; each page is made when its mode is first shown."""
     panels: tuple[DockPanel, ...] = ()
     badges: tuple[QWidget, ...] = ()
     """What it shows at the right of the menus in every mode."""
@@ -157,6 +157,9 @@ class Shell(Protocol):
 
     def show_segment(self, name: str, shown: bool) -> None:
         """Offer a mode in the mode bar, or no longer."""
+
+    def add_badge(self, badge: QWidget) -> None:
+        """Show a badge of a feature that was made late, at the right of the menus."""
 
     def say_findings(self, words: str) -> None:
         """Say in the status line what was found."""

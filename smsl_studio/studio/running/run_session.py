@@ -28,7 +28,7 @@ from smsl_studio.host.process import ProcessHost
 from smsl_studio.host.protocol import SensorInfo
 from smsl_studio.host.remote import WithRemote
 from smsl_studio.host.spare import Spare
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.monitor.reception import RemoteView
 from smsl_studio.runlog.events import Event
 from smsl_studio.runlog.history import Story

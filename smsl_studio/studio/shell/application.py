@@ -8,28 +8,32 @@ import sys
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QTimer
 from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.host.spare import Spare
 from smsl_studio.shipped import resources_dir
+from smsl_studio.smsl.garbage import uncollected
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress, tokens_of
-from smsl_studio.studio.document.journal.leftovers import Left, left_behind
-from smsl_studio.studio.document.journal.offer import RecoveryOffer
 from smsl_studio.studio.document.journal.place import folder_of
-from smsl_studio.studio.document.journal.restoration import is_saved
 from smsl_studio.studio.shell import accessible_factory
 from smsl_studio.studio.shell.crash import crash_hook
 from smsl_studio.studio.shell.window import Window
 from smsl_studio.studio.shell.windows import Windows
 
+if TYPE_CHECKING:
+    from smsl_studio.studio.document.journal.leftovers import Left
+    from smsl_studio.studio.document.journal.offer import RecoveryOffer
+
 
 def open_window(paths: Sequence[str], mode: str = "draw") -> int:
     """Show a window for each file (an empty one for none) until they are closed; exit status."""
     application = make_application(sys.argv)
+    from smsl_studio.host.spare import Spare
+
     settings = Settings()
     dress(application, tokens_of(settings.theme, application))
     spare = Spare()
@@ -69,12 +73,12 @@ def make_application(argv: Sequence[str]) -> QApplication:
 
 def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
     """A window that shows a file; where it cannot be read the window says why."""
-    window = Window(windows)
-    window.show()
-    if path:
-        window.open_path(Path(path))
-    if not windows.plugins.known:
-        windows.plugins.look()
+    with uncollected():
+        window = Window(windows)
+        window.show()
+        if path:
+            window.open_path(Path(path))
+    windows.plugins.look_soon()
     if mode != "draw":
         window.set_mode(mode)
     return window
@@ -82,7 +86,14 @@ def make_window(windows: Windows, path: str = "", mode: str = "draw") -> Window:
 
 def offer_recovery(windows: Windows, window: Window) -> RecoveryOffer | None:
     """Offer what windows have left behind that did not close; None where there is nothing."""
+    from smsl_studio.studio.document.journal.leftovers import left_behind
+
     found = left_behind(folder_of(windows.settings.folder))
+    if not found:
+        return None
+    from smsl_studio.studio.document.journal.offer import RecoveryOffer
+    from smsl_studio.studio.document.journal.restoration import is_saved
+
     left = [one for one in found if not is_saved(one.entry)]
     for one in found:
         if one not in left:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPoint, Signal
 from PySide6.QtWidgets import QWidget
@@ -17,13 +18,23 @@ from smsl_studio.studio.features.replay.feature import ReplayFeature
 from smsl_studio.studio.features.replay.watched import Watched
 from smsl_studio.studio.features.run.feature import RunFeature
 from smsl_studio.studio.features.supervise.feature import SuperviseFeature
-from smsl_studio.studio.running.status_words import Words
 from smsl_studio.studio.running.window_parts import WindowParts
 from smsl_studio.studio.shell.windows import Windows
 
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.replay.playback import ReplayVerbs
+    from smsl_studio.studio.features.run.pane import RunPane
+    from smsl_studio.studio.running.next_levels import NextLevels
+    from smsl_studio.studio.running.run_session import RunSession
+    from smsl_studio.studio.running.status_words import Words
+
 
 class Features(QObject):
-    """What one window can do. Iterating gives the features in the order of their menus."""
+    """What one window can do. Iterating gives the features in the order of their menus.
+
+    The drawing is there at once. Whatever has to do with a run is made together when somebody first
+    asks for it; replay when the first recording is opened.
+    """
 
     said = Signal()
     """Other ``words`` tell how what is shown stands."""
@@ -38,42 +49,53 @@ class Features(QObject):
 
     def __init__(self, parts: WindowParts, shell: Shell, windows: Windows) -> None:
         super().__init__(parts.window)
-        tokens = parts.tokens
         self.draw = DrawFeature(parts, shell)
         self.run = RunFeature(parts, shell, windows.spare)
-        pane, run = self.run.pane, self.run.pane.run
-        self.monitor = MonitorFeature(run, tokens, pane)
-        self.supervise = SuperviseFeature(parts, shell, run)
-        self.people = PeopleFeature(parts, shell, run, pane.levels, windows.persons)
+        self.monitor = MonitorFeature(self._run_in_front, parts.tokens)
+        self.supervise = SuperviseFeature(parts, shell, lambda: self.run.pane.run)
+        self.people = PeopleFeature(parts, shell, self._run_and_levels, windows.persons)
         self.replay = ReplayFeature(parts, shell, lambda: self.draw.safety.untouched)
-        self.run.asked = Watched(pane, self.replay.verbs.replay, lambda: shell.mode)
-        self.run.shown_elsewhere = self.supervise.pane.isVisible
-        self._introduce(windows)
+        self.run.asked = Watched(self.run, self.replay, lambda: shell.mode)
+        self.run.shown_elsewhere = self.supervise.is_shown
+        self.run.part.when_made(self._introduce)
+        self.replay.part.when_made(self._introduce_replay)
+        windows.persons.changed.connect(self.supervise.refresh)
+        self.draw.source.caret_moved.connect(self.caret_moved)
 
     def __iter__(self) -> Iterator[Feature]:
         yield from (self.draw, self.run, self.supervise, self.people, self.monitor, self.replay)
 
-    def _introduce(self, windows: Windows) -> None:
-        pane, supervise, people = self.run.pane, self.supervise.pane, self.people.people
-        pane.monitor_wanted.connect(self.monitor.opener.toggle)
+    def _run_in_front(self) -> tuple[RunSession, QWidget]:
+        return self.run.pane.run, self.run.pane
+
+    def _run_and_levels(self) -> tuple[RunSession, NextLevels]:
+        return self.run.pane.run, self.run.pane.levels
+
+    def _introduce(self, pane: RunPane) -> None:
+        """There can be a run now: whoever shows or commands it, or is asked by it, hears of it."""
+        supervise, people = self.supervise.part(), self.people.part()
+        pane.monitor_wanted.connect(self.monitor.toggle)
         supervise.begin_wanted.connect(pane.play)
         pane.reset_wanted.connect(lambda: supervise.ask_for("reset"))
-        windows.persons.changed.connect(supervise.refresh)
         people.take_places(supervise.task_slot, supervise.add_levels)
         people.hear(supervise)
         pane.moved.connect(self.draw.outline.set_run)
         pane.moved.connect(self._light_source)
-        self.draw.source.caret_moved.connect(self.caret_moved)
         pane.run_exists.connect(self.run_exists)
         pane.said.connect(self.said)
         pane.said.connect(self._tell_phase)
         pane.named.connect(self.named)
-        self.replay.verbs.pane.said.connect(self.said)
-        self.replay.verbs.replay.opened.connect(lambda *_: self.named.emit())
+
+    def _introduce_replay(self, verbs: ReplayVerbs) -> None:
+        verbs.pane.said.connect(self.said)
+        verbs.replay.opened.connect(lambda *_: self.named.emit())
 
     def words(self, mode: str) -> Words:
         """What the status line says: of the replay while that is shown, else of the run."""
-        return self.replay.verbs.pane.words if mode == "replay" else self.run.pane.words
+        if mode == "replay":
+            return self.replay.verbs.pane.words
+        pane = self.run.part.made
+        return pane.words if pane is not None else ((), ())
 
     def other(self, mode: str) -> str:
         """The file that a mode shows in place of the drawing; the empty text where it is that."""
@@ -95,7 +117,7 @@ class Features(QObject):
 
     def mode_shown(self) -> None:
         """Another mode is shown: a run may begin in it."""
-        self.run.warming.soon()
+        self.run.mode_shown()
 
     def keep_unsaved(self) -> bool:
         """Write the journal now; whether there is unsaved work."""
@@ -111,7 +133,7 @@ class Features(QObject):
 
     def stop_run(self) -> None:
         """A controlled stop of the run."""
-        self.run.pane.stop()
+        self.run.stop_run()
 
     def stop(self) -> None:
         """The window goes away: the run is ended first, and nothing unsaved is given up before."""

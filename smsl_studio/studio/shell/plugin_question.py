@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
@@ -14,11 +16,12 @@ from PySide6.QtWidgets import (
 )
 
 from smsl_studio.errors import StudioError
-from smsl_studio.library.permission import allow, forbid
-from smsl_studio.library.survey import FoundPlugin, PluginState
 from smsl_studio.studio.base.controls import label, row
 from smsl_studio.studio.base.screens import room
 from smsl_studio.studio.shell.windows import Windows
+
+if TYPE_CHECKING:
+    from smsl_studio.library.survey import FoundPlugin
 
 WIDTH, TALLEST = 620, 280
 BESIDES = 190
@@ -44,7 +47,7 @@ class PluginQuestion(QDialog):
         most = room(self)
         self.setFixedWidth(min(WIDTH, most.width()))
         self.found = found
-        changed = found.state is PluginState.CHANGED
+        changed = found.is_changed
         what = "has changed since you allowed it" if changed else "is new"
         heading = label(f"The plugin {found.name} {what}. Allow it?", "heading")
         why = label(WHY, "second")
@@ -111,6 +114,8 @@ class PluginQuestions(QObject):
             self._plugins.look()
 
     def _decide(self, what: str) -> None:
+        from smsl_studio.library.permission import allow, forbid
+
         assert self._question is not None
         try:
             (allow if what == "allow" else forbid)(self._question.found)

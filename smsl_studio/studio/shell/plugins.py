@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from smsl_studio.errors import HostError
-from smsl_studio.host.plugin_offers import describe
-from smsl_studio.library.loading import Loaded, PluginFault
-from smsl_studio.library.survey import FoundPlugin, PluginState
+from smsl_studio.library.loaded import Loaded, PluginFault
 from smsl_studio.studio.base.beside import Beside
+
+if TYPE_CHECKING:
+    from smsl_studio.library.survey import FoundPlugin
+
+SOON = 150
+"""Milliseconds from the first window to the look for plugins: it is drawn first."""
+
+
+def described() -> Loaded:
+    """What the plugins offer; what that takes is loaded when it is first asked for."""
+    from smsl_studio.host.plugin_offers import describe
+
+    return describe()
 
 
 class Plugins(QObject):
@@ -22,7 +34,7 @@ class Plugins(QObject):
 
     changed = Signal()
 
-    def __init__(self, look: Callable[[], Loaded] = describe) -> None:
+    def __init__(self, look: Callable[[], Loaded] = described) -> None:
         super().__init__()
         self.loaded, self.known, self.looking = Loaded(), False, False
         self.news = ""
@@ -31,6 +43,16 @@ class Plugins(QObject):
         self._asked: set[tuple[str, str]] = set()
         self._once_more = False
         self._beside: Beside | None = None
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(SOON)
+        self._soon.timeout.connect(self.look)
+
+    def look_soon(self) -> None:
+        """Look for them once the window is drawn, where nobody has looked yet."""
+        if not self.known and not self.looking:
+            # The wait begins when the event loop has nothing else to do.
+            QTimer.singleShot(0, self._soon, self._soon.start)
 
     def look(self) -> None:
         """Look for them (again); ``changed`` tells when that is done.
@@ -40,6 +62,7 @@ class Plugins(QObject):
         if self.looking:
             self._once_more = True
             return
+        self._soon.stop()
         self.looking, self._once_more, self._beside = True, False, Beside(self)
         self._beside.do(self._found, self._take)
 
@@ -52,13 +75,14 @@ class Plugins(QObject):
         """A plugin that is new or has changed; from now on somebody was asked about it."""
         for found in self.loaded.waiting:
             key = found.location, found.digest
-            if found.state is not PluginState.FORBIDDEN and key not in self._asked:
+            if not found.is_forbidden and key not in self._asked:
                 self._asked.add(key)
                 return found
         return None
 
     def stop(self) -> None:
         """Nobody is told any more, and no thread waits for more work."""
+        self._soon.stop()
         if self._beside is not None:
             self._beside.stop()
             self._beside.deleteLater()

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QCloseEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow
+from PySide6.QtWidgets import QMainWindow, QWidget
 
 from smsl_studio.studio.base.actions import Actions
 from smsl_studio.studio.base.feature import AllWindows, DockSides
@@ -83,14 +83,12 @@ class Window(QMainWindow):
     def _name_parts(self) -> None:
         """The parts of the features, each under a name of its own, for whoever works a window from
         outside. The shell asks ``features``."""
-        draw, run = self.features.draw, self.features.run
+        draw = self.features.draw
         self.canvas, self.editor, self.fix_card = draw.canvas, draw.editor, draw.fix_card
         self.drawing, self.clipping = draw.drawing, draw.clipping
         self.outline, self.library, self.history = draw.outline, draw.library, draw.history
         self.properties, self.source, self.findings = draw.properties, draw.source, draw.findings
         self.comparing, self.safety, self.going = draw.comparing, draw.safety, draw.going
-        self.run_pane, self.supervise = run.pane, self.features.supervise.pane
-        self.people, self.replaying = self.features.people.people, self.features.replay.verbs
 
     def _build_frame(self) -> None:
         actions, tokens = self.actions_table, self.tokens
@@ -238,6 +236,10 @@ class Window(QMainWindow):
     def show_segment(self, name: str, shown: bool) -> None:
         """Offer a mode in the mode bar, or no longer."""
         self.mode_bar.segments.show_segment(name, shown)
+
+    def add_badge(self, badge: QWidget) -> None:
+        """Show a badge at the right of the menus."""
+        self.menu_row.add_badge(badge)
 
     def say_findings(self, words: str) -> None:
         """Say in the status line what was found."""

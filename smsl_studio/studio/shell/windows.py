@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
-from smsl_studio.host.spare import Spare
 from smsl_studio.legible import one_line
 from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.style import dress, tokens_of
@@ -18,6 +17,9 @@ from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.running.persons import Persons
 from smsl_studio.studio.shell.departure import Departure
 from smsl_studio.studio.shell.plugins import Plugins
+
+if TYPE_CHECKING:
+    from smsl_studio.host.spare import Spare
 
 
 class OpenWindow(Protocol):

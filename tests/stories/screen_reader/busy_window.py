@@ -38,7 +38,7 @@ class Busy:
             press("add_branch"), press("undo"), press("mode_run"), press("run_step"), self._wait,
             press("run_play"), self._wait, press("mode_supervise"), self._wait, press("mode_draw"),
             self._select, self._move, press("mode_run"), press("run_stop"), self._wait,
-            window.run_pane.run.end, self._wait, press("mode_draw"), self._forget,
+            window.features.run.pane.run.end, self._wait, press("mode_draw"), self._forget,
         ])  # fmt: skip
 
     def act(self) -> None:

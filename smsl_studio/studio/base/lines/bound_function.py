@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from smsl_studio.blueprint.annotations import Binding
 from smsl_studio.errors import PluginError
-from smsl_studio.library.loading import Loaded
-from smsl_studio.library.operation_library import OperationEntry
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.controls import Combo, Field
 from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, same
 from smsl_studio.studio.base.lines.text import number_text
 from smsl_studio.studio.base.words import capital
+
+if TYPE_CHECKING:
+    from smsl_studio.library.operation_library import OperationEntry
 
 KINDS: Mapping[object, tuple[str, str]] = {
     int: ("whole number", "a whole number such as 2"),

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.actions import Action, Actions
 from smsl_studio.studio.base.canvas.canvas import Canvas
 from smsl_studio.studio.base.feature import DockPanel, Feature, Page, Shell
@@ -28,7 +28,6 @@ from smsl_studio.studio.features.draw.canvas.editor import CanvasEditor
 from smsl_studio.studio.features.draw.canvas.fix_card import FixCard
 from smsl_studio.studio.features.draw.canvas.sub_sb_menu import fill_sub_sbs
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
-from smsl_studio.studio.features.draw.compare.kept_difference import difference_dialog
 from smsl_studio.studio.features.draw.find.destinations import Destinations
 from smsl_studio.studio.features.draw.find.finder import Finder
 from smsl_studio.studio.features.draw.find.palette import Palette
@@ -81,7 +80,7 @@ class DrawFeature(Feature):
         self.comparing = Comparison(session, files, ask, tokens, window)
         self.safety = Safety(parts, self.source, self.comparing.with_version)
         self.going = Destinations(shell, self.properties, files)
-        self.pages = {"draw": Page(self.canvas, self.canvas)}
+        self.pages = {"draw": lambda: Page(self.canvas, self.canvas)}
         self.panels = (
             DockPanel("Outline", "left", self.outline, focus=self.outline.tree),
             DockPanel("Library", "left", self.library),
@@ -180,6 +179,8 @@ class DrawFeature(Feature):
 
     def show_difference(self, entry: JournalEntry, tokens: Tokens, parent: QDialog) -> bool:
         """Show what was kept beside what stands on the disk; False where one is nothing."""
+        from smsl_studio.studio.features.draw.compare.kept_difference import difference_dialog
+
         return difference_dialog(entry, tokens, parent)
 
     # What is shown.

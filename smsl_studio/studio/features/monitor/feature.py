@@ -2,24 +2,52 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.studio.base.feature import Feature
+from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
-from smsl_studio.studio.features.monitor.opener import MonitorOpener
-from smsl_studio.studio.running.run_session import RunSession
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.monitor.opener import MonitorOpener
+    from smsl_studio.studio.running.run_session import RunSession
 
 
 class MonitorFeature(Feature):
-    """Every sensor and node of the run; ``parent`` is what the page lies in front of."""
+    """Every sensor and node of the run.
 
-    def __init__(self, run: RunSession, tokens: Tokens, parent: QWidget) -> None:
-        self.opener = MonitorOpener(run, tokens, parent)
+    ``run`` answers with the run of the window, and what the page lies in front of.
+    """
+
+    def __init__(self, run: Callable[[], tuple[RunSession, QWidget]], tokens: Tokens) -> None:
+        self._run, self._tokens = run, tokens
+        self.part = LatePart(self._make)
+
+    @property
+    def opener(self) -> MonitorOpener:
+        """What opens the page and keeps it."""
+        return self.part()
+
+    def _make(self) -> MonitorOpener:
+        from smsl_studio.studio.features.monitor.opener import MonitorOpener
+
+        run, parent = self._run()
+        return MonitorOpener(run, self._tokens, parent)
+
+    def toggle(self) -> None:
+        """Show the page; where it is in front already, close it."""
+        self.opener.toggle()
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Take other colours."""
-        self.opener.set_tokens(tokens)
+        self._tokens = tokens
+        if self.part.made is not None:
+            self.part.made.set_tokens(tokens)
 
     def stop(self) -> None:
         """The page goes with its window."""
-        self.opener.close()
+        if self.part.made is not None:
+            self.part.made.close()

@@ -2,14 +2,35 @@
 
 from __future__ import annotations
 
+from typing import Protocol
+
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import AllWindows, Shell
-from smsl_studio.studio.features.replay.playback import ReplayVerbs
 
 
-def replay_actions(replaying: ReplayVerbs, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
+class ReplayActions(Protocol):
+    """What actions ask of the replay of a window."""
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a recording is open."""
+
+    def open(self) -> None:
+        """Ask for a recording and show it."""
+
+    def turn(self) -> None:
+        """Play where it rests, rest where it plays."""
+
+    def pause(self) -> None:
+        """Stay at this moment."""
+
+    def step(self, events: int = 1) -> None:
+        """So many events on, or back."""
+
+
+def replay_actions(replay: ReplayActions, windows: AllWindows, shell: Shell) -> tuple[Action, ...]:
     """The rows of the File, View and Run menus that concern recorded runs."""
-    replay, settings = replaying.replay, windows.settings
+    settings = windows.settings
 
     def shown() -> bool:
         """Whether Replay mode is shown."""
@@ -20,10 +41,10 @@ def replay_actions(replaying: ReplayVerbs, windows: AllWindows, shell: Shell) ->
         settings.record_runs = not settings.record_runs
 
     return (
-        Action("open_recording", "Open recording…", replaying.open, "File", "clock", section=1,
+        Action("open_recording", "Open recording…", replay.open, "File", "clock", section=1,
                tip="Show a recorded run again, moment by moment"),
         Action("mode_replay", "Replay", lambda: shell.set_mode("replay"), "View",
-               enabled=lambda: replaying.is_open, checked=shown, short="Replay",
+               enabled=lambda: replay.is_open, checked=shown, short="Replay",
                tip="Show the recorded run that is open"),
         Action("replay_back", "One event back", lambda: replay.step(-1), "Run", "step-back",
                ("Shift+F10",), shown, section=3, tip="Of a replay: one event back"),

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from smsl_studio.studio.features.replay.replay import Replay
+from smsl_studio.studio.features.replay.actions import ReplayActions
 from smsl_studio.studio.running.run_actions import RunActions
 
 
 class Watched:
     """A transport: it asks of the replay what is asked while Replay mode is shown."""
 
-    def __init__(self, run: RunActions, replay: Replay, mode: Callable[[], str]) -> None:
+    def __init__(self, run: RunActions, replay: ReplayActions, mode: Callable[[], str]) -> None:
         self._run, self._replay, self._mode = run, replay, mode
 
     @property

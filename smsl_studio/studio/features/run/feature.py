@@ -4,51 +4,113 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEventLoop, QTimer
 
-from smsl_studio.host.spare import Spare
-from smsl_studio.library.loading import Loaded
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.base.feature import Feature, Page, Shell
+from smsl_studio.studio.base.late_part import LatePart
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.features.run.actions import run_actions
-from smsl_studio.studio.features.run.pane import RunPane
-from smsl_studio.studio.features.run.spare_world import SpareWorld, Wanted
 from smsl_studio.studio.running.run_actions import RunActions
 from smsl_studio.studio.running.window_parts import WindowParts
+
+if TYPE_CHECKING:
+    from smsl_studio.host.spare import Spare
+    from smsl_studio.library.loaded import Loaded
+    from smsl_studio.studio.features.run.pane import RunPane
+    from smsl_studio.studio.features.run.spare_world import SpareWorld, Wanted
 
 PATIENCE = 3000
 """Milliseconds that a run may take to stand still before its window closes all the same."""
 
 
 class RunFeature(Feature):
-    """Run mode. ``asked`` is what the keys of a run reach."""
+    """Run mode. ``asked`` is what the keys of a run reach.
+
+    The pane is made when somebody first runs something or shows the mode; before that there is no
+    run of which anything could be asked.
+    """
 
     def __init__(self, parts: WindowParts, shell: Shell, spare: Spare | None) -> None:
-        session = parts.session
-        self._shell = shell
-        self.pane = RunPane(session, parts.tokens)
-        self.pane.recordings = lambda: parts.settings.wanted_recordings
-        self.asked: RunActions = self.pane
+        self._parts, self._shell, self._spare = parts, shell, spare
+        self._tokens = parts.tokens
+        self._loaded: Loaded | None = None
+        self.asked: RunActions = self
         self.shown_elsewhere: Callable[[], bool] = lambda: False
         """Whether a neighbour shows a page in which a run can begin."""
-        self.warming = SpareWorld(self._next, parts.window)
-        self.keep_warm(spare)
-        for changed in (session.blueprint_changed, self.pane.run.exists_changed,
-                        self.pane.transport.world.currentIndexChanged,
-                        self.pane.transport.seed.textChanged):  # fmt: skip
-            changed.connect(lambda *_: self.warming.soon())
-        parts.files.asking.connect(self.pane.file_asked)
-        self.pages = {"run": Page(self.pane, self.pane.canvas.canvas, self.pane.transport)}
+        self.part = LatePart(self._make)
+        self.pages = {"run": self._page}
+
+    @property
+    def pane(self) -> RunPane:
+        """The body of Run mode."""
+        return self.part()
+
+    @property
+    def warming(self) -> SpareWorld:
+        """What has the next run's world stand ready."""
+        self.part()
+        return self._warming
+
+    def _page(self) -> Page:
+        return Page(self.pane, self.pane.canvas.canvas, self.pane.transport)
+
+    def _make(self) -> RunPane:
+        from smsl_studio.studio.features.run.pane import RunPane
+        from smsl_studio.studio.features.run.spare_world import SpareWorld
+
+        session, files, window = self._parts.session, self._parts.files, self._parts.window
+        pane = RunPane(session, self._tokens, window)
+        pane.hide()
+        pane.recordings = lambda: self._parts.settings.wanted_recordings
+        warming = self._warming = SpareWorld(self._next, window)
+        warming.spare = pane.run.spare = self._spare
+        for changed in (session.blueprint_changed, pane.run.exists_changed,
+                        pane.transport.world.currentIndexChanged,
+                        pane.transport.seed.textChanged):  # fmt: skip
+            changed.connect(lambda *_: warming.soon())
+        files.asking.connect(pane.file_asked)
+        if self._loaded is not None:
+            pane.set_plugins(self._loaded)
+        return pane
 
     def actions(self) -> tuple[Action, ...]:
         """The Run menu."""
         return run_actions(self.asked, self._shell.program, self._shell)
 
+    # What the keys of a run ask for.
+
+    def play(self) -> None:
+        """Start a run, or go on with the one that waits."""
+        self.pane.play()
+
+    def pause(self) -> None:
+        """Pause the run."""
+        if self.part.made is not None:
+            self.part.made.pause()
+
+    def step(self) -> None:
+        """One operation, then pause; without a run, begin one."""
+        self.pane.step()
+
+    def show_monitor(self) -> None:
+        """Show the monitor page."""
+        self.pane.show_monitor()
+
+    # What the shell asks of it.
+
+    def mode_shown(self) -> None:
+        """Another mode is shown: a run may begin in it."""
+        if self.part.made is not None:
+            self.warming.soon()
+
     def keep_warm(self, spare: Spare | None) -> None:
         """Have the next run's world stand ready while a mode is shown in which it can begin."""
-        self.warming.spare = self.pane.run.spare = spare
+        self._spare = spare
+        if self.part.made is not None:
+            self.warming.spare = self.part.made.run.spare = spare
 
     def _next(self) -> Wanted | None:
         shown = self.pane.isVisible() or self.shown_elsewhere()
@@ -57,25 +119,37 @@ class RunFeature(Feature):
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
         """Offer their worlds, once they were looked for."""
         if known:
-            self.pane.set_plugins(loaded)
+            self._loaded = loaded
+            if self.part.made is not None:
+                self.part.made.set_plugins(loaded)
 
     def set_tokens(self, tokens: Tokens) -> None:
         """Take other colours."""
-        self.pane.set_tokens(tokens)
+        self._tokens = tokens
+        if self.part.made is not None:
+            self.part.made.set_tokens(tokens)
+
+    def stop_run(self) -> None:
+        """A controlled stop of the run, where there is one."""
+        if self.part.made is not None:
+            self.part.made.stop()
 
     def may_leave(self, ask: Callable[[str], bool]) -> bool:
         """Whether the run may end with the window: there is none, or the person agrees."""
-        run = self.pane.run
-        if not run.exists or run.blueprint is None or run.choice is None:
+        run = self.part.made.run if self.part.made is not None else None
+        if run is None or not run.exists or run.blueprint is None or run.choice is None:
             return True
         file = Path(run.blueprint.file).name
         return ask(f"The run of {file} in {run.choice.world} has not ended.")
 
     def stop(self) -> None:
         """Stop the run, wait until it stands or ``PATIENCE`` is over, and let go of it."""
-        run = self.pane.run
+        pane = self.part.made
+        if pane is None:
+            return
+        run = pane.run
         if run.exists and run.phase != "stopped":
-            wait = QEventLoop(self.pane)
+            wait = QEventLoop(pane)
 
             def look() -> None:
                 """End the wait once the run has stopped."""
@@ -87,4 +161,4 @@ class RunFeature(Feature):
             QTimer.singleShot(PATIENCE, wait, wait.quit)
             run.stop()
             wait.exec(QEventLoop.ProcessEventsFlag.ExcludeUserInputEvents)
-        self.pane.shut()
+        pane.shut()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from smsl_studio import front
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.views.states import choices
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.document.session import Session
 from smsl_studio.studio.features.run.transport import Transport
 from smsl_studio.studio.running.next_levels import NextLevels

@@ -15,7 +15,7 @@ from smsl_studio.errors import StudioError
 from smsl_studio.front.views.fact_rows import as_they_were, fact_rows, last_check, rate_words
 from smsl_studio.front.views.possible_rows import CHOOSABLE, possible_rows
 from smsl_studio.front.views.timeline_lanes import lanes
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.runlog.events import Event, OperationRefused
 from smsl_studio.studio.base.controls import label
 from smsl_studio.studio.base.icons import icon

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.front.hosts import make_ready
 from smsl_studio.host.spare import Spare
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 
 QUIET = 700
 """Milliseconds without a change after which it is worth building a world."""

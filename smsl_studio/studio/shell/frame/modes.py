@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from PySide6.QtWidgets import QWidget
 
@@ -17,28 +17,41 @@ DRAW = "draw"
 
 
 class Modes:
-    """Shows one mode at a time. The docks belong to Draw, whose panels are remembered."""
+    """Shows one mode at a time. The docks belong to Draw, whose panels are remembered.
+
+    ``pages`` make the page of each mode, which happens when it is first shown.
+    """
 
     def __init__(
-        self, pages: Mapping[str, Page], body: PageBody, docks: Docks, settings: Settings
+        self,
+        pages: Mapping[str, Callable[[], Page]],
+        body: PageBody,
+        docks: Docks,
+        settings: Settings,
     ) -> None:
-        self._pages, self._body = pages, body
+        self._make, self._body = pages, body
         self._docks, self._settings = docks, settings
+        self._pages = {DRAW: pages[DRAW]()}
         self.shown = DRAW
-        for page in pages.values():
-            body.add_page(page.body)
+        body.add_page(self._pages[DRAW].body)
 
     def dress(self, bar: ModeBar, line: StatusLine) -> None:
         """The bars that follow the mode."""
         self._bar, self._line = bar, line
-        for name, page in self._pages.items():
+
+    def _page(self, name: str) -> Page:
+        page = self._pages.get(name)
+        if page is None:
+            page = self._pages[name] = self._make[name]()
+            self._body.add_page(page.body)
             if page.row is not None:
-                bar.add_row(name, page.row)
+                self._bar.add_row(name, page.row)
+        return page
 
     def show(self, name: str, width: int) -> None:
         """Show another mode in a window so wide."""
         self.keep()
-        page, self.shown = self._pages[name], name
+        page, self.shown = self._page(name), name
         self._body.show_page(page.body)
         self._bar.show_mode(name)
         self._line.show_mode(name)

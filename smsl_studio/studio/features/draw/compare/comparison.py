@@ -5,29 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from smsl_studio.blueprint.address import Address
-from smsl_studio.blueprint.comparison import compare
 from smsl_studio.errors import AddressError, StudioError
-from smsl_studio.front.revisions import Revision, revisions
-from smsl_studio.picture.aligned import as_drawn
 from smsl_studio.studio.base.actions import key_words
 from smsl_studio.studio.base.beside import Beside, Came
 from smsl_studio.studio.base.run_keys import lend_run_keys
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.compare.dialog import NEXT_KEYS, CompareDialog
-from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
-from smsl_studio.studio.features.draw.compare.versions import (
-    Version,
-    as_saved,
-    at_revision,
-    in_file,
-)
+from smsl_studio.studio.features.draw.compare.keys import NEXT_KEYS
+
+if TYPE_CHECKING:
+    from smsl_studio.front.revisions import Revision
+    from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
+    from smsl_studio.studio.features.draw.compare.versions import Version
 
 WAIT = 120
 """Milliseconds after an edit in which further edits are waited for."""
@@ -91,6 +87,8 @@ class Comparison(QObject):
 
     def with_file(self) -> None:
         """Ask for a file and compare with what it holds."""
+        from smsl_studio.studio.features.draw.compare.versions import in_file
+
         self._files.settling.emit()
         folder = self._files.path.parent if self._files.path else Path.cwd()
         path = self.ask_file(folder)
@@ -99,6 +97,8 @@ class Comparison(QObject):
 
     def with_saved(self) -> None:
         """Compare with what was last saved or read."""
+        from smsl_studio.studio.features.draw.compare.versions import as_saved
+
         self._files.settling.emit()
         file = self._session.blueprint.file
         text, name = self._files.on_disk.text(file), self._files.name
@@ -106,6 +106,8 @@ class Comparison(QObject):
 
     def with_revision(self) -> None:
         """Ask which commit, and compare with the file as it was in it."""
+        from smsl_studio.front.revisions import revisions
+
         self._files.settling.emit()
         path = self._files.path
         if path is None:
@@ -150,17 +152,23 @@ class Comparison(QObject):
         if isinstance(found, StudioError):
             self.refused.emit(found)
         elif path == self._files.path:
+            from smsl_studio.studio.features.draw.compare.revision_dialog import RevisionDialog
+
             asking = RevisionDialog(path.name, found, self._tokens, self._window)
             asking.chosen.connect(lambda revision: self._with(path, revision))
             asking.open()
 
     def _with(self, path: Path, revision: Revision) -> None:
+        from smsl_studio.studio.features.draw.compare.versions import at_revision
+
         self._beside.do(partial(_tried, partial(at_revision, path, revision)), self._compare)
 
     def _compare(self, version: Version | StudioError) -> None:
         if isinstance(version, StudioError):
             self.refused.emit(version)
             return
+        from smsl_studio.studio.features.draw.compare.dialog import CompareDialog
+
         self._version = version
         if self._dialog is not None:
             self._dialog.close()
@@ -182,6 +190,9 @@ class Comparison(QObject):
     def _refresh(self) -> None:
         if self._dialog is None or self._version is None:
             return
+        from smsl_studio.blueprint.comparison import compare
+        from smsl_studio.picture.aligned import as_drawn
+
         session, name = self._session, self._files.name
         words = f"{name}, as it is drawn"
         if session.broken is not None:

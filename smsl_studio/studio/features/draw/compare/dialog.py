@@ -29,10 +29,10 @@ from smsl_studio.studio.base.screens import open_at, place_over
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.base.tips import tip_text
 from smsl_studio.studio.features.draw.compare.change_rows import rows_of
+from smsl_studio.studio.features.draw.compare.keys import NEXT_KEYS, PREVIOUS_KEYS
 from smsl_studio.studio.features.draw.compare.linked_views import LinkedViews
 from smsl_studio.studio.features.draw.compare.side import Side
 
-NEXT_KEYS, PREVIOUS_KEYS = "F7", "Shift+F7"
 UNDO_KEYS, REDO_KEYS = ("Ctrl+Z",), ("Ctrl+Shift+Z", "Ctrl+Y")
 SIZE = (1200, 760)
 CHOICE = 220, 560

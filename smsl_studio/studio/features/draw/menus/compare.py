@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from smsl_studio.studio.base.actions import Action
 from smsl_studio.studio.features.draw.compare.comparison import Comparison
-from smsl_studio.studio.features.draw.compare.dialog import NEXT_KEYS, PREVIOUS_KEYS
+from smsl_studio.studio.features.draw.compare.keys import NEXT_KEYS, PREVIOUS_KEYS
 
 
 def compare_actions(comparing: Comparison) -> tuple[Action, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from smsl_studio.blueprint.model import Blueprint
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.features.draw.panels.library import LibraryEntry
 
 

@@ -12,7 +12,7 @@ from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.continuum import AUTOMATIC, OF_ACTOR
 from smsl_studio.blueprint.levels import Levels
 from smsl_studio.blueprint.model import Blueprint, StateBranch
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.picture.sub_marks import sub_mark
 from smsl_studio.studio.base.controls import Combo, Switch, label, row
 from smsl_studio.studio.base.lines.bound_function import BindingLine

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QPushButton, QVBoxLayout, QWidget
 
@@ -11,12 +12,14 @@ from smsl_studio import front
 from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.errors import StudioError
-from smsl_studio.library.loading import Loaded
-from smsl_studio.runlog.events import EdgeSwept
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.studio.base.beside import Beside
 from smsl_studio.studio.base.controls import Combo, label, row
 from smsl_studio.studio.base.words import capital
 from smsl_studio.studio.document.session import Session
+
+if TYPE_CHECKING:
+    from smsl_studio.runlog.events import EdgeSwept
 
 TRY, CANCEL = "Try alone", "Cancel"
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -19,15 +20,18 @@ from smsl_studio.studio.document.broken import Broken, Reading, read_text
 from smsl_studio.studio.document.files.files import Files
 from smsl_studio.studio.document.files.on_disk import DiskLook
 from smsl_studio.studio.document.session import Session
-from smsl_studio.studio.features.draw.compare.versions import Version
 from smsl_studio.studio.features.draw.safety.change_bar import ChangeBar
 from smsl_studio.studio.features.draw.safety.watcher import Watcher
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.features.draw.compare.versions import Version
+
+    Compare = Callable[[Version], None]
+    """Shows the difference from another version to what is drawn."""
 
 AGAIN = 400
 """Milliseconds after which one looks again at a text that does not read: it may be half written."""
 Sign = tuple[int, int, int] | None
-Compare = Callable[[Version], None]
-"""Shows the difference from another version to what is drawn."""
 
 
 class OutsideChanges(QObject):
@@ -129,6 +133,8 @@ class OutsideChanges(QObject):
             self.refused.emit(theirs.refusal)
         else:
             name = self._files.display(look.file)
+            from smsl_studio.studio.features.draw.compare.versions import Version
+
             self._compare(Version(f"{name}, as it is on the disk", theirs))
 
     def _follow(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -10,15 +11,17 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from smsl_studio.studio.base.theme import Tokens
 from smsl_studio.studio.document.files.fresh import UNTITLED
 from smsl_studio.studio.document.journal.entry import KeptText
-from smsl_studio.studio.document.journal.leftovers import Left
 from smsl_studio.studio.document.journal.place import folder_of
-from smsl_studio.studio.document.journal.restoration import keep_text, on_disk, restore
 from smsl_studio.studio.document.journal.unsaved import Unsaved
 from smsl_studio.studio.document.journal.writer import Journal
 from smsl_studio.studio.features.draw.safety.change_bar import ChangeBar
-from smsl_studio.studio.features.draw.safety.outside import Compare, OutsideChanges
+from smsl_studio.studio.features.draw.safety.outside import OutsideChanges
 from smsl_studio.studio.features.draw.source.pane import SourcePane
 from smsl_studio.studio.running.window_parts import WindowParts
+
+if TYPE_CHECKING:
+    from smsl_studio.studio.document.journal.leftovers import Left
+    from smsl_studio.studio.features.draw.safety.outside import Compare
 
 
 class Safety(QObject):
@@ -78,6 +81,8 @@ class Safety(QObject):
 
         False where the person called it off, because a save of its files was interrupted.
         """
+        from smsl_studio.studio.document.journal.restoration import on_disk, restore
+
         before = on_disk(left.entry)
         if before is not None:
             path = Path(left.entry.path)
@@ -101,6 +106,8 @@ class Safety(QObject):
 
     def _put_aside(self, kept: KeptText) -> bool:
         """Keep a text that belongs nowhere any more; whether that went well."""
+        from smsl_studio.studio.document.journal.restoration import keep_text
+
         name = Path(kept.file).name
         try:
             where = keep_text(kept, self._home)

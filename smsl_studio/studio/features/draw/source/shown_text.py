@@ -8,20 +8,26 @@ so that what is shown can always be traced back to what stands there.
 from __future__ import annotations
 
 import re
+from functools import cache
 
 BOM = "\ufeff"
 CR_SHOWN, ODD_SHOWN = "\u240d", "\ufffd"
-_ODD = re.compile("[\u2028\u2029\x00\x0b\x0c\x1c-\x1e\x85\ufdd0\ufdd1\ufffc]")
-_SPECIAL = re.compile("[\r\ufeff\u2028\u2029\x00\x0b\x0c\x1c-\x1e\x85\ufdd0\ufdd1\ufffc]")
+_ODD = "\u2028\u2029\x00\x0b\x0c\x1c-\x1e\x85\ufdd0\ufdd1\ufffc"
+
+
+@cache
+def _pattern(characters: str) -> re.Pattern[str]:
+    """Any of these characters; compiled when it is first needed, because that takes its time."""
+    return re.compile(f"[{characters}]")
 
 
 def shown(text: str, first: bool = False) -> str:
     """The text as it is shown; ``first`` where it begins the file, so that it may have a BOM."""
-    if not _SPECIAL.search(text):
+    if not _pattern(f"\r{BOM}{_ODD}").search(text):
         return text
     if first:
         text = text.removeprefix(BOM)
-    return _ODD.sub(ODD_SHOWN, text.replace("\r\n", "\n").replace("\r", CR_SHOWN))
+    return _pattern(_ODD).sub(ODD_SHOWN, text.replace("\r\n", "\n").replace("\r", CR_SHOWN))
 
 
 def exact_column(line: str, column: int, first: bool = False) -> int:

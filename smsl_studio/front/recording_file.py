@@ -1,0 +1,18 @@
+"""Which files are recorded runs, by how they begin."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from smsl_studio.runlog.log import FORMAT
+from smsl_studio.smsl.inputs import read_ordinary
+
+_FIRST = f'{{"log":"{FORMAT}",'.encode("ascii")
+
+
+def is_recording(path: Path) -> bool:
+    """Whether a file is a run log, by how it begins; false where it cannot be read."""
+    try:
+        return read_ordinary(path, len(_FIRST)).raw.startswith(_FIRST)
+    except (OSError, ValueError):
+        return False
