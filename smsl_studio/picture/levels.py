@@ -92,7 +92,7 @@ def spacing_of(at: Floats, full: Floats, compact: Floats) -> Spacing:
                                  (COMPACT_SIZE[1] + 8.0) / np.maximum(dy, 1e-6)),
         box_zoom=_zoom_apart(len(at), a, b, (BOX_SIZE[0] + 6.0) / np.maximum(dx, 1e-6),
                              (BOX_SIZE[1] + 6.0) / np.maximum(dy, 1e-6)),
-        pitch=float(np.median(nearest)),
+        pitch=_median(nearest),
     )  # fmt: skip
 
 
@@ -105,10 +105,16 @@ def _zoom_apart(count: int, a: Ints, b: Ints, across: Floats, down: Floats) -> f
     return _quartile(needed)
 
 
+def _median(values: Floats) -> float:
+    """The value in the middle, as ``np.median`` gives it; that loads numpy's masked arrays."""
+    ordered = np.sort(values)
+    return float(ordered[(len(ordered) - 1) // 2] + ordered[len(ordered) // 2]) / 2
+
+
 def _quartile(values: Floats) -> float:
     """What three quarters of the values do not exceed, between two of them where it falls there.
 
-    ``np.quantile`` gives the same; it loads numpy's masked arrays for it.
+    ``np.quantile`` gives the same, and loads them too.
     """
     at = 0.75 * (len(values) - 1)
     low = int(at)

@@ -117,7 +117,9 @@ class Picture:
         """One of two opposite edges, and each whose opposite is missing: the others lie on them."""
         forward = self.source.astype(np.int64) * len(self) + self.target
         back = self.target.astype(np.int64) * len(self) + self.source
-        once: NDArray[np.bool_] = (self.source < self.target) | ~np.isin(back, forward)
+        ordered = np.sort(forward)
+        nearest = ordered[np.minimum(np.searchsorted(ordered, back), max(len(ordered) - 1, 0))]
+        once: NDArray[np.bool_] = (self.source < self.target) | (nearest != back)
         return once
 
     def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -89,5 +91,44 @@ def test_a_session_that_ends_keeps_unsaved_work_and_asks_nothing(
     assert "Half typed" in left.entry.texts[0].text
     assert "unsaved work in hfsm.json is kept" in capsys.readouterr().err
     left.drop()
+    window.deleteLater()
+    qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+DRAWN = """
+import os, sys
+from smsl_studio.studio.base.settings import Settings
+from smsl_studio.studio.shell.application import make_application, make_window
+from smsl_studio.studio.shell.windows import Windows
+application = make_application([])
+window = make_window(Windows(application, Settings()), sys.argv[1])
+application.processEvents()
+rooms = ("pyqtgraph", "moderngl", "pydantic", "pybullet", "paho", "numpy.ma",
+         "smsl_studio.front.runs", "smsl_studio.host.child", "smsl_studio.runlog.events",
+         "smsl_studio.dispatch.drive.driver", "smsl_studio.studio.features.run.pane")
+print(*(name for name in rooms if name in sys.modules), flush=True)
+os._exit(0)
+"""
+
+
+def test_the_first_picture_needs_nothing_of_a_run_and_no_plugin() -> None:
+    sample = str(SAMPLES / "hanoi-corrected.json")
+    done = subprocess.run(
+        [sys.executable, "-c", DRAWN, sample], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == []
+
+
+def test_a_page_is_made_when_its_mode_is_first_shown(qapp: QApplication, qtbot: QtBot) -> None:
+    window = app.make_window(Windows(qapp, Settings()), str(SAMPLES / "hfsm.json"))
+    run, replay = window.features.run, window.features.replay
+    assert run.part.made is None
+    assert replay.part.made is None
+    window.actions_table["run_stop"].trigger()
+    assert run.part.made is None, "there is nothing to stop"
+    window.set_mode("supervise")
+    assert run.part.made is not None, "what is supervised is a run"
+    assert window.body.pages.currentWidget() is window.features.supervise.pane
+    window.close()
     window.deleteLater()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)

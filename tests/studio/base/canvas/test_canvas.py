@@ -341,3 +341,17 @@ def test_states_that_are_not_near_have_no_item(qtbot: QtBot) -> None:
     assert drawer.canvas.sheet.level is Level.DOT
     items = [one for one in drawer.canvas.scene().items() if isinstance(one, NodeItem)]
     assert len(items) <= 50
+
+
+def test_what_is_not_lit_is_painted_once(hanoi3: Drawer, monkeypatch: pytest.MonkeyPatch) -> None:
+    canvas, painted = hanoi3.canvas, []
+    on_screen(hanoi3)
+    monkeypatch.setattr(canvas.edges, "paint", lambda *given: painted.append(given[-1]))
+    canvas.viewport().repaint()
+    assert painted == [], "nothing has changed"
+    chosen = Address("SB1", "State_aaa")
+    canvas.set_marks(Marks(selection=(chosen,)))
+    on_screen(hanoi3)
+    assert painted, "the operations out of it are lit now"
+    seen = canvas.seen
+    assert all(area.width() < seen.width() / 2 for area in painted), "only where they run"
