@@ -21,7 +21,14 @@ SIZES = (3, 4, 6, 8)
 FRAME = "at most 16 ms"
 REST = "at most 150 ms"
 SETTLED = "at most 200 ms"
-KINDS = ("rename a state", "add a state", "delete a state", "move a state", "connect two")
+KINDS = (
+    "rename an operation",
+    "rename a state",
+    "add a state",
+    "delete a state",
+    "move a state",
+    "connect two",
+)
 
 
 def rows() -> Iterator[Row]:

@@ -62,14 +62,20 @@ class Seat:
         def edit(change: Callable[..., object], *given: object) -> Callable[[], object]:
             return lambda: session.edit("Bench", lambda bp: change(bp, *given))  # type: ignore[arg-type,return-value]
 
+        # Names as long as the others: all states have facts as before.
         for time_ in range(TIMES):
             name = self._names[middle - 4 + time_]
             address, (x, y) = Address("SB1", name), canvas.positions[name]
             session.select((address,))
-            if kind == "rename a state":
-                yield edit(editing.rename, address, f"{name}x")
+            if kind == "rename an operation":
+                operation = Address("SB1", name, next(iter(session.blueprint["SB1"].table[name])))
+                yield edit(editing.rename, operation, f"Op_9{'qrstu'[time_]}")
+            elif kind == "rename a state":
+                yield edit(editing.rename, address, f"{name[:-1]}{'qrstu'[time_]}")
             elif kind == "add a state":
-                yield edit(editing.add_state, "SB1", f"State_new{time_}", (x + 60.0, y + 45.0))
+                yield edit(
+                    editing.add_state, "SB1", f"{name[:-1]}{'vwxyz'[time_]}", (x + 60.0, y + 45.0)
+                )
             elif kind == "delete a state":
                 yield edit(editing.delete, (address,))
             elif kind == "move a state":

@@ -113,6 +113,15 @@ class Picture:
         return keys[order], order.astype(np.int32)
 
     @cached_property
+    def _by_states(self) -> dict[tuple[int, int], list[int]]:
+        """Of a small picture the numbers of the edges by source and target."""
+        found: dict[tuple[int, int], list[int]] = {}
+        ends = zip(self.source.tolist(), self.target.tolist(), strict=True)
+        for edge, pair in enumerate(ends):
+            found.setdefault(pair, []).append(edge)
+        return found
+
+    @cached_property
     def drawn_once(self) -> NDArray[np.bool_]:
         """One of two opposite edges, and each whose opposite is missing: the others lie on them."""
         forward = self.source.astype(np.int64) * len(self) + self.target
@@ -124,6 +133,9 @@ class Picture:
 
     def between(self, a: int, b: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
         """The numbers of the edges from ``a`` to ``b``, and of those from ``b`` to ``a``."""
+        if self.small:
+            found = self._by_states
+            return tuple(found.get((a, b), ())), tuple(found.get((b, a), ()))
         keys, numbers = self._by_ends
         key = min(a, b) * (len(self) + 1) + max(a, b)
         first, last = np.searchsorted(keys, (key, key + 1))

@@ -65,7 +65,7 @@ class Sheet:
         self._geometry: dict[tuple[bool, float], Geometry] = {}
         self._former = former.routings if former is not None else {}
         self._kept_reaches = -1, (self.at.T, self.at.T)
-        self._texts: dict[int, EdgeText] = {}
+        self._texts: dict[tuple[int, bool], EdgeText] = {}
         self.set_zoom(1.0)
 
     def _measure(self) -> None:
@@ -222,18 +222,18 @@ class Sheet:
 
     def text(self, edge: int) -> EdgeText:
         """An edge's label."""
-        found = self._texts.get(edge)
+        label = self.picture.label(edge)
+        mono = self.compact and len(label) <= 4
+        found = self._texts.get((edge, mono))
         if found is None:
-            label = self.picture.label(edge)
             guard = DECLARED if self.picture.guards(edge) else ""
-            found = EdgeText(label, self.picture.kind(edge), guard=guard)
-            self._texts[edge] = found
+            found = EdgeText(label, self.picture.kind(edge), mono, guard=guard)
+            self._texts[edge, mono] = found
         sign = self.looks.edge(edge).change
-        mono = self.compact and len(found.text) <= 4
         # How a guard stands makes its sign no wider: labels stay where they are.
         guard = self.looks.guard(edge) if found.guard else ""
-        if mono or sign or guard:
-            return replace(found, mono=mono, sign=sign, guard=guard or found.guard)
+        if sign or guard:
+            return replace(found, sign=sign, guard=guard or found.guard)
         return found
 
     def _label_size(self, edge: int, unit: float) -> tuple[float, float]:

@@ -45,11 +45,6 @@ class Looks:
         found = self._nodes.get(state) or NodeLook(dimmed=self.marks.dimmed)
         return replace(found, hovered=True) if state == self.hovered_state else found
 
-    @property
-    def plain(self) -> EdgeLook:
-        """How every edge looks that is not lit."""
-        return EdgeLook(dimmed=self.marks.dimmed)
-
     def edge(self, edge: int) -> EdgeLook:
         """How the edge with this number looks."""
         found = self._edges.get(edge) or self.plain
@@ -82,6 +77,8 @@ class Looks:
         return states, changed | {e for e in both if guards.get(e) != self._guards.get(e)}
 
     def _read(self, marks: Marks) -> None:
+        self.plain = EdgeLook(dimmed=marks.dimmed)
+        """How every edge looks that is not lit."""
         nodes: dict[int, dict[str, object]] = {}
         edges: dict[int, dict[str, object]] = {}
         named = ((self._picture.edge(address), how) for address, (how, _) in marks.guards.items())
