@@ -7,7 +7,7 @@ from pathlib import Path
 
 from smsl_studio.errors import UsageError, did_you_mean
 from smsl_studio.host.plugin_offers import describe
-from smsl_studio.library.loading import Loaded
+from smsl_studio.library.loaded import Loaded
 from smsl_studio.library.permission import allow, forbid
 from smsl_studio.library.survey import FoundPlugin, survey
 
