@@ -49,7 +49,7 @@ def drawn(strands: Sequence[Strand], style: LineStyle) -> list[EdgeShape]:
     source, target = given[:, 0:5], given[:, 5:10]
     offset, bow, normal = given[:, 10:11], given[:, 11:12], given[:, 12:14]
     straight = np.array([one.straight for one in strands])
-    points, ends = _points(source, target, offset, bow, normal, straight, style)
+    points, ends = _points(given, straight, style)
     first = _depth(points, source) - START_GAP * style.unit
     last = _depth(points, target) - TIP_GAP * style.unit
     cuts = _cuts(points, first, last)
@@ -71,16 +71,13 @@ def _numbers(one: Strand) -> tuple[float, ...]:
             one.offset, one.bow, *one.normal)  # fmt: skip
 
 
-def _points(
-    source: Floats,
-    target: Floats,
-    offset: Floats,
-    bow: Floats,
-    normal: Floats,
-    straight: NDArray[np.bool_],
-    style: LineStyle,
-) -> tuple[Floats, Floats]:
-    """Each line as 33 points from middle to middle, (n, 33, 2), and the ends of straight ones."""
+def _points(given: Floats, straight: NDArray[np.bool_], style: LineStyle) -> tuple[Floats, Floats]:
+    """Each line as 33 points from middle to middle, (n, 33, 2), and the ends of straight ones.
+
+    ``given`` has a row of ``_numbers`` for each line.
+    """
+    source, target = given[:, 0:5], given[:, 5:10]
+    offset, bow, normal = given[:, 10:11], given[:, 11:12], given[:, 12:14]
     ends = np.stack([source[:, :2] + normal * offset, target[:, :2] + normal * offset], axis=1)
     near = offset * (0.5 if style.compact else NEAR)
     start, goal = source[:, :2] + normal * near, target[:, :2] + normal * near
