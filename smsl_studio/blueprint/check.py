@@ -1,4 +1,4 @@
-"""Scene and state checks: the paper's s and C_state(s) (Eq. 5), in three-valued logic.
+"""Scene and state checks: the paper's s and C_state(s) (Eq. 4), in three-valued logic.
 
 A fact is pointed at by ``FactKey``: the SB's name and the digit, counted from 0.
 """

@@ -1,6 +1,6 @@
 """Configuration: the active state of every SB, and what makes one consistent.
 
-The invariant (paper, Eq. 5): a digit with a sub-SB is on if and only if the sub-SB is in its
+The invariant (paper, Eq. 6): a digit with a sub-SB is on if and only if the sub-SB is in its
 ACTIVATING state. Flags are computed from a configuration, never stored beside it.
 """
 
