@@ -74,7 +74,7 @@ def known_world(
 def worlds(plugin_paths: Sequence[Path] = ()) -> tuple[str, ...]:
     """Return the names of all worlds, ``table`` first. No plugin's code runs in this process.
 
-    >>> worlds()
-    ('table', 'hanoi')
+    >>> print(*worlds())
+    table hanoi
     """
     return describe(plugin_paths).worlds
