@@ -154,8 +154,12 @@ class Session(QObject):
 
     @property
     def extended(self) -> tuple[Address, ...]:
-        """What a click with Shift adds to: the selection, or what was selected before the fact."""
-        return self._left if self._fact is not None else self._selection
+        """The selection to which a click with Shift adds: that from before the fact, if one is
+        selected. Elements that were undone meanwhile are left out.
+        """
+        if self._fact is None:
+            return self._selection
+        return tuple(one for one in self._left if self._stands(one))
 
     @property
     def edited(self) -> bool:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from smsl_studio.blueprint import editing
+from smsl_studio.blueprint.address import Address
 from smsl_studio.blueprint.model import Blueprint
 from smsl_studio.blueprint.reading import read_blueprint
 from smsl_studio.errors import ReadError, StudioError
@@ -127,3 +128,15 @@ def test_a_reading_is_a_pure_function_of_a_blueprint(qapp: object) -> None:
     reading = read_text(before, before.file, text)
     assert isinstance(reading, Blueprint)
     assert reading.document.text == text
+
+
+def test_what_was_selected_before_a_fact_and_was_undone_is_extended_no_more(
+    session: Session,
+) -> None:
+    session.edit("Add", lambda bp: editing.add_state(bp, "SB1", "State_2"))
+    state, added = Address("SB1", "State_0"), Address("SB1", "State_2")
+    session.select([state, added])
+    session.select_fact("SB1", 0)
+    assert session.extended == (state, added)
+    session.history.undo()
+    assert session.extended == (state,)
