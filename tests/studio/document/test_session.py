@@ -137,6 +137,6 @@ def test_what_was_selected_before_a_fact_and_was_undone_is_extended_no_more(
     state, added = Address("SB1", "State_0"), Address("SB1", "State_2")
     session.select([state, added])
     session.select_fact("SB1", 0)
-    assert session.extended == (state, added)
+    assert list(session.extended) == [state, added]
     session.history.undo()
-    assert session.extended == (state,)
+    assert list(session.extended) == [state]
