@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPointF, Qt, QTimer
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleEvent,
@@ -47,7 +47,7 @@ class Canvas(BranchView):
         super().__init__(tokens, parent)
         self.overlays = Overlays(self, tokens, lambda: self.hand.busy)
         self.hand = Hand(self, self.overlays)
-        self._painted = False
+        self._fitted = False
         self.overlays.pad.operation_wanted.connect(self.hand.begin_connect)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -88,10 +88,11 @@ class Canvas(BranchView):
         self._describe()
 
     def look_at_opening(self) -> None:
-        """Show everything, or what is about the initial state; before the first picture that waits
-        until the size is settled.
+        """Show everything, or what is about the initial state.
+
+        Before the first picture this waits until the size of the canvas is settled.
         """
-        if self._painted:
+        if self._fitted:
             super().look_at_opening()
         else:
             self.camera.keep("opening")
@@ -185,7 +186,7 @@ class Canvas(BranchView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Place what floats again, and look at what was looked at before."""
         super().resizeEvent(event)
-        if self._painted:
+        if self._fitted:
             self._fit_in()
 
     def _fit_in(self) -> None:
@@ -196,19 +197,31 @@ class Canvas(BranchView):
         else:
             self.refresh_pool()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        """Before the first picture, look from where it opens: the size is settled only now."""
-        if not self._painted:
-            self._painted = True
+    def _fit_first(self) -> None:
+        """Look from where the SB opens, now that the layouts of the window have their sizes."""
+        if not self._fitted:
+            self._fitted = True
             self._fit_in()
-        super().paintEvent(event)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw the SB, or only the ground in a window whose size is not settled yet.
+
+        Nothing is moved while Qt paints a window. A canvas that is not on the screen is painted
+        into an image; no event loop settles its size, so this does.
+        """
+        if not self._fitted and not self.isVisible():
+            self._fit_first()
+        if self._fitted:
+            super().paintEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Place what floats and look again, because the size is known only now."""
         super().showEvent(event)
-        if self._painted:
+        if self._fitted:
             self.overlays.place()
             self.look_again()
+        else:
+            QTimer.singleShot(0, self, self._fit_first)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer; with Ctrl pan up and down, with Shift sideways."""
