@@ -1,5 +1,5 @@
-"""Questions of shape: what is reachable, the cheapest way, where to draw.
+"""Questions about the shape of a blueprint: reachable states, cheapest routes, places in a drawing.
 
-The integer arrays inside are nobody else's business: questions and answers are in names and
-addresses, never in a library's objects.
+Inside the room, states and operations are integers in arrays. Questions and answers use names and
+addresses, and never an object of a library.
 """

@@ -1,7 +1,7 @@
-"""The lightest way between two states: a search from both ends until they have met.
+"""The lightest path between two states, found by Dijkstra's search from both ends.
 
-Weights are whole numbers of 1 or more, so that sums are exact. Of ways that weigh the same, the
-first by the sequence of their operations' names is taken.
+Weights are whole numbers of 1 or more, so sums are exact. If several paths have the same weight,
+the one with the first sequence of operation names is taken.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from smsl_studio.graph.build import BranchGraph
 def lightest(
     graph: BranchGraph, start: int, goal: int, weights: Sequence[int], never: int
 ) -> list[int] | None:
-    """The edges of the lightest way, in order; None where no way leads there.
+    """Return the edges of the lightest path, in order, or None if no path leads to the goal.
 
-    An edge that may not be used weighs ``never``, which is more than any way weighs.
+    An edge with the weight ``never`` is not used. ``never`` is larger than the weight of any path.
     """
     ahead = _End(graph.all_edges_out, graph.targets, start, never)
     back = _End(graph.edges_in, graph.sources, goal, never)
     best = never if start != goal else 0
     met: list[int] = [goal] if start == goal else []
-    # Once the next states of both ends lie further apart than the best way is long, at least one
-    # end has settled each state of every best way.
+    # Stop when the next states of both ends are further apart than the best path is long. At least
+    # one end has then settled each state of every best path.
     while ahead.heap and back.heap and ahead.heap[0] + back.heap[0] <= best:
         one, other = (ahead, back) if ahead.width <= back.width else (back, ahead)
         best = one.widen(weights, other.far, best, met)
@@ -34,8 +34,11 @@ def lightest(
 
 
 class _End:
-    """The search from one end. ``far`` has the least weight found for each state, ``waiting`` the
-    states whose edges are to be looked at, by weight, and ``heap`` these weights."""
+    """The search from one end.
+
+    ``far`` has the least weight found for each state. ``waiting`` has the states whose edges are
+    not looked at yet, by weight, and ``heap`` has these weights.
+    """
 
     __slots__ = ("edges", "ends", "far", "heap", "never", "waiting")
 
@@ -50,25 +53,27 @@ class _End:
 
     @property
     def width(self) -> int:
-        """How many states are looked at next."""
+        """The number of states that ``widen`` looks at next."""
         return len(self.waiting[self.heap[0]])
 
     @property
     def settled(self) -> int:
-        """The edges of all states that are nearer than this were looked at."""
+        """The weight below which a state is settled: all its edges have been looked at."""
         return self.heap[0] if self.heap else self.never
 
     def widen(self, weights: Sequence[int], other: Sequence[int], best: int, met: list[int]) -> int:
-        """Look at the edges of the nearest states that wait; the weight of the best way then.
+        """Look at the edges of the nearest states that wait, and return the new weight of the best
+        path.
 
-        ``other`` is how far states are from the other end; ``best`` is the weight of the best way
-        so far, ``met`` the states in which both ends have met on it.
+        ``other`` has the weight from each state to the other end. ``best`` is the weight of the
+        best path so far. ``met`` has the states where both ends meet on such a path, and is
+        updated.
         """
         far, edges, ends, waiting, heap = self.far, self.edges, self.ends, self.waiting, self.heap
         here = heappop(heap)
         for state in waiting.pop(here):
             if far[state] != here:
-                continue  # it was found to be nearer
+                continue  # a smaller weight was found for it later
             for edge in edges[state]:
                 weight, end = here + weights[edge], ends[edge]
                 if weight >= far[end]:
@@ -89,7 +94,7 @@ class _End:
 
 
 class _Ways:
-    """All the best ways of one search; ``met`` are the states in which its ends have met."""
+    """All the best paths of one search. ``met`` has the states in which both ends have met."""
 
     def __init__(
         self,
@@ -108,7 +113,7 @@ class _Ways:
         self._leads = self._leading(known, ahead.settled)
 
     def _leading(self, met: Iterator[int], settled: int) -> set[int]:
-        """The states between the start and those in which the ends have met, on a best way."""
+        """Return the states on best paths between the start and the states of ``met``."""
         graph, weights, far = self._graph, self._weights, self._ahead
         found = set(met)
         left = list(found)
@@ -123,8 +128,9 @@ class _Ways:
         return found
 
     def first(self, state: int, goal: int) -> Iterator[int]:
-        """The edges of the first way by names. The names in a state are unique, so the smallest
-        one at each state leads to the smallest sequence."""
+        """Yield the edges of the path with the first sequence of names. The names in a state are
+        unique, so the smallest name in each state gives the smallest sequence.
+        """
         graph = self._graph
         while state != goal:
             edge = min(self._on(state), key=graph.operations.__getitem__)
@@ -132,7 +138,7 @@ class _Ways:
             state = graph.targets[edge]
 
     def _on(self, state: int) -> list[int]:
-        """The edges out of a state on a best way that go on with one."""
+        """Return the edges of a state that lie on a best path."""
         graph, weights, back, ahead = self._graph, self._weights, self._back, self._ahead
         edges, targets, left = graph.all_edges_out[state], graph.targets, back[state]
         if left < self._settled:

@@ -1,4 +1,4 @@
-"""The graph of one State Branch as integer arrays, built once and kept with the branch."""
+"""The graph of one State Branch as integer arrays. It is built once and kept with the branch."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ _KEY = "_graph"
 
 @dataclass(frozen=True, eq=False)
 class BranchGraph:
-    """States and operations by number, in written order.
+    """The states and operations of a State Branch by number, in written order.
 
-    Edge ``e`` leads from ``sources[e]`` by ``operations[e]`` to ``targets[e]``; the edges out of
-    state ``i`` are ``range(starts[i], starts[i + 1])``. Operations whose target is no state of the
-    SB (rule R02) have no edge here.
+    Edge ``e`` is the operation ``operations[e]`` from state ``sources[e]`` to state ``targets[e]``.
+    The edges that leave state ``i`` are ``range(starts[i], starts[i + 1])``. An operation whose
+    target is not a state of the SB (rule R02) has no edge here.
     """
 
     branch: str
@@ -30,13 +30,13 @@ class BranchGraph:
     starts: Sequence[int]
     targets: Sequence[int]
     table: Table = field(repr=False)
-    """What the graph was made from."""
+    """The branch's table, from which the graph was made."""
 
     def __len__(self) -> int:
         return len(self.names)
 
     def number(self, state: str) -> int:
-        """The number of a state; AddressError where the SB has no such state."""
+        """Return the number of a state. AddressError if the SB has no such state."""
         try:
             return self.index[state]
         except KeyError:
@@ -46,7 +46,7 @@ class BranchGraph:
             ) from None
 
     def edges_out(self, state: int) -> range:
-        """The numbers of the edges that leave a state."""
+        """Return the numbers of the edges that leave a state."""
         return range(self.starts[state], self.starts[state + 1])
 
     @cached_property
@@ -56,7 +56,7 @@ class BranchGraph:
 
     @cached_property
     def sources(self) -> list[int]:
-        """For each edge the state it leads from."""
+        """For each edge the number of the state it leaves."""
         ends = [self.starts[i + 1] - self.starts[i] for i in range(len(self.names))]
         return list(chain.from_iterable(map(repeat, range(len(ends)), ends)))
 
@@ -75,13 +75,13 @@ class BranchGraph:
 
     @cached_property
     def successors(self) -> list[list[int]]:
-        """For each state the states its operations lead to, in written order."""
+        """For each state the numbers of the states its operations lead to, in written order."""
         starts, targets = self.starts, list(self.targets)
         return [targets[starts[i] : starts[i + 1]] for i in range(len(self.names))]
 
     @cached_property
     def predecessors(self) -> list[list[int]]:
-        """For each state the states whose operations lead to it."""
+        """For each state the numbers of the states whose operations lead to it."""
         found: list[list[int]] = [[] for _ in self.names]
         for source, target in zip(self.sources, self.targets, strict=True):
             found[target].append(source)
@@ -89,7 +89,7 @@ class BranchGraph:
 
     @cached_property
     def edges_in(self) -> list[list[int]]:
-        """For each state the edges that lead to it."""
+        """For each state the numbers of the edges that lead to it."""
         found: list[list[int]] = [[] for _ in self.names]
         for edge, target in enumerate(self.targets):
             found[target].append(edge)
@@ -97,7 +97,9 @@ class BranchGraph:
 
     @cached_property
     def neighbours(self) -> list[list[int]]:
-        """For each state the other states it shares an operation with, in either direction."""
+        """For each state the numbers of the other states that an operation joins with it, in either
+        direction.
+        """
         found: list[dict[int, None]] = [{} for _ in self.names]
         for source, target in zip(self.sources, self.targets, strict=True):
             if source != target:
@@ -107,10 +109,10 @@ class BranchGraph:
 
 
 def graph_of(branch: StateBranch) -> BranchGraph:
-    """The graph of a branch, built at the first call.
+    """Return the graph of a branch. It is built at the first call.
 
-    It is kept in the branch's own dictionary, as a ``cached_property`` would be: branches are
-    frozen, so it never grows old, and it goes when the branch goes.
+    It is kept in the branch's own dictionary, as a ``cached_property`` would be. A branch is
+    frozen, so its graph never changes, and it is freed together with the branch.
     """
     kept = branch.__dict__.get(_KEY)
     if isinstance(kept, BranchGraph):

@@ -1,8 +1,9 @@
-"""A layout in columns for small procedures: forward is right, an independent fact makes rows.
+"""A layout in columns for small procedures. Forward operations point to the right.
 
-Where most operations change one fact, a state's column is the number of facts in which it differs
-from INITIAL; else it is its place on the longest chain of forward operations. A fact that every
-state has in all values (a tool pose that can be planned at any time) makes the rows of a grid.
+If most operations change one fact, the column of a state is the number of facts in which it differs
+from INITIAL. Otherwise it is the state's place on the longest chain of forward operations. A fact
+is independent if each of its values occurs with all combinations of the other facts, such as a tool
+pose that can be planned at any time. The values of an independent fact make the rows of a grid.
 """
 
 from __future__ import annotations
@@ -15,14 +16,16 @@ from smsl_studio.graph.shape import distances, flood
 
 Point = tuple[float, float]
 COLUMN, ROW = 218.0, 172.0
-"""Pixels between columns (more where labels need it) and between rows."""
+"""Pixels between columns and between rows. Columns are further apart if labels need it."""
 _ASLANT = 124.0
 _TALL = 8
-"""A column of more nodes is broken into several."""
+"""A column with more nodes is split into several."""
 
 
 def in_columns(branch: StateBranch) -> dict[str, Point]:
-    """The picture in columns, INITIAL at the left; parts that nothing joins stand below it."""
+    """Return the place of each state (pixels), with INITIAL at the left. Parts of the graph that no
+    operation joins with INITIAL stand below.
+    """
     graph = graph_of(branch)
     if not len(graph):
         return {}
@@ -50,7 +53,9 @@ def _named(graph: BranchGraph, places: dict[int, Point]) -> dict[str, Point]:
 def _steps_by_one(
     graph: BranchGraph, facts: Sequence[tuple[str, ...]], layer: Sequence[int]
 ) -> bool:
-    """Whether at least half of the operations that change facts lead to the next column."""
+    """Return whether at least half of the operations that change facts lead to a neighbouring
+    column.
+    """
     moves = [
         abs(layer[target] - layer[source])
         for source, target in zip(graph.sources, graph.targets, strict=True)
@@ -60,14 +65,15 @@ def _steps_by_one(
 
 
 def _differences(facts: Sequence[tuple[str, ...]], start: int) -> list[int]:
-    """In how many facts each state differs from the one it starts in."""
+    """Return for each state in how many facts it differs from the state ``start``."""
     return [sum(a != b for a, b in zip(facts[start], state, strict=True)) for state in facts]
 
 
 def _row_digit(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> int | None:
-    """The digit that is independent: every combination of the others stands with all its values.
+    """Return the number of the independent fact that makes the rows, or None if there is none.
 
-    Of several it is the one that fewest operations change together with others, then the last.
+    Of several, it is the fact that the fewest operations change together with other facts, then the
+    last one.
     """
     found: list[tuple[int, int]] = []
     states = set(facts)
@@ -89,10 +95,11 @@ def _row_digit(graph: BranchGraph, facts: Sequence[tuple[str, ...]]) -> int | No
 def _grid(
     graph: BranchGraph, facts: Sequence[tuple[str, ...]], digit: int, start: int
 ) -> dict[int, Point]:
-    """One row of columns for each value of ``digit``, the value of INITIAL on top.
+    """Return the places of a grid: one block of columns for each value of ``digit``, that of
+    INITIAL on top.
 
-    Where a column holds several states in one row they stand aslant, like the edges of a cube, so
-    that the operations between the rows pass beside them.
+    Several states of a column in one block stand aslant, like the edges of a cube, so that
+    operations between the blocks pass beside them.
     """
     values = dict.fromkeys((facts[start][digit], *(state[digit] for state in facts)))
     rests = [state[:digit] + state[digit + 1 :] for state in facts]
@@ -118,7 +125,9 @@ def _grid(
 
 
 def _parts(graph: BranchGraph, start: int, layer: list[int] | None) -> dict[int, Point]:
-    """The part of INITIAL, below it the others by size, at last the lone states in lines."""
+    """Return the places of all parts: the part of INITIAL, the others below it by size, and then
+    rows of single states.
+    """
     left = set(range(len(graph)))
     parts: list[list[int]] = []
     while left:
@@ -144,7 +153,9 @@ def _parts(graph: BranchGraph, start: int, layer: list[int] | None) -> dict[int,
 def _part(
     graph: BranchGraph, part: list[int], root: int, layer: list[int] | None
 ) -> dict[int, Point]:
-    """One connected part: columns, each centred about y = 0, a free lane for what passes by."""
+    """Return the places of one connected part. Each column is centred about y = 0 and has a free
+    lane for operations that pass it.
+    """
     layer = layer or _forward_layers(graph, part, root)
     used = sorted({layer[i] for i in part})
     rank = {i: used.index(layer[i]) for i in part}
@@ -159,7 +170,9 @@ def _part(
 
 
 def _stack(column: list[int], x: float) -> dict[int, Point]:
-    """A column centred about y = 0; a tall one is broken into several, closer together."""
+    """Return the places of one column, centred about y = 0. A tall column is split into several
+    that stand closer together.
+    """
     step = ROW if len(column) <= 3 else 126.0 if len(column) <= 5 else 96.0
     pieces = -(-len(column) // _TALL)
     places: dict[int, Point] = {}
@@ -171,10 +184,11 @@ def _stack(column: list[int], x: float) -> dict[int, Point]:
 
 
 def _forward_layers(graph: BranchGraph, part: list[int], root: int) -> list[int]:
-    """The place of each state on the longest chain of forward operations.
+    """Return for each state its place on the longest chain of forward operations.
 
-    Forward is away from the root; between states equally far, an operation that does not lead
-    back (and goes with the written order, so that no cycle arises).
+    An operation is forward if its target is further from the root. Between states at the same
+    distance it is forward if no operation leads back and it follows the written order, so no cycle
+    arises.
     """
     away = distances(graph.successors, root)
     beyond = max(away) + 1
@@ -199,7 +213,7 @@ def _forward_layers(graph: BranchGraph, part: list[int], root: int) -> list[int]
 
 
 def _lanes(graph: BranchGraph, part: list[int], rank: dict[int, int]) -> dict[int, list[int]]:
-    """For each column that operations pass by, the states at the ends of these operations."""
+    """Return for each column the states at the ends of the operations that pass it."""
     found: dict[int, list[int]] = {}
     for state in part:
         for other in graph.neighbours[state]:
@@ -211,9 +225,9 @@ def _lanes(graph: BranchGraph, part: list[int], rank: dict[int, int]) -> dict[in
 def _sorted_columns(
     graph: BranchGraph, states: list[int], layer: list[int], lanes: dict[int, list[int]]
 ) -> list[list[int]]:
-    """The columns from left to right, sorted so that few operations cross.
+    """Return the columns from left to right, sorted so that few operations cross.
 
-    A lane stands in its column as a negative number, so that it is sorted like a node.
+    A lane is a negative number in its column, so it is sorted like a node.
     """
     keys = sorted({layer[i] for i in states})
     columns = [[i for i in states if layer[i] == key] for key in keys]
@@ -234,10 +248,10 @@ def _sorted_columns(
 def _by_neighbours(
     column: list[int], near: dict[int, list[int]], height: dict[int, float]
 ) -> list[int]:
-    """The column sorted by the mean height of what each node is joined with."""
+    """Return a column sorted by the mean height of the neighbours of each node."""
 
     def key(state: int) -> tuple[float, bool, int]:
-        """The mean height of the neighbours; nodes come before lanes, then the number decides."""
+        """Sort by the mean height of the neighbours, then nodes before lanes, then by number."""
         heights = [height[other] for other in near[state] if other in height]
         mean = sum(heights) / len(heights) if heights else height[state]
         return round(mean, 6), state < 0, state
@@ -248,7 +262,9 @@ def _by_neighbours(
 def _column_places(
     graph: BranchGraph, columns: list[list[int]], rank: dict[int, int]
 ) -> list[float]:
-    """The x of each column: 218 apart, more where the labels between two columns need it."""
+    """Return the x of each column (pixels): 218 apart, or more if the labels between two columns
+    need it.
+    """
     drop = _dropped(graph.operations)
     longest = [0] * len(columns)
     for source, target, name in zip(graph.sources, graph.targets, graph.operations, strict=True):
@@ -263,7 +279,7 @@ def _column_places(
 
 
 def _dropped(operations: Sequence[str]) -> int:
-    """The length of the prefix that the canvas leaves out, such as ``Op_``."""
+    """Return the length of the prefix that the canvas leaves out, such as ``Op_``."""
     first, last = min(operations, default=""), max(operations, default="")
     same = 0
     while same < min(len(first), len(last)) and first[same] == last[same]:

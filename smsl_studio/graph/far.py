@@ -1,6 +1,7 @@
-"""How far every state is from the goals: one reverse Dijkstra, by heap, or by scipy where it pays.
+"""The weight from every state to the nearest goal, by Dijkstra's search backwards from the goals.
 
-Weights are whole numbers of 1 or more, ``inf`` for an edge that is closed, and sums are exact.
+Small graphs use a heap, large ones scipy. Weights are whole numbers of 1 or more, or ``inf`` for a
+closed edge. Sums are exact.
 """
 
 from __future__ import annotations
@@ -13,18 +14,18 @@ from typing import Any
 from smsl_studio.graph.build import BranchGraph
 
 LARGE = 20_000
-"""From so many states on scipy is quicker, though it takes 0.4 s to load at the first call."""
+"""From this number of states on, scipy is quicker, although loading it takes 0.4 s."""
 EXACT = 2**53
-"""Up to here a float counts every whole number; scipy counts in floats."""
+"""A float holds every whole number up to this one exactly. scipy computes in floats."""
 
 Weight = float
 """A whole number, or ``inf``."""
 
 
 class Spread:
-    """Searches from the goals backwards over all edges; ``weights`` may change between searches.
+    """Searches backwards from the goals over all edges. ``weights`` may change between searches.
 
-    Change them by ``set_weight`` alone: scipy has its own copy of them.
+    Change them only by ``set_weight``, because scipy has its own copy of them.
     """
 
     def __init__(self, graph: BranchGraph, weights: list[Weight], large: int = LARGE) -> None:
@@ -33,17 +34,18 @@ class Spread:
         self._matrix = _Matrix(graph, weights) if len(graph) >= large else None
         share = 8 if self._matrix is None else 64
         self.patience = max(256, len(graph) // share)
-        """A search that visits more states than this takes longer than this search of all
-        states."""
+        """A search that visits more states than this takes longer than a search of all states."""
 
     def set_weight(self, edge: int, weight: Weight) -> None:
-        """Give an edge another weight: a whole number of 1 or more, or ``inf`` to close it."""
+        """Change the weight of an edge to a whole number of 1 or more, or to ``inf`` to close
+        it.
+        """
         self.weights[edge] = weight
         if self._matrix is not None:
             self._matrix.set_weight(edge, weight)
 
     def far(self, goals: Collection[int]) -> Sequence[Weight]:
-        """The least weight from each state to a goal, ``inf`` where no way leads there."""
+        """Return the least weight from each state to a goal, ``inf`` if no path leads to one."""
         if self._matrix is not None and self._matrix.most < EXACT:
             return self._matrix.far(goals)
         return self._by_heap(goals)
@@ -69,7 +71,9 @@ class Spread:
 
 
 class _Matrix:
-    """The reversed graph as scipy wants it, kept: only weights change."""
+    """The reversed graph as a matrix of scipy. It is built once, and later only its weights
+    change.
+    """
 
     def __init__(self, graph: BranchGraph, weights: Sequence[Weight]) -> None:
         import numpy as np
@@ -91,17 +95,17 @@ class _Matrix:
 
     @property
     def most(self) -> float:
-        """No way is heavier than this."""
+        """An upper bound of the weight of any path."""
         return self._heaviest * self._length
 
     def set_weight(self, edge: int, weight: Weight) -> None:
-        """Give an edge another weight, here in the order of the matrix."""
+        """Change the weight of an edge, at its place in the matrix."""
         self._array.data[self._place[edge]] = weight
         if weight < inf:
             self._heaviest = max(self._heaviest, weight)
 
     def far(self, goals: Collection[int]) -> Sequence[Weight]:
-        """The least weight from each state to a goal, ``inf`` where no way leads there."""
+        """Return the least weight from each state to a goal, ``inf`` if no path leads to one."""
         from scipy.sparse.csgraph import dijkstra
 
         found: list[Weight] = dijkstra(self._array, indices=sorted(goals), min_only=True).tolist()

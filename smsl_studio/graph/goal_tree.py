@@ -1,9 +1,10 @@
-"""The ways from all states of a State Branch to its goals: one search, then one look a step.
+"""The cheapest paths from all states of a State Branch to its goals. One search serves all states.
 
-The way is the first by cost, then by the number of operations, then by the sequence of their names.
-An edge that is closed or becomes dearer is repaired from the state that asks, not by a new spread:
-what it was worth before can only have grown, so the old weights guide a search that ends as soon as
-it meets a way that the change did not touch. Only what becomes cheaper asks for a new spread.
+The path of a state is the first by cost, then by the number of operations, then by the sequence of
+their names. If an edge is closed or becomes more expensive, weights can only grow. The old weights
+are then lower bounds for a short search (A*) from the state that is asked about. It ends when it
+meets a path that the change did not touch. Only an edge that becomes cheaper needs a new search of
+all states.
 """
 
 from __future__ import annotations
@@ -16,14 +17,15 @@ from smsl_studio.graph.build import BranchGraph
 from smsl_studio.graph.far import LARGE, Spread, Weight
 
 FINE = 10**9
-"""Costs are counted in billionths, so that 0.1 + 0.2 and 0.3 are a tie."""
+"""Costs are counted in billionths, so that 0.1 + 0.2 equals 0.3."""
 _HALT = -1
 
 
 class GoalTree:
-    """Ways to the nearest of ``goals`` (states by number) over the edges of a graph.
+    """The cheapest paths to the nearest of ``goals``, in a graph whose weights may change.
 
-    ``costs`` has one number from 0 on for each edge (None: 1 each); edges are by number, too.
+    States and edges are numbers of ``graph``. ``costs`` has the cost (0 or more) of each edge; None
+    means 1 each.
     """
 
     def __init__(
@@ -44,22 +46,22 @@ class GoalTree:
         self._far: Sequence[Weight] | None = None
         self._forget()
 
-    # what is asked ------------------------------------------------------------------------------
+    # questions ----------------------------------------------------------------------------------
 
     def next(self, state: int) -> int | None:
-        """The edge to take first; None in a goal, and where no way leads to one."""
+        """Return the first edge of a state's path. None in a goal, or if no path leads to one."""
         found = self._known.get(state)
         if found is None:
             found = self._known[state] = self._find(state)
         return None if found == _HALT else found
 
     def cost(self, state: int) -> float | None:
-        """What the way costs; None where there is none."""
+        """Return the cost of a state's path. None if there is none."""
         weight = self._weight(state)
         return None if weight == inf else int(weight) // self._scale * self._unit / FINE
 
     def route(self, state: int) -> list[int] | None:
-        """The edges of the way, in order; None where there is none."""
+        """Return the edges of a state's path, in order. None if there is none."""
         if self._weight(state) == inf:
             return None
         edges: list[int] = []
@@ -68,20 +70,20 @@ class GoalTree:
             state = self.graph.targets[edge]
         return edges
 
-    # what changes -------------------------------------------------------------------------------
+    # changes ------------------------------------------------------------------------------------
 
     def close(self, edge: int) -> None:
-        """Leave an edge out of every way."""
+        """Close an edge, so that no path uses it."""
         self._closed.add(edge)
         self._reweigh(edge, inf)
 
     def open(self, edge: int) -> None:
-        """Let an edge that was closed be used again, at the cost it has."""
+        """Open a closed edge again, at its cost."""
         self._closed.discard(edge)
         self._reweigh(edge, self._weight_of(edge))
 
     def reprice(self, costs: Mapping[int, float]) -> None:
-        """Give edges other costs."""
+        """Change the costs of edges."""
         if self._costs is None:
             self._costs = [FINE] * len(self.graph.targets)
         for edge, cost in costs.items():
@@ -96,13 +98,16 @@ class GoalTree:
 
     @property
     def closed(self) -> Set[int]:
-        """The edges that no way uses."""
+        """The edges that are closed."""
         return self._closed
 
     # weights ------------------------------------------------------------------------------------
 
     def _fresh(self) -> Spread:
-        """Work out all weights: the cost in units that divide all costs, and 1 for the count."""
+        """Return a new search with all weights. The weight of an edge is its cost, in units that
+        divide all costs, times a scale, plus 1 for the edge itself. So cost counts before the
+        number of edges.
+        """
         costs = self._costs
         self._unit = FINE if costs is None else gcd(*set(costs)) or 1
         self._scale = max(1, len(self.graph))
@@ -119,8 +124,9 @@ class GoalTree:
         return cost // self._unit * self._scale + 1
 
     def _reweigh(self, edge: int, weight: Weight) -> None:
-        """Note a weight and drop what was found; drop the search too where the weight gets too
-        high."""
+        """Change a weight. The paths found so far are dropped. The weights from all states are
+        dropped too if the change makes a path cheaper.
+        """
         self._spread.set_weight(edge, weight)
         far = self._far
         if far is None:
@@ -138,7 +144,9 @@ class GoalTree:
         self._forget(cut)
 
     def _forget(self, cut: set[int] | None = None) -> None:
-        """Drop what was found; ``cut`` are the states that no edge brings as near as it was."""
+        """Drop the paths found so far. ``cut`` has the states that no edge brings as near to a goal
+        as before.
+        """
         self._known: dict[int, int] = {}
         self._left: dict[int, Weight] = {}
         self._clean: dict[int, bool] = {}
@@ -146,10 +154,10 @@ class GoalTree:
         far = self._far
         self._floor = min((far[state] for state in self._cut), default=inf) if far else inf
 
-    # finding ------------------------------------------------------------------------------------
+    # searches -----------------------------------------------------------------------------------
 
     def _weight(self, state: int) -> Weight:
-        """The weight of the way from a state."""
+        """Return the weight of a state's path."""
         self.next(state)
         left = self._left.get(state)
         return self._spread_out()[state] if left is None else left
@@ -167,7 +175,9 @@ class GoalTree:
         return self._tight(state)
 
     def _tight(self, state: int) -> int:
-        """The first edge by name that brings the state as near as the spread has it."""
+        """Return the first edge by name on a path as short as the last search of all states
+        says.
+        """
         far, weights, graph = self._spread_out(), self._spread.weights, self.graph
         here = far[state]
         found, name = _HALT, ""
@@ -181,7 +191,7 @@ class GoalTree:
         return found
 
     def _is_clean(self, state: int) -> bool:
-        """Whether the way that the spread has for a state meets no state that is cut."""
+        """Return whether the old path of a state meets no state of the cut."""
         far, clean = self._spread_out(), self._clean
         passed: list[int] = []
         while True:
@@ -197,10 +207,10 @@ class GoalTree:
             state = self.graph.targets[self._tight(state)]
 
     def _repaired(self, start: int) -> int:
-        """The first edge from a state whose old way is cut, found from there on.
+        """Return the first edge of a state whose old path is cut, from a search that starts here.
 
-        The old weights are guides that never promise too little, so that every state is met by its
-        best way. Where too many are met, a new spread is quicker.
+        The old weights never exceed the true ones, so the search meets each state by its best path.
+        After ``patience`` states it gives up, because a search of all states is then quicker.
         """
         far, weights, graph = self._spread_out(), self._spread.weights, self.graph
         patience = self._spread.patience
@@ -239,7 +249,9 @@ class GoalTree:
     def _keep(
         self, walked: dict[int, Weight], met: dict[int, None], ends: set[int], best: Weight
     ) -> None:
-        """Note the first edge by name, and what is left, for every state on a best way."""
+        """Keep the first edge by name, and the weight that is left, for every state on a best
+        path.
+        """
         weights, graph = self._spread.weights, self.graph
         on = set(ends)
         for state in sorted(met, key=walked.__getitem__, reverse=True):

@@ -1,4 +1,4 @@
-"""How the State Branches of a blueprint stand below each other."""
+"""The hierarchy of base SBs and sub-SBs in a blueprint."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from smsl_studio.graph.shape import strong
 
 
 def levels(blueprint: Blueprint) -> dict[str, int]:
-    """The level of each SB: 0 for a root, else one more than its deepest base.
+    """Return the level of each SB: 0 for a root, else one more than that of its deepest base.
 
-    SBs of a cycle (rule R08) and those only below one have no deepest base; they get the least
-    level that some base gives them, and 0 where the cycle hangs on nothing.
+    An SB on a cycle (rule R08), or below one, has no deepest base. It gets the least level that one
+    of its bases gives it. If no base gives one, a cycle begins with 0.
     """
     subs = _subs(blueprint)
     waiting = dict.fromkeys(subs, 0)
@@ -39,14 +39,14 @@ def levels(blueprint: Blueprint) -> dict[str, int]:
 
 
 MOST_CYCLES = 100
-"""At most so many cycles are looked for: nobody removes more at once."""
+"""The largest number of cycles that are looked for. Nobody removes more at once."""
 
 
 def cycles(blueprint: Blueprint) -> tuple[tuple[str, ...], ...]:
-    """Cycles among SBs: each a path of SUB_SBS whose last SB names its first as a sub-SB.
+    """Return cycles among SBs. Each is a path by SUB_SBS whose last SB names its first as a sub-SB.
 
-    One shortest cycle is given through each SB that lies on one and on none given before, at most
-    ``MOST_CYCLES`` of them.
+    The result has a shortest cycle through each SB that lies on one and on no cycle before, at most
+    ``MOST_CYCLES``.
     """
     subs = _within_cycles(_subs(blueprint))
     found: list[tuple[str, ...]] = []
@@ -62,7 +62,7 @@ def cycles(blueprint: Blueprint) -> tuple[tuple[str, ...], ...]:
 
 
 def _within_cycles(subs: dict[str, list[str]]) -> dict[str, list[str]]:
-    """The SBs that lie on cycles, each with those of its subs that lie on one with it."""
+    """Return the SBs that lie on cycles, each with its sub-SBs on the same cycles."""
     number = {name: index for index, name in enumerate(subs)}
     group = [0] * len(subs)
     size: list[int] = []

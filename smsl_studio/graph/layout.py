@@ -1,9 +1,9 @@
-"""Where the states of a State Branch are drawn.
+"""The places of the states of a State Branch in a drawing.
 
-Four pictures, chosen by the shape of the graph and never by its names: a plane figure with three
-corners (Hanoi), columns (small procedures), a spread by distances (larger ones), and a grid where
-there are more states than ``MOST_SPREAD``. All are pure functions of the branch: the same branch is
-always drawn the same way.
+There are four layouts: a triangle (Hanoi), columns (small procedures), a layout by distances
+(larger ones), and a grid for more than ``MOST_SPREAD`` states. The shape of the graph decides, and
+never its names. All are pure functions of the branch, so the same branch is always drawn in the
+same way.
 """
 
 from __future__ import annotations
@@ -21,27 +21,31 @@ from smsl_studio.graph.triangle import in_triangle
 
 Point = tuple[float, float]
 SMALL = 60
-"""With more states than this columns are not readable."""
+"""With more states than this, columns are not readable."""
 MOST_SPREAD = 8_000
-"""Up to so many states distances are worth their time; more stand in a grid, nearest to INITIAL
-first."""
+"""The largest number of states for a layout by distances. More states stand in a grid, those
+nearest to INITIAL first.
+"""
 NODE_GAP_X, NODE_GAP_Y = 150.0, 90.0
-"""The least distance of two nodes in both directions (a full node is 108 by 54)."""
+"""The least distance (pixels) between two nodes, across and down. A full node is 108 by 54."""
 _WIDE = 1.6
-"""How much wider than high a grid is."""
+"""The ratio of the width of a grid to its height."""
 TRIED = 200_000
-"""So many places are tried for all new states together; the rest stands in rows below."""
+"""The number of places that are tried for all new states together. The other states stand in rows
+below.
+"""
 
 
 def place_states(
     branch: StateBranch, former: Mapping[str, Point] | None = None
 ) -> dict[str, Point]:
-    """The centre of every state's node, in pixels at 100 % zoom, x right and y down.
+    """Return the centre of each state's node in pixels at 100 % zoom, x to the right and y down.
 
-    ``_layout`` wins over ``former``, and both over what is computed: where some states have a
-    place already, only the others get one, near the states they share operations with. Where
-    ``_layout`` places fewer than half of the states and ``former`` none, the others stand where
-    they would stand without it: a state that was moved by hand does not scatter the rest.
+    A place in ``_layout`` counts first, then one in ``former``, then a computed one. If some states
+    have a place, each of the others gets one near the states that share an operation with it. But
+    if ``former`` is empty and ``_layout`` places fewer than half of the states, the others stand
+    where they would stand without ``_layout``. So moving one state by hand does not scatter the
+    rest.
     """
     fixed = {
         name: at
@@ -58,7 +62,7 @@ def place_states(
 
 
 def place_anew(branch: StateBranch) -> dict[str, Point]:
-    """The centre of every state's node as if none had been placed: ``_layout`` is not looked at."""
+    """Return the centre of each state's node (pixels), computed without ``_layout``."""
     triangle = in_triangle(branch)
     if triangle is not None:
         return triangle
@@ -72,14 +76,18 @@ def place_anew(branch: StateBranch) -> dict[str, Point]:
 
 
 def is_grid(branch: StateBranch) -> bool:
-    """Whether states stand in a grid because there are so many: the picture tells no distances."""
+    """Return whether there are so many states that they stand in a grid, where distances mean
+    nothing.
+    """
     if len(branch.table) <= MOST_SPREAD or 2 * len(branch.notes.layout) >= len(branch.table):
         return False
     return in_triangle(branch) is None
 
 
 def _grid(branch: StateBranch) -> dict[str, Point]:
-    """Columns of states by their steps from INITIAL, filled from the left; the rest comes last."""
+    """Return the places of a grid: column by column from the left, by the steps from INITIAL.
+    States that INITIAL is not joined with come last.
+    """
     graph = graph_of(branch)
     steps = distances(graph.neighbours, graph.index.get(branch.initial, 0))
     order = sorted(range(len(graph)), key=lambda state: (steps[state] < 0, steps[state]))
@@ -91,7 +99,7 @@ def _grid(branch: StateBranch) -> dict[str, Point]:
 
 
 def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
-    """``fixed`` and, near their neighbours, the states it leaves out."""
+    """Return ``fixed`` and places for the other states, near their neighbours."""
     graph = graph_of(branch)
     places = dict(fixed)
     taken = _Grid(places.values())
@@ -113,7 +121,9 @@ def _joined(branch: StateBranch, fixed: dict[str, Point]) -> dict[str, Point]:
 
 
 def _beside(near: list[Point], below: Point) -> Point:
-    """The middle of several neighbours, the right of one, the line below everything for none."""
+    """Return the wished place for a state: the middle of its neighbours, the right of a single one,
+    or ``below`` if there is none.
+    """
     if len(near) > 1:
         return (sum(x for x, _ in near) / len(near), sum(y for _, y in near) / len(near))
     if near:
@@ -122,7 +132,7 @@ def _beside(near: list[Point], below: Point) -> Point:
 
 
 class _Grid:
-    """Places that are taken, so that a free one near a wish is found quickly."""
+    """The places that are taken, in cells, so that a free place near a point is found quickly."""
 
     def __init__(self, points: Iterable[Point]) -> None:
         self._cells: dict[tuple[int, int], list[Point]] = {}
@@ -134,13 +144,13 @@ class _Grid:
 
     @property
     def below(self) -> Point:
-        """Where a line below everything begins."""
+        """The start of a row below all places."""
         return self._left, self._bottom + 172.0
 
     def free(self, wanted: Point) -> Point:
-        """The free place nearest to ``wanted`` on rings around it; it is taken from now on.
+        """Return the nearest free place on rings around ``wanted``, and take it.
 
-        Where very many are asked for in a crowd, the last ones stand in rows below everything.
+        If too many places were tried, the result stands in rows below everything.
         """
         ring = 0
         while self._tries > 0:
@@ -178,14 +188,16 @@ def _cell(point: Point) -> tuple[int, int]:
 
 
 def _rows(start: Point, right: float) -> Iterator[Point]:
-    """Places side by side, one row below the other."""
+    """Yield places side by side, in rows one below the other."""
     wide = max(1, int((right - start[0]) // NODE_GAP_X) + 1)
     for at in count():
         yield start[0] + at % wide * NODE_GAP_X, start[1] + at // wide * NODE_GAP_Y
 
 
 def _ring(radius: int) -> list[tuple[int, int]]:
-    """The half cells at this distance, to the right and below first."""
+    """Return the half cells of a ring at this distance, nearest first, right before left and below
+    before above.
+    """
     if radius == 0:
         return [(0, 0)]
     ends = (-radius, radius)

@@ -1,7 +1,7 @@
-"""The cheapest route through one State Branch, always the same one.
+"""The cheapest route through one State Branch.
 
-Ties are broken by cost, then by the number of operations, then by the sequence of their names.
-Costs are counted exactly (as decimal fractions), so that 0.1 + 0.2 and 0.3 are a tie.
+The result is always the same: the first by cost, then by the number of operations, then by the
+sequence of their names. Costs are added as decimal fractions, so that 0.1 + 0.2 equals 0.3.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Cost = Callable[[str, str], float]
 
 @dataclass(frozen=True, slots=True)
 class Route:
-    """Operations to carry out in order, the states passed (start and goal included), the cost."""
+    """A route: its operations in order, its states with start and goal, and its cost."""
 
     operations: tuple[Address, ...]
     states: tuple[str, ...]
@@ -37,12 +37,11 @@ def cheapest(
     avoid: Collection[Address] = (),
     cost: Cost | None = None,
 ) -> Route | None:
-    """The cheapest route from ``start`` to ``goal``; None where none leads there.
+    """Return the cheapest route from ``start`` to ``goal``, or None if there is none.
 
-    ``avoid`` takes out operations, and states with all operations to and from them. ``cost`` says
-    what ``(state, operation)`` costs; the default is what the branch declares (1 each), infinity
-    takes an operation out. Raises AddressError for an unknown state, ValueError for a cost below
-    zero.
+    ``avoid`` has operations and states that the route must not use. ``cost`` gives the cost of
+    ``(state, operation)``, infinity to exclude it. By default it is the cost that the branch
+    declares, else 1. Raises AddressError for an unknown state and ValueError for a cost below zero.
     """
     graph = graph_of(branch)
     first, last = graph.number(start), graph.number(goal)
@@ -62,11 +61,11 @@ def cheapest(
 
 @dataclass(frozen=True, slots=True)
 class _Prices:
-    """What each edge weighs: its cost in whole units of the cost and 1 for the edge itself, so that
-    the cost counts first and the number of operations next.
+    """The weight of each edge: its cost in whole units, times ``unit``, plus 1 for the edge itself.
 
-    ``unit`` is the weight of one unit, ``scale`` how many units make a cost of 1. An edge that may
-    not be used weighs ``never``, which is more than any way weighs.
+    So the cost counts before the number of operations. ``unit`` is the weight of one unit of cost,
+    and ``scale`` units make a cost of 1. An edge that must not be used has the weight ``never``,
+    which is larger than the weight of any path.
     """
 
     weights: list[int]
@@ -75,7 +74,7 @@ class _Prices:
     never: int
 
     def without(self, closed: Collection[int]) -> _Prices:
-        """The same once some edges are never used."""
+        """Exclude some edges, and return this object."""
         for edge in closed:
             self.weights[edge] = self.never
         return self
@@ -112,7 +111,7 @@ def _prices(
 
 
 def _closed(graph: BranchGraph, avoid: Collection[Address]) -> set[int]:
-    """The edges that ``avoid`` takes out."""
+    """Return the edges that ``avoid`` excludes."""
     closed: set[int] = set()
     for address in avoid:
         state = graph.index.get(address.state)

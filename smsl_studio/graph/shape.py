@@ -1,7 +1,7 @@
 """Questions about the graph of a State Branch: reachability, dead ends, traps, components.
 
-All answers are names, in written order where order is seen. Operations to unknown targets count
-for nothing here; rule R02 reports them.
+Public answers are names, and tuples are in written order. An operation to an unknown target has no
+edge here; rule R02 reports it.
 """
 
 from __future__ import annotations
@@ -14,37 +14,39 @@ from smsl_studio.graph.build import BranchGraph, graph_of
 
 
 def reachable(branch: StateBranch, start: str) -> frozenset[str]:
-    """The states that operations lead to from ``start``, itself included."""
+    """Return the states that operations lead to from ``start``, with ``start`` itself."""
     graph = graph_of(branch)
     return _named(graph, flood(graph.successors, (graph.number(start),)))
 
 
 def can_reach(branch: StateBranch, goal: str) -> frozenset[str]:
-    """The states from which operations lead to ``goal``, itself included."""
+    """Return the states from which operations lead to ``goal``, with ``goal`` itself."""
     graph = graph_of(branch)
     return _named(graph, flood(graph.predecessors, (graph.number(goal),)))
 
 
 def dead_ends(branch: StateBranch) -> tuple[str, ...]:
-    """The states that no operation leaves."""
+    """Return the states that no operation leaves."""
     return tuple(name for name, operations in branch.table.items() if not operations)
 
 
 def traps(branch: StateBranch, start: str, goal: str) -> tuple[str, ...]:
-    """The states ``start`` leads to and from which nothing leads to ``goal``."""
+    """Return the states that ``start`` leads to and from which no operations lead to ``goal``."""
     inside, saved = reachable(branch, start), can_reach(branch, goal)
     return tuple(name for name in branch.table if name in inside and name not in saved)
 
 
 def components(branch: StateBranch) -> tuple[tuple[str, ...], ...]:
-    """The strongly connected components: states that lead to each other, in written order."""
+    """Return the strongly connected components: groups of states that lead to each other."""
     graph = graph_of(branch)
     found = [sorted(group) for group in strong(graph.successors)]
     return tuple(tuple(graph.names[i] for i in group) for group in sorted(found))
 
 
 def islands(branch: StateBranch) -> tuple[tuple[str, ...], ...]:
-    """The weakly connected parts: states with no operation between them and the rest."""
+    """Return the weakly connected components: groups of states that no operation joins with the
+    rest.
+    """
     graph = graph_of(branch)
     seen: set[int] = set()
     found: list[tuple[str, ...]] = []
@@ -57,7 +59,9 @@ def islands(branch: StateBranch) -> tuple[tuple[str, ...], ...]:
 
 
 def connected(branch: StateBranch, states: Iterable[str]) -> tuple[tuple[str, ...], ...]:
-    """Some states in groups: those that operations between them join, in either direction."""
+    """Return ``states`` in groups. Operations between states of a group, in either direction, join
+    it.
+    """
     graph = graph_of(branch)
     wanted = [graph.number(state) for state in states]
     left = set(wanted)
@@ -77,7 +81,7 @@ def connected(branch: StateBranch, states: Iterable[str]) -> tuple[tuple[str, ..
 
 
 def flood(near: list[list[int]], starts: Iterable[int]) -> set[int]:
-    """The numbers of all states that ``near`` leads to from ``starts``."""
+    """Return the numbers of all states that ``near`` leads to from ``starts``."""
     seen = set(starts)
     queue = list(seen)
     while queue:
@@ -89,7 +93,9 @@ def flood(near: list[list[int]], starts: Iterable[int]) -> set[int]:
 
 
 def distances(near: list[list[int]], start: int) -> list[int]:
-    """The number of steps from ``start`` to each state by ``near``; -1 where none leads."""
+    """Return the number of steps from ``start`` to each state by ``near``, -1 if there is no
+    path.
+    """
     found = [-1] * len(near)
     found[start] = 0
     queue = deque((start,))
@@ -108,9 +114,9 @@ def _named(graph: BranchGraph, numbers: Iterable[int]) -> frozenset[str]:
 
 
 def strong(near: list[list[int]]) -> list[list[int]]:
-    """What is joined in both directions, by number.
+    """Return the strongly connected components, as numbers.
 
-    Tarjan's algorithm without recursion, since a chain may be longer than the stack.
+    It is Tarjan's algorithm without recursion, because a chain may be longer than Python's stack.
     """
     order: dict[int, int] = {}
     low: dict[int, int] = {}

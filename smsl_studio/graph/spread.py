@@ -1,4 +1,6 @@
-"""Large graphs drawn by distance: pivot-MDS, a little stress, then every node its own cell."""
+"""A layout of large graphs by distance: pivot MDS, some rounds of stress, then a free cell for each
+node.
+"""
 
 from __future__ import annotations
 
@@ -15,17 +17,18 @@ from smsl_studio.graph.shape import distances
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cell = tuple[int, int]
 EDGE = 190.0
-"""Pixels between neighbours, on average."""
+"""The mean distance between neighbours, in pixels."""
 CELL_X, CELL_Y = 150.0, 90.0
 _PIVOTS, _ROUNDS = 32, 8
 BLOCK = 4
-"""Cells to a side, of which one remembers for the others how crowded it is around."""
+"""The side of a block, in cells. Each block keeps one cell for which it knows the full rings."""
 
 
 def by_distance(branch: StateBranch) -> dict[str, tuple[float, float]]:
-    """Places whose distances tell how many operations lie between; INITIAL left, ACTIVATING right.
+    """Return the place of each state (pixels). Distances tell how many operations lie between.
 
-    Deterministic: no random start, and the signs of the axes are fixed by INITIAL and ACTIVATING.
+    INITIAL stands left of ACTIVATING. The result is deterministic: there is no random start, and
+    INITIAL and ACTIVATING fix the signs of the axes.
     """
     graph = graph_of(branch)
     initial = graph.index.get(branch.initial, 0)
@@ -39,7 +42,10 @@ def by_distance(branch: StateBranch) -> dict[str, tuple[float, float]]:
 
 
 def _pivot_distances(graph: BranchGraph, first: int) -> tuple[list[int], Array]:
-    """Pivots far from each other and the steps from every state to each; parts stand apart."""
+    """Return pivots that are far from each other, and the steps from every state to each pivot.
+
+    A state that no path joins with a pivot gets a distance larger than all others.
+    """
     count = min(_PIVOTS, len(graph))
     nearest = np.full(len(graph), np.inf)
     pivots: list[int] = []
@@ -57,7 +63,7 @@ def _pivot_distances(graph: BranchGraph, first: int) -> tuple[list[int], Array]:
 
 
 def _pivot_mds(steps: Array) -> Array:
-    """The two main axes of the doubly centred squared distances to the pivots."""
+    """Return places on the two main axes of the doubly centred squared distances to the pivots."""
     squares = steps**2
     centred = -0.5 * (
         squares
@@ -76,7 +82,9 @@ def _pivot_mds(steps: Array) -> Array:
 
 
 def _stress(places: Array, pivots: list[int], steps: Array) -> Array:
-    """Every state moves to where its distances to the pivots are best met, near ones first."""
+    """Return places after some rounds in which each state moves to fit its distances to the pivots.
+    Near pivots count more.
+    """
     weights = 1.0 / np.maximum(steps, 1.0) ** 2
     weights[np.asarray(pivots), np.arange(len(pivots))] = 0.0
     total = np.maximum(weights.sum(axis=1), 1e-9)[:, None]
@@ -90,7 +98,9 @@ def _stress(places: Array, pivots: list[int], steps: Array) -> Array:
 
 
 def _turned(places: Array, initial: int, goal: int) -> Array:
-    """Turned so that the way from INITIAL to ACTIVATING runs to the right, INITIAL above 0."""
+    """Return the places turned so that ACTIVATING is to the right of INITIAL, and INITIAL in the
+    upper half.
+    """
     way = places[goal] - places[initial]
     length = float(np.hypot(*way))
     if length > 1e-6:
@@ -102,7 +112,9 @@ def _turned(places: Array, initial: int, goal: int) -> Array:
 
 
 def _own_cells(places: Array) -> list[tuple[float, float]]:
-    """Each state to a cell of its own, the nearest free one, so that no node covers another."""
+    """Return for each state the centre of the nearest free cell (pixels), so that no nodes
+    overlap.
+    """
     taken: set[Cell] = set()
     full = _Full()
     found: list[tuple[float, float]] = []
@@ -120,9 +132,10 @@ def _own_cells(places: Array) -> list[tuple[float, float]]:
 
 
 class _Full:
-    """How far around a cell everything is known to be taken, so that no crowd is searched twice.
+    """The rings around cells that are known to be full, so that no crowd is searched twice.
 
-    What is full within a radius of one cell is full within less of a cell near it.
+    If all cells within a radius of a cell are taken, those within a smaller radius of a cell near
+    it are taken too.
     """
 
     def __init__(self) -> None:
@@ -131,7 +144,7 @@ class _Full:
         self._walks: dict[Cell, tuple[int, Iterator[Cell]]] = {}
 
     def around(self, cell: Cell) -> int:
-        """The first ring around a cell on which something may be free."""
+        """Return the first ring around a cell on which a cell may be free."""
         x, y = cell
         ring = self._rings.get(cell, 0)
         column, row = x // BLOCK, y // BLOCK
@@ -143,14 +156,16 @@ class _Full:
         return ring
 
     def learn(self, cell: Cell, ring: int) -> None:
-        """All rings within this one are full."""
+        """Note that all rings inside this one are full."""
         self._rings[cell] = ring
         block = cell[0] // BLOCK, cell[1] // BLOCK
         if ring > self._widest.get(block, (cell, -1))[1]:
             self._widest[block] = cell, ring
 
     def free(self, wanted: Cell, ring: int, taken: set[Cell]) -> Cell | None:
-        """The first free cell on a ring around one; where one has walked it before, it goes on."""
+        """Return the first free cell on a ring, or None. A second search of a ring goes on where
+        the first one ended.
+        """
         last, walk = self._walks.get(wanted, (-1, iter(())))
         if last != ring:
             walk = _ring(wanted, ring)

@@ -1,9 +1,9 @@
-"""Graphs that are a triangle seen from its three corners, such as the Tower of Hanoi.
+"""A layout of graphs that form a triangle, such as that of the Tower of Hanoi.
 
-In the graph of the Tower of Hanoi the distances of a state to the three corners (all disks on one
-peg) tell it from every other state and behave like coordinates: the distance to the apex is its
-row, the difference of the other two its place in the row. Nothing here knows about disks: any
-graph whose operations all join neighbours on the triangular lattice found this way is drawn so.
+In the Tower of Hanoi the corners are the three states with all disks on one peg. The distances of a
+state to the corners identify it and are its coordinates: the distance to the apex is its row, and
+the difference of the other two is its place in the row. Nothing here knows about disks. A graph
+gets this layout if its operations join neighbours on the lattice that is found in this way.
 """
 
 from __future__ import annotations
@@ -13,22 +13,26 @@ from smsl_studio.graph.build import BranchGraph, graph_of
 from smsl_studio.graph.shape import distances
 
 HALF_STEP, ROW = 67.0, 102.0
-"""Pixels between places in a row (half of the distance of two nodes), and between rows."""
+"""Pixels between places in a row (half the distance of two nodes), and between rows."""
 _LATTICE = {(0, 2), (0, -2), (1, 1), (1, -1), (-1, 1), (-1, -1)}
 _TOLERATED = 0.1
-"""Share of operations that may leave the lattice or have none that leads back."""
+"""The largest share of operations that may leave the lattice. The same share of them may have no
+operation that leads back."""
 _TRIALS = 6
 
 
 def in_triangle(branch: StateBranch) -> dict[str, tuple[float, float]] | None:
-    """The triangle with INITIAL's corner on top; None where the graph is no such figure."""
+    """Return the place of each state (pixels) with INITIAL's corner on top, or None if the graph is
+    no such triangle.
+    """
     graph = graph_of(branch)
-    if len(graph.targets) < len(graph) - 1:  # parts that no operation joins
+    if len(graph.targets) < len(graph) - 1:  # too few operations to join all states
         return None
     lone = _lone(graph)
     if len(graph) < 3 or len(lone) > _TOLERATED * len(graph.targets):
         return None
-    # One operation that leads astray must not bend all distances: it has none that leads back.
+    # A single wrong operation would bend all distances. No operation leads back from it, so each of
+    # these is left out in turn.
     for stray in (None, *lone[:_TRIALS]):
         near = _without(graph.neighbours, stray)
         lattice = _lattice(branch, graph, near)
@@ -43,7 +47,9 @@ def in_triangle(branch: StateBranch) -> dict[str, tuple[float, float]] | None:
 def _lattice(
     branch: StateBranch, graph: BranchGraph, near: list[list[int]]
 ) -> list[tuple[int, int]] | None:
-    """Row and half steps of each state; None where two share a place or operations do not fit."""
+    """Return the row and the half steps in it for each state. None if two states share a place, or
+    if operations do not fit.
+    """
     corners = _corners(branch, graph, near)
     if corners is None:
         return None
@@ -54,7 +60,7 @@ def _lattice(
 
 
 def _lone(graph: BranchGraph) -> list[tuple[int, int]]:
-    """The pairs of states that operations join in one direction only."""
+    """Return the pairs of states that operations join in one direction only."""
     pairs = {(s, t) for s, t in zip(graph.sources, graph.targets, strict=True) if s != t}
     return sorted((source, target) for source, target in pairs if (target, source) not in pairs)
 
@@ -71,10 +77,10 @@ def _without(near: list[list[int]], pair: tuple[int, int] | None) -> list[list[i
 def _corners(
     branch: StateBranch, graph: BranchGraph, near: list[list[int]]
 ) -> tuple[int, int, int] | None:
-    """Apex, left and right corner: the three states farthest from each other.
+    """Return the apex, the left and the right corner: the three states farthest from each other.
 
-    The apex is INITIAL, or the corner nearest to it; ACTIVATING stands at the right where it is a
-    corner, else the corner that is listed later.
+    The apex is the corner nearest to INITIAL. ACTIVATING is the right corner if it is a corner;
+    else that is the one listed later.
     """
     initial = graph.index.get(branch.initial, 0)
     first = _farthest(near, distances(near, initial))
@@ -92,12 +98,14 @@ def _corners(
 
 
 def _farthest(near: list[list[int]], steps: list[int]) -> int:
-    """The state with most steps; of several the one with fewest neighbours, as corners have."""
+    """Return the state with the most steps. Of several it is the one with the fewest neighbours,
+    because corners have few.
+    """
     return max(range(len(steps)), key=lambda i: (steps[i], -len(near[i]), -i))
 
 
 def _fits(graph: BranchGraph, lattice: list[tuple[int, int]]) -> bool:
-    """Whether the operations join neighbours on the lattice."""
+    """Return whether the operations join neighbours on the lattice, except for a small share."""
     strays = 0
     for source, target in zip(graph.sources, graph.targets, strict=True):
         (row, x), (other_row, other_x) = lattice[source], lattice[target]
