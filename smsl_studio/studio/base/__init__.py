@@ -1,1 +1,4 @@
-"""What every part of the window is made of: colours, controls, rows, words. No documents."""
+"""The parts that every feature of the window uses: colours, controls, the canvas, rows, words.
+
+This room knows no open document.
+"""

@@ -1,4 +1,4 @@
-"""Actions: one table of everything the window can be asked to do.
+"""Actions: one table of all that a user can ask the window to do.
 
 Menus, mode bar, command palette, the list of shortcuts and the tests read it. A new action is one
 row in the table of its feature.
@@ -20,17 +20,17 @@ from smsl_studio.studio.base.tips import tip_text
 
 
 def always() -> bool:
-    """The condition of actions that can be done at any time."""
+    """True: the condition of an action that is always enabled."""
     return True
 
 
 @dataclass(frozen=True)
 class Action:
-    """One thing to ask for.
+    """One row of the table: something that a user can ask for.
 
-    ``keys`` are shortcuts, the first one is shown. ``scope`` is ``window``, or ``canvas`` for keys
-    that the canvas itself answers while it has the focus (single letters, Del, Enter).
-    ``section`` groups the actions of a menu; a rule stands between sections.
+    ``keys`` are shortcuts; menus and tooltips show the first one. ``scope`` is ``window``, or
+    ``canvas`` for keys that the canvas itself answers while it has the focus (single letters, Del,
+    Enter). ``section`` groups the actions of a menu; a line separates the sections.
     """
 
     id: str
@@ -44,26 +44,26 @@ class Action:
     scope: str = "window"
     section: int = 0
     short: str = ""
-    """The words on a button of the mode bar, where they are shorter."""
+    """The label in the mode bar, if ``words`` are too long for it."""
     tip: str = ""
 
     @property
     def hint(self) -> str:
-        """What the tooltip says: the words, what it does, and the shortcut."""
+        """The text of the tooltip: ``tip`` or else the words, and the first shortcut."""
         said = self.tip or self.words.rstrip("….")
         return f"{said} ({key_words(self.keys[0])})" if self.keys else said
 
 
 def key_words(keys: str) -> str:
-    """A shortcut as this platform writes it."""
+    """A shortcut as this platform writes it, such as Ctrl+S."""
     return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
 
 
 class Actions(QObject):
-    """The table as Qt actions, which follow what is enabled and checked.
+    """The table as Qt actions. ``refresh`` updates which are enabled and checked.
 
-    ``before`` is called ahead of every one: what is being typed is taken over, because a key or a
-    button of the bar leaves the focus where it is.
+    ``before`` is called ahead of each action. It takes over what is still being typed, because a
+    key or a button of the mode bar does not move the focus out of the field.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class Actions(QObject):
             if action.scope == "window":
                 made.setShortcuts([QKeySequence(key) for key in action.keys])
             elif action.keys:
-                # The canvas answers these keys itself; a menu only says them.
+                # The canvas answers these keys itself, so the menu only shows them.
                 made.setText(f"{action.words}\t{key_words(action.keys[0])}")
             made.setIconText(f" {action.short or action.words.rstrip('…')}")
             made.setToolTip(tip_text(action.hint))
@@ -111,7 +111,7 @@ class Actions(QObject):
                 self._made[action.id].setIcon(icon(action.icon, tokens))
 
     def refresh(self) -> None:
-        """Ask every action whether it is enabled and checked."""
+        """Update whether each action is enabled and checked."""
         for action in self:
             made = self._made[action.id]
             made.setEnabled(action.enabled())
@@ -124,11 +124,11 @@ class Actions(QObject):
 
     def _caller(self, action: Action) -> Callable[[], None]:
         def call() -> None:
-            """Do what the action is for, if it is enabled now, and refresh the table."""
+            """Do the action if it is enabled now, then refresh the table."""
             self._before()
             if action.enabled():
                 action.call()
-            # The window may have been closed by it.
+            # The action may have closed the window.
             if isValid(self):
                 self.refresh()
 

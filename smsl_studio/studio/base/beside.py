@@ -1,4 +1,4 @@
-"""Work beside the window's own thread, so that nobody waits for it; one piece after the other."""
+"""Work in a second thread, so that the window does not freeze; one task after the other."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ Came = TypeVar("Came")
 
 
 class Beside(QObject):
-    """A thread that does one piece of work at a time, and hands over what came of it here.
+    """One worker thread with a queue. Results arrive in the thread of this object.
 
-    It is Python's own: a task of Qt's pool that is done before Qt has taken it over is kept for
-    ever, with all that it holds.
+    It does not use Qt's thread pool: if a task of that pool ends before Qt has taken it over, it is
+    never freed, nor what it holds.
     """
 
     def __init__(self, parent: QObject) -> None:
@@ -26,15 +26,15 @@ class Beside(QObject):
         self._waiting: list[Future[None]] = []
         self._wanted = _Wanted()
         self._stopped = False
-        # Without a parent: work that outlives this object still has somebody to tell.
+        # No parent, because a task that outlives this object still emits its signals.
         self._told = _Result()
         self._told.done.connect(self._hand_over)
         self._told.failed.connect(self._failed)
 
     def do(self, work: Callable[[], Came], then: Callable[[Came], object]) -> None:
-        """Do ``work`` there after what waits already; ``then`` gets what came of it, here.
+        """Queue ``work`` for the worker thread; ``then`` gets its result in this thread.
 
-        What ``work`` raises is raised here, where the person's work is kept.
+        An exception from ``work`` is raised again in this thread, where unsaved work is kept.
         """
         if self._stopped:
             return
@@ -42,7 +42,7 @@ class Beside(QObject):
         self._waiting.append(self._thread.submit(_do, work, then, self._told, self._wanted))
 
     def drop(self) -> None:
-        """Forget what has not begun, and call off what is being done, where that heeds it (see
+        """Cancel what has not begun, and call off the running task if it heeds that (see
         ``stop.heed``)."""
         self._wanted.ends = True
         self._wanted = _Wanted()
@@ -50,12 +50,14 @@ class Beside(QObject):
             one.cancel()
 
     def wait(self) -> None:
-        """Return when all is done; what came of it is handed over later."""
+        """Wait until all tasks are done. Their results are handed over later."""
         wait(self._waiting)
 
     def stop(self) -> None:
-        """Hand nothing over any more. What is being done is called off where that heeds it, and
-        else ends by itself; nobody waits for it."""
+        """Hand over no further results and do not wait.
+
+        The running task is called off if it heeds that. Otherwise it ends by itself.
+        """
         self._stopped = self._wanted.ends = True
         self._thread.shutdown(wait=False, cancel_futures=True)
 
@@ -73,13 +75,13 @@ class _Result(QObject):
 
 
 class _Wanted:
-    """Whether a piece of work is wanted; set by one thread, asked by another."""
+    """A flag between the threads: whether the result of a task is still wanted."""
 
     def __init__(self) -> None:
         self.ends = False
 
     def heed(self) -> None:
-        """Raise ``Stopped`` where the work is wanted no more."""
+        """Raise ``Stopped`` if the result is no longer wanted."""
         if self.ends:
             raise Stopped
 

@@ -1,4 +1,4 @@
-"""Fact chips: the small boxes that show a digit, wherever panels show one."""
+"""Fact chips: small boxes that show the digits of a state in panels."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ ON, OFF, VALUE = "on", "off", "value"
 
 
 def kind_of(branch: StateBranch, state: str, digit: int) -> str:
-    """How a digit of a state is drawn: on (filled), off (outlined), or a value among several."""
+    """How to paint a digit of a state: ``on`` (filled), ``off`` (outlined), or ``value`` if
+    there are several values."""
     values = branch.alphabet[digit] if digit < len(branch.alphabet) else ()
     if not set(values) <= {"0", "1"} and digit not in branch.subs and len(values) != 2:
         return VALUE
@@ -29,7 +30,7 @@ def kind_of(branch: StateBranch, state: str, digit: int) -> str:
 def paint_chip(
     painter: QPainter, rect: QRectF, text: str, kind: str, tokens: Tokens, *, sub: bool = False
 ) -> None:
-    """Paint one chip; ``sub`` adds the accent bar of a sub-SB below it."""
+    """Paint one chip; ``sub`` adds the bar below that stands for a sub-SB."""
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     box = rect.adjusted(0.5, 0.5, -0.5, -0.5)
@@ -50,7 +51,7 @@ def paint_chip(
 
 
 class Chips(QWidget):
-    """The facts of one state as a row of chips; a click on one is told with its digit."""
+    """The facts of one state as a row of chips. ``chosen`` carries the digit of a clicked chip."""
 
     chosen = Signal(int)
 
@@ -63,18 +64,18 @@ class Chips(QWidget):
         self._places: list[QRectF] = []
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Tell the digit of the chip under the pointer."""
+        """Emit ``chosen`` for the chip under the pointer."""
         for digit, place in enumerate(self._places):
             if place.contains(event.position()):
                 self.chosen.emit(digit)
                 return
 
     def place_of(self, digit: int) -> QRectF:
-        """Where the chip of a digit is painted."""
+        """The rectangle in which the chip of a digit was painted last."""
         return self._places[digit]
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
@@ -92,11 +93,11 @@ class Chips(QWidget):
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Wide enough for all chips at their least width."""
+        """Wide enough for all chips at their smallest width."""
         return QSize(len(self._chips) * (CHIP + GAP), CHIP + 12)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the chips from the left, as many as there is room for."""
+        """Paint the chips from the left, as many as fit."""
         painter = QPainter(self)
         metrics = self.fontMetrics()
         x = 0.0

@@ -1,4 +1,4 @@
-"""Controls that Fusion does not have, or draws in another hand: they paint from the palette."""
+"""Controls that Qt's Fusion style lacks or draws otherwise. Their colours come from the palette."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ from smsl_studio.studio.base.tips import tip_text
 
 Role, Keys = QPalette.ColorRole, QKeySequence.StandardKey
 LEFT, BESIDE_TEXT = 9, 31
-"""Of a choice: what is left of its text, and on both sides together (the chevron too)."""
+"""Pixels left of the text of a combo box, and left and right of it together (with the chevron)."""
 
 
 class Label(QLabel):
-    """A label that shows a text as it is: no markup, and nothing in it hides or turns round.
+    """A label that shows a text literally: no markup, and control characters have no effect.
 
-    With ``rich`` it shows markup instead, in which texts from outside are escaped already.
+    With ``rich`` it shows markup instead. Texts from outside must then be escaped already.
     """
 
     def __init__(
@@ -53,12 +53,12 @@ class Label(QLabel):
         self.setText(text)
 
     def setText(self, text: str) -> None:
-        """Show a text in the place of the one before."""
+        """Replace the text."""
         super().setText(text if self._rich else plain_text(text))
 
 
 def label(text: str, role: str, parent: QWidget | None = None) -> Label:
-    """A label in one of the style sheet's roles (heading, second, small, hint, refusal ...)."""
+    """A label with a role of the style sheet (heading, second, small, hint, refusal ...)."""
     made = Label(text, parent)
     made.setProperty("role", role)
     if role in {"hint", "refusal"}:
@@ -67,7 +67,10 @@ def label(text: str, role: str, parent: QWidget | None = None) -> Label:
 
 
 class Elided(Label):
-    """A label of one line whose middle is left out where it is too long; it asks for no width."""
+    """A label of one line that leaves out the middle of a text that is too long.
+
+    It has no minimum width.
+    """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         self._told = ""
@@ -75,21 +78,21 @@ class Elided(Label):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
 
     def minimumSizeHint(self) -> QSize:
-        """Any width will do: the text is shortened."""
+        """No minimum width, because the text can be shortened."""
         return QSize(0, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Offer the whole text as a tip where it no longer fits."""
+        """Update the tooltip, which has the whole text if it no longer fits."""
         super().resizeEvent(event)
         self._tell_whole()
 
     def setText(self, text: str) -> None:
-        """Show another text, with the whole of it as a tip where it does not fit."""
+        """Replace the text; the tooltip has the whole of it if it does not fit."""
         super().setText(text)
         self._tell_whole()
 
     def _tell_whole(self) -> None:
-        """The tooltip has the whole text where it is cut, unless it says something else."""
+        """Put the whole text into the tooltip if it is cut, unless another tooltip was set."""
         whole = self.text()
         if self.toolTip() in ("", self._told):
             cut = self.sizeHint().width() > self.width()
@@ -98,7 +101,7 @@ class Elided(Label):
             self.setToolTip(told)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the text, with its middle left out where it is too long."""
+        """Paint the text; if it is too long, without its middle."""
         painter = QPainter(self)
         room = self.contentsRect()
         shown = self.fontMetrics().elidedText(
@@ -113,13 +116,13 @@ PARTS = {
     "qt_toolbar_ext_button": "More tools",
     "qt_menubar_ext_button": "More menus",
 }
-"""What the buttons are called that Qt makes inside its own widgets."""
+"""Accessible names for the buttons that Qt makes inside its own widgets."""
 
 
 def name_parts(widget: QWidget) -> None:
-    """Give a name to the parts that Qt makes inside a control and leaves without one.
+    """Give accessible names to the parts that Qt makes inside a control and leaves without one.
 
-    A screen reader would say "button" or "list" and nothing else.
+    Otherwise a screen reader would say only "button" or "list".
     """
     for button in widget.findChildren(QAbstractButton):
         if not button.text() and not button.accessibleName():
@@ -133,7 +136,7 @@ def name_parts(widget: QWidget) -> None:
 
 
 def rule(vertical: bool = False, length: int | None = None) -> QFrame:
-    """A line one pixel wide between groups."""
+    """A line one pixel wide that separates groups."""
     line = QFrame()
     line.setProperty("role", "rule")
     if vertical:
@@ -146,7 +149,7 @@ def rule(vertical: bool = False, length: int | None = None) -> QFrame:
 
 
 def row(*widgets: QWidget | int | None, spacing: int = 8) -> QHBoxLayout:
-    """Widgets side by side; None stretches, a number is a gap."""
+    """A layout of widgets side by side; None is a stretch, a number is a gap in pixels."""
     layout = QHBoxLayout()
     layout.setContentsMargins(0, 0, 0, 0)
     layout.setSpacing(spacing)
@@ -161,7 +164,7 @@ def row(*widgets: QWidget | int | None, spacing: int = 8) -> QHBoxLayout:
 
 
 class NameDelegate(QStyledItemDelegate):
-    """Shows the entries of a list as they are; what they stand for stays exact."""
+    """Paints the entries of a list literally; the data of the entries stays unchanged."""
 
     def displayText(self, value: object, locale: QLocale | QLocale.Language) -> str:
         """The text of an entry."""
@@ -169,9 +172,11 @@ class NameDelegate(QStyledItemDelegate):
 
 
 class Combo(QComboBox):
-    """A choice with our border and chevron; the wheel scrolls the panel, not the choice.
+    """A combo box in the style of the window.
 
-    ``accent`` marks a choice that was made where "none" is usual (a sub-SB under a fact).
+    The wheel scrolls the panel around it, not its entries.
+
+    ``accent`` highlights a choice where "none" is usual (such as a sub-SB under a fact).
     """
 
     def __init__(self, parent: QWidget | None = None, height: int = CONTROL) -> None:
@@ -186,14 +191,14 @@ class Combo(QComboBox):
         self.view().setAccessibleName("Choices")
 
     def width_of_entries(self, least: int, most: int) -> int:
-        """The width in which every entry can be read, within limits."""
+        """The width that the longest entry needs (pixels), between ``least`` and ``most``."""
         metrics = self.fontMetrics()
         texts = (self.itemText(at) for at in range(self.count()))
         widest = max((metrics.horizontalAdvance(text) for text in texts), default=0)
         return max(least, min(most, widest + BESIDE_TEXT + 1))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Leave the wheel to the panel, so that scrolling changes no choice."""
+        """Ignore the wheel, so that scrolling a panel changes no choice."""
         event.ignore()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -229,7 +234,7 @@ class Combo(QComboBox):
 
 
 class Switch(QAbstractButton):
-    """On or off, as a thumb in a track; the words beside it say which."""
+    """A switch, drawn as a thumb in a track. The words beside it say what it switches."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -242,11 +247,11 @@ class Switch(QAbstractButton):
         return QSize(36, 22)
 
     def hitButton(self, pos: QPoint) -> bool:
-        """A click anywhere in the rectangle counts."""
+        """Take a click anywhere in the rectangle."""
         return self.rect().contains(pos)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the track, the thumb, and a frame while it has the keys."""
+        """Paint track and thumb, and a frame while it has the keyboard focus."""
         palette = self.palette()
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -265,9 +270,9 @@ class Switch(QAbstractButton):
 
 
 class Field(QLineEdit):
-    """A line of text that is given back once when it is meant: on Enter or on leaving it.
+    """A line edit whose text counts after Enter or when the field is left.
 
-    Escape puts the old text back. A short ``suffix`` (a unit, an explanation) stands at the right.
+    Escape restores the old text. A short ``suffix`` (a unit, an explanation) stands at the right.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -281,11 +286,11 @@ class Field(QLineEdit):
 
     @property
     def changed(self) -> bool:
-        """Whether the text is another than the one that was shown."""
+        """Whether the text differs from the value that was shown."""
         return self.text() != self._settled
 
     def settle(self, text: str) -> None:
-        """Show a value; what was being typed into this field is over."""
+        """Show a value and drop what was being typed."""
         self._settled = text
         if self.text() != text:
             self.setText(text)
@@ -293,7 +298,7 @@ class Field(QLineEdit):
         self.set_refused(False)
 
     def set_refused(self, refused: bool) -> None:
-        """Mark the text as one that was refused."""
+        """Mark or unmark the text as refused."""
         if bool(self.property("refused")) != refused:
             self.setProperty("refused", refused)
             self.style().unpolish(self)
@@ -307,7 +312,7 @@ class Field(QLineEdit):
         self._place_suffix()
 
     def event(self, event: QEvent) -> bool:
-        """Undo is about the letters while something is being typed, and else about the drawing."""
+        """Let Undo and Redo act on the drawing, unless something is being typed here."""
         if (
             isinstance(event, QKeyEvent)
             and event.type() is QEvent.Type.ShortcutOverride
@@ -319,7 +324,7 @@ class Field(QLineEdit):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape puts the old text back; every other key is typed."""
+        """Escape restores the old text; other keys type."""
         if event.key() == Qt.Key.Key_Escape and self.changed:
             self.settle(self._settled)
             self.selectAll()
@@ -327,19 +332,19 @@ class Field(QLineEdit):
         super().keyPressEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Select the whole text where Tab led here."""
+        """Select the whole text after Tab."""
         super().focusInEvent(event)
         if event.reason() in {Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason}:
             self.selectAll()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Show the beginning of the text again."""
+        """Scroll back to the beginning of the text."""
         super().focusOutEvent(event)
         if event.reason() is not Qt.FocusReason.PopupFocusReason:
             self.setCursorPosition(0)
 
     def resizeEvent(self, event: object) -> None:
-        """Put the suffix at the right again."""
+        """Move the suffix to the right end."""
         super().resizeEvent(event)  # type: ignore[arg-type]
         self._place_suffix()
 

@@ -1,4 +1,4 @@
-"""Feature: what a part of the window hands to its shell, and what it may ask of the shell."""
+"""Feature: what a part of the window gives to the shell, and what it may ask of the shell."""
 
 from __future__ import annotations
 
@@ -17,12 +17,16 @@ from smsl_studio.studio.base.settings import Settings
 from smsl_studio.studio.base.theme import Tokens
 
 KeyList = tuple[str, tuple[tuple[str, str], ...]]
-"""A title, and below it words and key of each."""
+"""A title, and pairs (words, key) below it, for the list of shortcuts."""
 
 
 @dataclass(frozen=True)
 class Page:
-    """The body of a mode, what takes the keys in it, and its row of the mode bar (None: tools)."""
+    """The body of a mode.
+
+    ``focus`` gets the keyboard focus when the mode is shown. ``row`` fills the mode bar; None
+    leaves the drawing tools there.
+    """
 
     body: QWidget
     focus: QWidget
@@ -31,9 +35,10 @@ class Page:
 
 @dataclass(frozen=True)
 class DockPanel:
-    """A panel beside the drawing: ``left``, ``right`` or ``bottom``, with a name on its tab.
+    """A panel beside the drawing: ``side`` is left, right or bottom; ``name`` is on its tab.
 
-    ``tools`` stand at the end of its tabs, and ``focus`` takes the keys where it is not the panel.
+    ``tools`` stand at the right end of the tabs. ``focus`` gets the keyboard focus, if it is not
+    the panel itself.
     """
 
     name: str
@@ -44,48 +49,52 @@ class DockPanel:
 
 
 class Feature:
-    """One thing that a window can do, as its shell knows it; what it does not have stays empty.
+    """One feature of a window, in the form that the shell knows. A subclass fills what it has.
 
-    Made once for each window. A feature knows none of its neighbours: what it needs of one is
-    handed to it where the shell lists them all.
+    One object is made for each window. A feature does not know other features. The table of
+    features in the shell hands it what it needs of them.
     """
 
     pages: Mapping[str, Callable[[], Page]] = MappingProxyType({})
-    """What it shows, by mode; each page is made when its mode is first shown."""
+    """The pages by mode. A page is made when its mode is shown for the first time."""
     panels: tuple[DockPanel, ...] = ()
     badges: tuple[QWidget, ...] = ()
-    """What it shows at the right of the menus in every mode."""
+    """Widgets at the right of the menu bar, visible in every mode."""
     submenus: Mapping[str, tuple[str, Callable[[QMenu], None]]] = MappingProxyType({})
-    """By the action that each stands below: its words, and what fills it when it opens."""
+    """Submenus by the id of the action above each: its words, and a function that fills it when
+    it opens."""
     keys: tuple[KeyList, ...] = ()
-    """Keys of its own for the list of shortcuts."""
+    """Keys that are no actions, for the list of shortcuts."""
 
     def actions(self) -> tuple[Action, ...]:
-        """Its rows of the table of actions, in their order."""
+        """The rows of this feature for the table of actions, in their order."""
         return ()
 
     def take_actions(self, actions: Actions) -> None:
-        """The whole table is there, with what every other feature put into it."""
+        """Receive the complete table, with the actions of all features."""
 
     def set_plugins(self, loaded: Loaded, known: bool) -> None:
-        """What the installed plugins offer; ``known`` says whether they were looked for at all."""
+        """Receive what the installed plugins offer.
+
+        ``known`` is False as long as they have not been searched for.
+        """
 
     def open_path(self, path: Path) -> bool:
-        """Show a file that is of its kind; False where it is not."""
+        """Open a file if it is of this feature's kind; False if it is not."""
         return False
 
     def settle(self) -> None:
-        """What is still being typed counts."""
+        """Take over what is still being typed."""
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
 
     def stop(self) -> None:
-        """The window goes away: nothing is worked at any more."""
+        """End all work, because the window closes."""
 
 
 class AllWindows(Protocol):
-    """What actions ask of the program, whichever window they are asked in."""
+    """What actions may ask of the program with all its windows."""
 
     settings: Settings
 
@@ -94,20 +103,20 @@ class AllWindows(Protocol):
         """The name of the chosen theme."""
 
     def set_theme(self, theme: str) -> None:
-        """Put all windows into another theme."""
+        """Set the theme of all windows."""
 
     def stop_every_run(self) -> None:
         """Stop the runs of all windows."""
 
     def look_for_plugins(self) -> None:
-        """Look at the installed plugins again, for all windows."""
+        """Search for installed plugins again, for all windows."""
 
     def quit(self) -> None:
-        """Close all windows and end the program; where one shall stay, all stay."""
+        """Close all windows and end the program. If the user keeps one window, all stay open."""
 
 
 class DockSides(Protocol):
-    """What actions ask of the docks at the sides of the drawing."""
+    """What actions may ask of the docks beside the drawing."""
 
     def left_shown(self) -> bool:
         """Whether the dock at the left is shown."""
@@ -128,53 +137,56 @@ class DockSides(Protocol):
         """Show or hide the dock at the bottom."""
 
     def enter_tab(self, name: str) -> bool:
-        """Show the tab of this name and give it the keys; False where it has them already."""
+        """Show the tab of this name and give it the keyboard focus.
+
+        False if it has the focus already.
+        """
 
 
 class Shell(Protocol):
-    """What a feature asks of the window that it is in."""
+    """What a feature may ask of its window."""
 
     @property
     def mode(self) -> str:
-        """The mode that is shown, such as "draw"."""
+        """The current mode, such as "draw"."""
 
     @property
     def sides(self) -> DockSides:
-        """The docks at the sides of the drawing."""
+        """The docks beside the drawing."""
 
     @property
     def program(self) -> AllWindows:
         """The program with all its windows."""
 
     def set_mode(self, mode: str) -> None:
-        """Show another mode."""
+        """Switch to another mode."""
 
     def show_tab(self, name: str) -> None:
         """Bring the panel of this name to the front."""
 
     def show_count(self, panel: str, count: int) -> None:
-        """Say on the tab of a panel how much is in it."""
+        """Show a number on the tab of a panel."""
 
     def show_segment(self, name: str, shown: bool) -> None:
-        """Offer a mode in the mode bar, or no longer."""
+        """Show or hide the button of a mode in the mode bar."""
 
     def add_badge(self, badge: QWidget) -> None:
-        """Show a badge of a feature that was made late, at the right of the menus."""
+        """Add a badge at the right of the menu bar, for a feature that made it late."""
 
     def say_findings(self, words: str) -> None:
-        """Say in the status line what was found."""
+        """Show the number of findings in the status line."""
 
     def corner_below(self, action: str) -> QPoint:
-        """A point of the screen below the button of an action."""
+        """The point of the screen below the button of an action, for a menu."""
 
     def new_window(self) -> None:
         """Open another window."""
 
     def open_palette(self) -> None:
-        """Open the box that finds anything."""
+        """Open the command palette."""
 
     def show_shortcuts(self) -> None:
         """Show the list of all shortcuts."""
 
     def show_about(self) -> None:
-        """Show what this program is, and its version."""
+        """Show the name of the program and its version."""

@@ -1,8 +1,8 @@
-"""The drawings of the icons, on a grid of 16.
+"""The drawings of the icons, on a grid of 16 by 16.
 
-A drawing is a tuple of strokes: a kind (``s`` stroked, ``f`` filled, ``k`` knocked out in the paper
-colour) and a path. Paths know ``M x y``, ``L x y``, ``C`` (six numbers), ``O x y r`` (a circle),
-``R x y w h r`` (a rounded box) and ``Z``.
+A drawing is a tuple of strokes. A stroke is a kind and a path. Kinds: ``s`` is a line, ``f`` is
+filled, ``k`` is cut out in the background colour. Paths know ``M x y``, ``L x y``, ``C`` (six
+numbers), ``O x y r`` (a circle), ``R x y w h r`` (a rounded box) and ``Z``.
 """
 
 Drawing = tuple[tuple[str, str], ...]
@@ -203,4 +203,4 @@ ICONS: dict[str, Drawing] = {
     ),
     "dot": (("f", "O 8 8 4"),),
 }
-"""Every drawing by name; unknown names are a fault of the caller (KeyError)."""
+"""Every drawing by name."""

@@ -1,6 +1,6 @@
 """The line icons of the window, painted in the colours of the theme.
 
-They are painted at the size and pixel ratio that is asked for, so that they are sharp everywhere.
+They are painted for the size and pixel ratio in use, so that they are sharp on every screen.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ GRID, STROKE = 16.0, 1.5
 
 
 def draw(painter: QPainter, name: str, rect: QRectF, colour: QColor, paper: QColor) -> None:
-    """Paint one icon into ``rect``; ``paper`` is the colour knocked out of filled marks."""
+    """Paint one icon into ``rect``; ``paper`` is the colour of the parts that are cut out."""
     strokes = _strokes(name)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -41,7 +41,7 @@ def pixmap(name: str, colour: QColor, paper: QColor, size: int = 16, ratio: floa
 
 
 def icon(name: str, tokens: Tokens, size: int = 16, colour: QColor | None = None) -> QIcon:
-    """One icon for buttons and menus, pale where they are disabled, for screens of any density."""
+    """One icon for buttons and menus, for screens of any density; paler if disabled."""
     found = QIcon()
     for ratio in (1.0, 2.0):
         plain = pixmap(name, colour or tokens.tx2, tokens.surf, size, ratio)
@@ -54,7 +54,7 @@ def icon(name: str, tokens: Tokens, size: int = 16, colour: QColor | None = None
 
 
 def severity_colour(letter: str, tokens: Tokens) -> QColor:
-    """The colour of a finding's mark; the shape says the same (octagon, triangle, circle)."""
+    """The colour of a finding's icon. The shape says the same: octagon, triangle, circle."""
     return {"E": tokens.bad, "W": tokens.risk}.get(letter, tokens.tx2)
 
 
@@ -63,8 +63,11 @@ ACTOR_ICON = {"human": "person", "shared": "shared", "robot": "robot"}
 
 
 def _strokes(name: str) -> Drawing:
-    """What an icon is drawn of. Asked before anything is painted: a painter that an error leaves
-    open is one that Qt complains of later, elsewhere."""
+    """The strokes of an icon; ``ValueError`` if there is none of this name.
+
+    Called before a painter begins. An error in between would leave the painter open, and Qt would
+    warn later, elsewhere.
+    """
     if name not in ICONS:
         raise ValueError(f"there is no icon {name!r}; the names stand in icon_drawings.py")
     return ICONS[name]

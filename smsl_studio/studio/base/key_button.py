@@ -1,4 +1,4 @@
-"""A button that shows its key: what it does, and which key does the same."""
+"""A button that also shows its shortcut."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ICON, GAP, CHIP = 16, 8, 20
 
 
 class KeyButton(QPushButton):
-    """An icon, a word and a key. ``role`` is plain (empty), ``primary`` or ``stop``."""
+    """A button with icon, word and shortcut. ``role`` is plain (empty), ``primary`` or ``stop``."""
 
     def __init__(
         self,
@@ -34,7 +34,7 @@ class KeyButton(QPushButton):
         self.setAccessibleName(plain_text(words))
 
     def set_words(self, words: str, key: str, name: str) -> None:
-        """Do something else from now on."""
+        """Give the button other words, another key and another icon."""
         self._key, self._icon = key, name
         self.setText(words)
         self.setAccessibleName(plain_text(words))
@@ -42,7 +42,7 @@ class KeyButton(QPushButton):
         self.update()
 
     def set_short(self, short: bool) -> None:
-        """Show the icon and the key alone, where there is little room."""
+        """Show only icon and key, where there is little room."""
         if short != self._short:
             self._short = short
             self.setMinimumWidth(0)
@@ -50,16 +50,16 @@ class KeyButton(QPushButton):
             self.update()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def sizeHint(self) -> QSize:
-        """Wide enough for icon, word and key; as high as a control that decides."""
+        """Wide enough for icon, word and key; the height of a decision button."""
         return QSize(round(self._wide()) + 26, CONTROL_DECISION)
 
     def minimumSizeHint(self) -> QSize:
-        """As large as ``sizeHint``: nothing of it is left out."""
+        """The same as ``sizeHint``: nothing of the button may be cut."""
         return self.sizeHint()
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -120,6 +120,6 @@ class KeyButton(QPushButton):
 
 
 def command_button(word: str, role: str, tokens: Tokens) -> KeyButton:
-    """The button of a supervisor's command, with the words, the key and the icon of its row."""
+    """The button of a supervisor's command, with label, key and icon of its row."""
     row = COMMANDS[word]
     return KeyButton(row.label, row.key, row.icon, role, tokens)

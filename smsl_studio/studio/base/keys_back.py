@@ -1,4 +1,4 @@
-"""KeysBack: when a part that has the keys hides, they go back to the widget that had them."""
+"""KeysBack: when a part with the keyboard focus hides, the focus returns to where it was."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from shiboken6 import isValid
 
 
 class KeysBack(QObject):
-    """Looks after one part that comes and goes, such as a bar that asks something.
+    """Watches one part that comes and goes, such as a bar with a question.
 
-    Without it Qt gives the keys to whatever follows in the order of Tab, and a person who answered
-    a question would go on typing into a button.
+    Without it Qt moves the focus to the next widget in the order of Tab. A person who has answered
+    a question would then type into a button.
     """
 
     def __init__(self, part: QWidget) -> None:
@@ -30,7 +30,7 @@ class KeysBack(QObject):
             self._before = before
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Give the keys back when the part hides."""
+        """Return the focus when the part hides."""
         if watched is self._part and event.type() == QEvent.Type.Hide:
             self._give_back()
         return super().eventFilter(watched, event)

@@ -1,4 +1,4 @@
-"""LatePart: a part of the window that is made when it is first asked for."""
+"""LatePart: a part of the window that is made when it is first needed."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ Made = TypeVar("Made")
 
 
 class LatePart(Generic[Made]):
-    """Called, it answers with the part. The first call makes it with ``make``."""
+    """A callable that returns the part. The first call makes it with ``make``."""
 
     def __init__(self, make: Callable[[], Made]) -> None:
         self._make = make
         self._then: list[Callable[[Made], object]] = []
         self.made: Made | None = None
-        """The part; None as long as nobody has asked for it."""
+        """The part; None as long as it has not been needed."""
 
     def __call__(self) -> Made:
-        """The part; it is made now where it was not made before."""
+        """Return the part, and make it first if necessary."""
         if self.made is None:
             self.made = self._make()
             for then in self._then:
@@ -26,5 +26,5 @@ class LatePart(Generic[Made]):
         return self.made
 
     def when_made(self, then: Callable[[Made], object]) -> None:
-        """Have ``then`` called with the part as soon as it is made."""
+        """Call ``then`` with the part as soon as it is made."""
         self._then.append(then)

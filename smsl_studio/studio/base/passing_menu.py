@@ -1,4 +1,4 @@
-"""A menu for one time."""
+"""A menu that is used once."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 
 def passing_menu(window: QWidget) -> QMenu:
-    """A menu for one time; it goes when it is left."""
+    """A menu that is deleted after it was closed."""
     menu = QMenu(window)
     menu.aboutToHide.connect(menu.deleteLater)
     return menu

@@ -1,4 +1,4 @@
-"""Who gives way in a row that is too narrow for all of its parts."""
+"""Which parts of a row are hidden when the row is too narrow for all."""
 
 from __future__ import annotations
 
@@ -6,27 +6,27 @@ from PySide6.QtWidgets import QWidget
 
 
 class Precedence:
-    """Hides parts of a row, the first named first, until the others fit; those not named stay.
+    """Hides parts of a row, in the given order, until the others fit; parts not named stay.
 
-    The row must be laid out by its own layout. Whether a part is wanted at all is said to ``want``,
-    not to the part, because a part that is wanted may still have no room.
+    The row must have a layout. Tell ``want`` whether a part is wanted. Do not hide the part itself,
+    because a wanted part may be hidden for lack of room.
     """
 
     def __init__(self, row: QWidget, *parts: QWidget) -> None:
         self._row, self._parts = row, parts
         self._unwanted: set[QWidget] = set()
-        # The row never asks for more room than its window has.
+        # The row must not make the window wider.
         row.setMinimumWidth(1)
 
     def want(self, part: QWidget, wanted: bool) -> None:
-        """Say whether a part belongs in the row just now; ``fit`` shows it where it has room."""
+        """Say whether a part is wanted; ``fit`` shows it if there is room."""
         if wanted:
             self._unwanted.discard(part)
         else:
             self._unwanted.add(part)
 
     def fit(self) -> None:
-        """Show what is wanted and fits into the row as wide as it is."""
+        """Show the wanted parts that fit into the present width of the row."""
         layout = self._row.layout()
         if layout is None:
             return
@@ -43,7 +43,7 @@ class Precedence:
                 part.setVisible(fits)
 
     def _needed(self, shown: dict[QWidget, bool]) -> int:
-        """Pixels of the row with these of the parts, and with all others that are in it."""
+        """The width (pixels) of the row with these parts and all parts that are not named."""
         layout = self._row.layout()
         assert layout is not None
         margins = layout.contentsMargins()
@@ -62,6 +62,6 @@ class Precedence:
 
 
 def _least(part: QWidget) -> int:
-    """The narrowest that a part can be drawn without cutting it."""
+    """The smallest width of a part at which nothing of it is cut (pixels)."""
     least = part.minimumWidth() or part.minimumSizeHint().width()
     return min(least, part.maximumWidth())

@@ -1,4 +1,4 @@
-"""A scroll area for a part that may be taller than the space there is."""
+"""A scroll area for a part that may be taller than the available space."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ LEAST = 120
 
 
 class Room(QScrollArea):
-    """Asks for the height of the part in it, and scrolls where there is less."""
+    """A scroll area that asks for the height of its part, and scrolls if it gets less."""
 
     def __init__(self, inner: QWidget) -> None:
         super().__init__()
@@ -24,25 +24,25 @@ class Room(QScrollArea):
         inner.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Ask for another size when the part inside has changed its own."""
+        """Update the size hint after the part inside changed its size."""
         if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
             self.updateGeometry()
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show the scroll bar only where the part does not fit."""
-        # Qt leaves a bar standing that was needed a moment ago.
+        """Show the scroll bar only if the part does not fit."""
+        # Qt would keep a scroll bar that is no longer needed.
         bar = Qt.ScrollBarPolicy
         fits = self.sizeHint().height() <= self.height()
         self.setVerticalScrollBarPolicy(bar.ScrollBarAlwaysOff if fits else bar.ScrollBarAsNeeded)
         super().resizeEvent(event)
 
     def sizeHint(self) -> QSize:
-        """As high as the part inside at this width."""
+        """The height that the part inside needs at this width."""
         inner = self.widget()
         if inner is None:
             return super().sizeHint()
-        # The width without a scroll bar: one that is there must not be why it stays.
+        # The width without the scroll bar, so that a visible bar is not the reason to keep it.
         wide = max(self.width(), 200)
         layout = inner.layout()
         high = layout.heightForWidth(wide) if layout and layout.hasHeightForWidth() else -1

@@ -1,7 +1,7 @@
-"""Lists of one kind of row: a mark, a name, something beside it, something at the right.
+"""Lists of rows: an icon, a text, a second text beside it, and a text at the right.
 
-The library, the operations out of a state and the command palette are such lists. Only what is
-visible is painted, so that ten thousand rows cost nothing.
+The library, the operations of a state and the command palette are such lists. Only visible rows are
+painted, so a list may have ten thousand.
 """
 
 from __future__ import annotations
@@ -34,7 +34,10 @@ LINE = "row"
 
 @dataclass(frozen=True)
 class ListRow:
-    """One row. ``kind`` is ``row`` or ``section``; ``payload`` is what a click is about."""
+    """One row.
+
+    ``kind`` is ``row`` or ``section``; ``payload`` is the object that a click is about.
+    """
 
     text: str
     payload: Any = None
@@ -46,7 +49,7 @@ class ListRow:
     tip: str = ""
     accent: bool = False
     mono: bool = False
-    """Whether ``right`` is a value (in the mono type)."""
+    """Whether ``right`` is a value, painted in the mono font."""
     pale: bool = False
 
 
@@ -58,18 +61,18 @@ class RowsModel(QAbstractListModel):
         self.rows: tuple[ListRow, ...] = ()
 
     def show(self, rows: Sequence[ListRow]) -> None:
-        """Replace all rows; nothing happens where they are the same."""
+        """Replace all rows, unless they are the same."""
         if tuple(rows) != self.rows:
             self.beginResetModel()
             self.rows = tuple(rows)
             self.endResetModel()
 
     def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008
-        """How many rows there are; a row has none below it."""
+        """The number of rows; a row has no children."""
         return 0 if parent.isValid() else len(self.rows)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """The text, the tip, what is read out, or the ``ListRow`` itself."""
+        """The text, the tooltip, the accessible text, or the ``ListRow`` itself."""
         row = self.rows[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return row.text
@@ -80,21 +83,21 @@ class RowsModel(QAbstractListModel):
         return row if role == Qt.ItemDataRole.UserRole else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
-        """A line can be chosen, a heading cannot."""
+        """Rows can be selected, headings cannot."""
         if self.rows[index.row()].kind != LINE:
             return Qt.ItemFlag.NoItemFlags
         return Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
 
 
 class RowsDelegate(QStyledItemDelegate):
-    """Paints rows; ``margin`` is the distance to both sides."""
+    """Paints rows; ``margin`` is the free width at both sides (pixels)."""
 
     def __init__(self, tokens: Tokens, margin: int = 12, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.tokens, self.margin = tokens, margin
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        """The height of a line or of a heading."""
+        """The height of a row or of a heading."""
         row = index.data(Qt.ItemDataRole.UserRole)
         return QSize(10, ROW if row.kind == LINE else SECTION)
 
@@ -156,12 +159,12 @@ class RowsView(QListView):
         self.setEditTriggers(QListView.EditTrigger.NoEditTriggers)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._delegate.tokens = tokens
         self.viewport().update()
 
     def show_rows(self, rows: Sequence[ListRow]) -> None:
-        """Show these rows; a selected row with the same text stays selected."""
+        """Show these rows; the selection stays on the row with the same text."""
         kept = self.currentIndex().data() if self.currentIndex().isValid() else None
         place = self.verticalScrollBar().value()
         self.rows.show(rows)
@@ -179,7 +182,7 @@ class RowsView(QListView):
 
 @dataclass(frozen=True)
 class TextInk:
-    """How a piece of text is written."""
+    """Colour, size (pixels), weight and font of a text."""
 
     colour: QColor
     size: int = 13
@@ -196,7 +199,7 @@ def paint_text(
     right: bool = False,
     elide: Qt.TextElideMode = Qt.TextElideMode.ElideMiddle,
 ) -> float:
-    """Paint one line, elided where it does not fit; its width in pixels."""
+    """Paint one line, shortened if it does not fit; returns its width in pixels."""
     font = mono_font(ink.size, ink.weight) if ink.mono else text_font(ink.size, ink.weight)
     metrics = QFontMetricsF(font)
     shown = metrics.elidedText(plain_text(text), elide, rect.width())

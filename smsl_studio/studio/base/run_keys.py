@@ -1,4 +1,4 @@
-"""The keys of a run, lent to what stands in a window of its own beside the run."""
+"""The shortcuts of a run, for a separate window beside the run's own window."""
 
 from __future__ import annotations
 
@@ -10,14 +10,13 @@ LENT = frozenset(
     {"run_play", "run_pause", "run_step", "run_stop", "replay_back", "mode_draw", "mode_run",
      "mode_supervise"}
 )  # fmt: skip
-"""The actions whose keys go on there; what edits the drawing is for who sees it."""
+"""The ids of the actions that work there. Actions that edit the drawing are not among them."""
 
 
 def lend_run_keys(page: QWidget, window: QWidget, own: Collection[str] = ()) -> None:
-    """Have ``page`` answer the keys of a run as its window does: the same actions, its ``own``, and
-    no others.
+    """Add the run's actions of ``window``, and those with the ids ``own``, to ``page``.
 
-    The keys of an action count in the windows of all widgets that have it.
+    The shortcut of an action works in the windows of all widgets to which it was added.
     """
     for action in window.actions():
         if action.objectName() in LENT.union(own):

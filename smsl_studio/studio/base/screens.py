@@ -1,4 +1,4 @@
-"""How much room the screen of a window has, so that nothing is opened larger than it."""
+"""The room on a screen, so that no window is opened larger than its screen."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from PySide6.QtCore import QPoint, QRect, QSize
 from PySide6.QtWidgets import QDialog, QStyle, QWidget
 
 SIDES = 8
-"""What a desktop draws beside and below a window, as far as a style can tell."""
+"""The assumed width of the frame beside and below a window (pixels)."""
 
 
 def room(window: QWidget) -> QSize:
-    """What a window may take of its screen, without the frame that a desktop draws around it."""
+    """The largest size of a window on its screen, without the frame that the desktop adds."""
     return window.screen().availableGeometry().size() - _frame(window)
 
 
 def place_over(window: QWidget, other: QWidget) -> None:
-    """Put a window that is not shown yet over the middle of another one, its title on the screen.
+    """Put a window that is not shown yet over the middle of another one, inside the screen.
 
-    Desktops see to that for dialogs, but not for every window.
+    Desktops do that for dialogs, but not for every window.
     """
     screen = other.screen().availableGeometry()
     place = QRect(QPoint(), window.size() + _frame(window))
@@ -30,7 +30,7 @@ def place_over(window: QWidget, other: QWidget) -> None:
 
 
 def _frame(window: QWidget) -> QSize:
-    """What a desktop draws around a window, as far as it can be told."""
+    """The size that the desktop's frame adds to a window, estimated if it is not shown yet."""
     frame = window.frameGeometry().size() - window.size()
     if not window.isVisible() or frame.isEmpty():
         title = window.style().pixelMetric(QStyle.PixelMetric.PM_TitleBarHeight)
@@ -39,7 +39,7 @@ def _frame(window: QWidget) -> QSize:
 
 
 def open_at(dialog: QDialog, width: int, height: int) -> None:
-    """Give a dialog its first size, or as much of it as its screen has room for."""
+    """Give a dialog its first size (pixels), limited to its screen."""
     most = room(dialog)
     dialog.setMinimumSize(dialog.minimumSize().boundedTo(most))
     dialog.resize(QSize(width, height).boundedTo(most))

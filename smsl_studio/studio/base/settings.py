@@ -1,6 +1,6 @@
-"""What the window remembers: theme, places of the panels, recent files. One small file.
+"""The remembered settings: theme, places of the panels, recent files. They are one small file.
 
-It lies in the platform's user directory, or in SMSL_STUDIO_HOME.
+It is in the user's folder of the platform, or in SMSL_STUDIO_HOME.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ THEMES = ("light", "dark", "system")
 
 
 class Settings:
-    """The remembered choices, each read and written by name."""
+    """The remembered settings, read and written by name."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or user_folder()
@@ -42,7 +42,7 @@ class Settings:
 
     @property
     def record_runs(self) -> bool:
-        """Whether every run of the window is written to a log in ``recordings``."""
+        """Whether each run of the window is written to a log in ``recordings``."""
         return self._store.value("record_runs", "true") in ("true", True)
 
     @record_runs.setter
@@ -52,38 +52,38 @@ class Settings:
 
     @property
     def recordings(self) -> Path:
-        """The folder of recorded runs; it need not exist."""
+        """The folder of recorded runs; it may not exist yet."""
         return self.folder / "recordings"
 
     @property
     def wanted_recordings(self) -> Path | None:
-        """The folder into which runs are to be recorded; None: they are not."""
+        """The folder for recordings; None if runs are not recorded."""
         return self.recordings if self.record_runs else None
 
     def remember(self, path: Path) -> None:
-        """Put a file in front of the recent ones."""
+        """Put a file first in the list of recent files."""
         others = [known for known in self.recent if known != path]
         self._store.setValue("recent", [str(p) for p in (path, *others)[:RECENT]])
 
     def forget(self, path: Path) -> None:
-        """Take a file that is gone from the recent ones."""
+        """Remove a file from the list of recent files."""
         self._store.setValue("recent", [str(p) for p in self.recent if p != path])
 
     def bytes_of(self, key: str) -> QByteArray:
-        """A stored shape (of the window, or of a mode's panels); empty where none is stored."""
+        """Stored bytes, such as the geometry of the window; empty if there are none."""
         value = self._store.value(key)
         return value if isinstance(value, QByteArray) else QByteArray()
 
     def store(self, key: str, value: QByteArray) -> None:
-        """Remember bytes under a key, such as the places of the panels."""
+        """Store bytes under a key."""
         self._store.setValue(key, value)
 
     def text_of(self, key: str) -> str:
-        """A stored text; empty where none is stored."""
+        """A stored text; empty if there is none."""
         return str(self._store.value(key, "") or "")
 
     def store_text(self, key: str, text: str) -> None:
-        """Remember a text under a key."""
+        """Store a text under a key."""
         self._store.setValue(key, text)
 
     def sync(self) -> None:

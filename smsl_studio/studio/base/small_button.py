@@ -1,4 +1,4 @@
-"""The small button behind a line: a picture, and the words of what it does."""
+"""A small button with an icon, for use at the end of a line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SIDE = 24
 
 
 class SmallButton(QToolButton):
-    """Says by its tooltip, and to assistive tools, what a click does."""
+    """A button whose words are its tooltip and its accessible name."""
 
     def __init__(self, words: str, picture: str, tokens: Tokens, size: int = 12) -> None:
         super().__init__()
@@ -25,5 +25,5 @@ class SmallButton(QToolButton):
         self.set_tokens(tokens)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self.setIcon(icon(self._picture, tokens, self._size))

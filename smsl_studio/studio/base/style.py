@@ -1,4 +1,4 @@
-"""Dress the application in one theme: palette, type and the style sheet."""
+"""The theme of the application: palette, fonts and style sheet."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _PLACE = re.compile(r"\{([a-z][a-z0-9]*)\}")
 
 
 def tokens_of(theme: str, app: QApplication) -> Tokens:
-    """The tokens of ``light``, ``dark`` or ``system`` (what the desktop asks for)."""
+    """The tokens of the theme ``light``, ``dark`` or ``system`` (the desktop's choice)."""
     if theme == "system":
         dark = app.styleHints().colorScheme() is Qt.ColorScheme.Dark
         return DARK if dark else LIGHT
@@ -29,7 +29,10 @@ def style_sheet(tokens: Tokens) -> str:
 
 
 def dress(app: QApplication, tokens: Tokens) -> None:
-    """Palette first, so that Fusion paints what the style sheet leaves alone in our colours."""
+    """Set style, palette, font and style sheet of the application.
+
+    The palette gives our colours to the parts that the style sheet leaves to Fusion.
+    """
     sheet = style_sheet(tokens)
     if app.styleSheet() == sheet:
         return

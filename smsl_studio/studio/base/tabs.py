@@ -1,4 +1,4 @@
-"""Tabs of panels, with counts on the tabs and tools at their right."""
+"""Tabs of panels, with numbers on the tabs and tools at their right."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from smsl_studio.studio.base.controls import label, rule
 
 HEIGHT = 36
 MARGIN = 12
-"""Pixels between two tabs, as in the style sheet."""
+"""Pixels between two tabs; the style sheet has the same number."""
 
 
 class Tabs(QWidget):
-    """One panel at a time. Tools belong to a panel and are shown with it."""
+    """A stack of panels with tabs. Tools belong to a panel and are visible with it."""
 
     changed = Signal(str)
 
@@ -67,17 +67,17 @@ class Tabs(QWidget):
         return self._names[self.bar.currentIndex()]
 
     def page(self, name: str) -> QWidget:
-        """The panel under a tab."""
+        """The panel of this name."""
         found = self._pages.widget(self._names.index(name))
         assert found is not None
         return found
 
     def show_page(self, name: str) -> None:
-        """Show the panel of this name; raises ``ValueError`` where there is none."""
+        """Show the panel of this name; raises ``ValueError`` if there is none."""
         self.bar.setCurrentIndex(self._names.index(name))
 
     def set_count(self, name: str, count: int) -> None:
-        """Show how many there are beside the tab's name; nothing for none."""
+        """Show a number beside the name on a tab; 0 hides it."""
         at = self._names.index(name)
         badge = self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide)
         if not isinstance(badge, QLabel):
@@ -87,14 +87,14 @@ class Tabs(QWidget):
         badge.setText(f"{count:,}")
         badge.setVisible(count > 0)
         badge.adjustSize()
-        # A badge that grew takes room from the name until the tabs are laid out again.
+        # A badge that became wider would cover the name until the tabs are laid out again.
         self.bar.setTabText(at, name)
         if not count:
             self.bar.setTabButton(at, QTabBar.ButtonPosition.RightSide, None)
             badge.deleteLater()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Qt puts a count into the room between two tabs; it belongs within its own."""
+        """Move the number back into its tab; Qt puts it into the gap between two tabs."""
         if event.type() == QEvent.Type.Move and isinstance(watched, QLabel):
             for at in range(self.bar.count()):
                 if self.bar.tabButton(at, QTabBar.ButtonPosition.RightSide) is watched:

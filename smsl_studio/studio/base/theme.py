@@ -1,7 +1,7 @@
-"""The tokens of the window: colours, type, distances, in light and dark.
+"""The design tokens of the window: colours, fonts and distances, in light and dark.
 
-Painters and the style sheet read these and nothing else. Both themes carry the same marks at the
-same contrast. Lengths are device-independent pixels.
+Painters and the style sheet use these and nothing else. Both themes have the same contrast. Lengths
+are device-independent pixels.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ MENU_BAR, MODE_BAR, MODE_BAR_RUN, STATUS_LINE = 32, 48, 56, 26
 
 @dataclass(frozen=True)
 class Tokens:
-    """The colours of one theme; see docs/window.md for what each is for."""
+    """The colours of one theme; docs/window.md explains what each is for."""
 
     name: str
     win: QColor
@@ -63,7 +63,10 @@ class Tokens:
         return {f.name: getattr(self, f.name).name() for f in fields(self) if f.name != "name"}
 
     def palette(self) -> QPalette:
-        """The Qt palette of this theme (Fusion obeys it; setColorScheme does not everywhere)."""
+        """The Qt palette of this theme.
+
+        ``setColorScheme`` does not work on every platform, but Fusion follows a palette.
+        """
         palette = QPalette()
         role = QPalette.ColorRole
         for target, colour in (
@@ -109,12 +112,18 @@ def _family(*wanted: str) -> str:
 
 
 def text_font(size: int = 13, weight: int = 400) -> QFont:
-    """The reading font: Inter where it is installed, else Noto Sans, else the system's."""
+    """The reading font: Inter if it is installed, else Noto Sans, else that of the system.
+
+    ``size`` in pixels.
+    """
     return _font(_family("Inter", "Noto Sans"), size, weight, QFont.StyleHint.SansSerif)
 
 
 def mono_font(size: int = 12, weight: int = 400) -> QFont:
-    """The font of fact names, values and source: JetBrains Mono, else the system's fixed one."""
+    """The font of fact names, values and source: JetBrains Mono, else another fixed one.
+
+    ``size`` in pixels.
+    """
     family = _family("JetBrains Mono", "Noto Sans Mono", "DejaVu Sans Mono")
     return _font(family, size, weight, QFont.StyleHint.Monospace)
 
@@ -124,7 +133,7 @@ def _font(family: str, size: int, weight: int, hint: QFont.StyleHint) -> QFont:
     font.setStyleHint(hint)
     font.setPixelSize(size)
     font.setWeight(QFont.Weight(weight))
-    # A name is shown as it is written: no arrow is made of "->".
+    # Names are shown as they are written, without ligatures such as an arrow for "->".
     font.setFeature(QFont.Tag("calt"), 0)
     if hint is QFont.StyleHint.SansSerif:
         font.setFeature(QFont.Tag("tnum"), 1)

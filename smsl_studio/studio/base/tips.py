@@ -1,4 +1,4 @@
-"""Texts for those parts of Qt that guess whether a text is markup: tool tips and message boxes."""
+"""Literal texts for tooltips and message boxes, where Qt guesses whether a text is markup."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from smsl_studio.legible import markup, plain_text
 
 
 def tip_text(text: str) -> str:
-    """A text that is shown as it is, whatever it holds; cut where it is too long to be read.
+    """A text in a form that Qt shows literally; a very long text is cut.
 
-    Qt takes some plain texts for markup: those it would are given as markup that says the same.
+    Qt takes some plain texts for markup. These become markup that shows the same.
     """
     text = plain_text(text)
     if not Qt.mightBeRichText(text):

@@ -1,4 +1,4 @@
-"""A line over the canvas that says what was refused, or what went well. Never a dialog."""
+"""A message over the canvas: what was refused, or what was done. It is never a dialog."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from smsl_studio.studio.base.words import capital
 
 REFUSED_MS, SAID_MS, WIDTH = 12_000, 3_000, 460
 READING_MS = 70
-"""For each letter; a long sentence takes longer to read."""
+"""Milliseconds for each letter, because a long sentence takes longer to read."""
 
 
 class Toast(QWidget):
-    """Lies at the bottom of ``over`` for a while; a click puts it away."""
+    """A message at the bottom of ``over`` for some seconds; a click hides it."""
 
     def __init__(self, tokens: Tokens, over: QWidget) -> None:
         super().__init__(over)
@@ -53,26 +53,26 @@ class Toast(QWidget):
 
     @property
     def words(self) -> str:
-        """What is said, or the empty text."""
+        """The text that is shown; empty if there is none."""
         parts = (self._sentence.text(), self._advice.text())
         return " ".join(part for part in parts if part) if not self.isHidden() else ""
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         self.update()
 
     def refuse(self, error: StudioError) -> None:
-        """Say what was refused, where, and what to do."""
+        """Show what was refused, what to do, and where."""
         place = f" ({error.place})" if error.place else ""
         self._show(capital(error.sentence), f"{error.advice}{place}".strip(), True, REFUSED_MS)
 
     def say(self, sentence: str) -> None:
-        """Say something that went well."""
+        """Show that something went well."""
         self._show(sentence, "", False, max(SAID_MS, READING_MS * len(sentence)))
 
     def offer(self, sentence: str, words: str, call: Callable[[], object]) -> None:
-        """Say what was done, with a button that does something about it, such as Undo."""
+        """Show what was done, with a button that reacts to it, such as Undo."""
         self._show(sentence, "", False, REFUSED_MS)
         self._call = call
         self._of_step = True
@@ -81,10 +81,10 @@ class Toast(QWidget):
         self._place()
 
     def edited(self) -> None:
-        """The history has moved by a step. What was said of an earlier step holds no longer.
+        """Hide a message about an earlier step, because the history has moved by a step.
 
-        What is said ``of_step`` is said while that step is carried out, so the first move is its
-        own.
+        A message of ``of_step`` is shown while its step is carried out, so it survives the first
+        call.
         """
         if self._fresh:
             self._fresh = False
@@ -92,27 +92,27 @@ class Toast(QWidget):
             self.hide()
 
     def of_step(self, sentence: str, bad: bool) -> None:
-        """Say what a step brings about, while it is carried out; the next step hides it."""
+        """Show a consequence of the step that is being carried out; the next step hides it."""
         if sentence:
             self._show(sentence, "", bad, REFUSED_MS)
             self._of_step = self._fresh = True
 
     def warn(self, sentence: str) -> None:
-        """Say something that went wrong and is no refusal."""
+        """Show that something went wrong, other than a refusal."""
         self._show(sentence, "", True, REFUSED_MS)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Keep its place when the part below it changes its size."""
+        """Stay in place when the widget below changes its size."""
         if watched is self._over and event.type() == QEvent.Type.Resize and not self.isHidden():
             self._place()
         return super().eventFilter(watched, event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Go away."""
+        """Hide the message."""
         self.hide()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and the icon, in the colour of errors for a refusal."""
+        """Paint background and icon; a refusal in the colour of errors."""
         tokens, painter = self._tokens, QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(tokens.bad if self._bad else tokens.line2, 1))

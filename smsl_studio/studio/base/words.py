@@ -1,4 +1,4 @@
-"""Small pieces of language that several panels use."""
+"""Small functions for words and numbers in panels."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from smsl_studio.inspection.rules.finding import Finding, Severity
 from smsl_studio.legible import plain_text
 
 BLANK = "none"
-"""How a cell of a table is read out that is left blank for the eye."""
+"""What a screen reader says for an empty cell of a table."""
 
 
 def counted(number: int, one: str, many: str = "") -> str:
-    """``1 state``, ``10 states``; thousands are set apart."""
+    """A number with its noun: ``1 state``, ``1,000 states``."""
     return f"{number:,} {one if number == 1 else many or one + 's'}"
 
 
 def first_lines(lines: Sequence[str], most: int, among: int) -> str:
-    """The first of so many lines, one below the other, and how many more there are."""
+    """The first ``most`` lines, and how many of ``among`` lines follow."""
     rest = among - most
     return "\n".join([*lines[:most], *([f"and {rest:,} more"] if rest > 0 else [])])
 
 
 def tally(findings: Iterable[Finding]) -> str:
-    """``1 error, 2 warnings, 3 notes``, leaving out what there is none of."""
+    """The numbers of findings, such as ``1 error, 2 warnings, 3 notes``, without zeros."""
     found = list(findings)
     parts = (
         (sum(f.severity is severity for f in found), word)
@@ -38,7 +38,10 @@ def tally(findings: Iterable[Finding]) -> str:
 
 
 def worst(findings: Iterable[Finding]) -> dict[Address, str]:
-    """The gravest letter (E or W) at every address; a note is no mark on a drawing."""
+    """The highest severity (E or W) at each address.
+
+    Notes are left out, as they have no sign in a drawing.
+    """
     found: dict[Address, str] = {}
     for finding in findings:
         if finding.severity is not Severity.NOTE:
@@ -49,7 +52,7 @@ def worst(findings: Iterable[Finding]) -> dict[Address, str]:
 
 
 def subject(finding: Finding) -> str:
-    """What a message speaks of that begins with its verb; the empty text for any other message."""
+    """The element that a message is about, if the message itself does not name it; else empty."""
     name = finding.address.path[-1]
     if finding.address.operation:
         return "" if name in finding.message else name
@@ -57,13 +60,16 @@ def subject(finding: Finding) -> str:
 
 
 def whole_sentence(finding: Finding) -> str:
-    """The message as a sentence that names what it is about."""
+    """The message as a sentence that names its element."""
     about = subject(finding)
     return capital(f"{about} {finding.message}" if about else finding.message)
 
 
 def capital(sentence: str) -> str:
-    """The sentence with a capital letter and a full stop. A file keeps the name it has."""
+    """The sentence with a capital letter and a full stop.
+
+    A file name at its start stays as it is.
+    """
     first = sentence.partition(" ")[0].rstrip(".")
     is_file = "." in first or "/" in first
     said = sentence if is_file else sentence[:1].upper() + sentence[1:]
@@ -71,5 +77,5 @@ def capital(sentence: str) -> str:
 
 
 def as_it_is(text: str) -> str:
-    """A text for a menu or a button, in which & would underline what follows."""
+    """A text for a menu or a button, with & escaped, which would underline the next letter."""
     return plain_text(text).replace("&", "&&")

@@ -1,4 +1,4 @@
-"""The canvas as a view: one SB as a picture of states and operations, and the gestures on it.
+"""The canvas shows one SB as a picture of states and operations, and takes the mouse and keys.
 
-``Canvas`` is the view. It tells with signals what a gesture asks for, and edits nothing.
+``Canvas`` is the view. It reports what the user asks for by signals, and edits nothing itself.
 """

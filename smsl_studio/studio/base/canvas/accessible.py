@@ -1,4 +1,4 @@
-"""The canvas for assistive tools: every state as a child with a name and a place."""
+"""Words about states and operations, for tooltips and for assistive tools."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ FINDING = {"E": "error", "W": "warning", "I": "note"}
 
 
 def edge_tip(canvas: Stage, edge: int) -> str:
-    """An operation for the pointer: its name, where it leads, what it needs and how that stands."""
+    """The tooltip of an operation: its name, its source and target, and the facts it requires.
+
+    During a run it also says whether these facts hold.
+    """
     sheet = canvas.sheet
     assert sheet is not None
     picture, address = sheet.picture, sheet.picture.address(edge)
@@ -52,7 +55,7 @@ def words_for(canvas: Stage, address: Address) -> str:
 
 
 def state_words(canvas: Stage, state: int) -> str:
-    """A state in words."""
+    """The words for a state, such as "State_1100, active, 7 operations out"."""
     sheet = canvas.sheet
     assert sheet is not None
     face, look = sheet.picture.face(state), sheet.looks.node(state)

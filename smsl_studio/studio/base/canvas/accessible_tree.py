@@ -1,11 +1,11 @@
 """The accessible interfaces of a canvas: the view, its states, and the operations of each state.
 
-QGraphicsObjects have no interface of their own. States are children of the canvas by number, and
-operations are children of the state they leave, in the order of the file. Those far off are there
-too: what is read out does not depend on the zoom.
+Graphics items have no accessible interface of their own. States are children of the canvas by
+number, and operations are children of the state they leave, in the order of the file. States
+outside the view are included, so that the zoom does not change what is read out.
 
-No class here overrides ``interface_cast``: PySide 6.11 cannot convert a None that comes back from
-it, and the process dies. Without an override Qt's own answer (no further interface) holds.
+No class here overrides ``interface_cast``: PySide 6.11 crashes when an override returns None.
+Without an override Qt's own answer (no further interface) holds.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from smsl_studio.studio.base.canvas.sheet import Sheet
 class CanvasAccessible(QAccessibleInterface):
     """The canvas: a graphic whose children are the states of the SB that is shown.
 
-    PySide never lets go of an interface it was given for Qt; the canvas is to go all the same, and
-    what it shows with it, so that nothing here holds it.
+    It holds the canvas by a weak reference, because PySide never frees an interface that it has
+    handed to Qt. Otherwise no closed canvas would be freed.
     """
 
     def __init__(self, canvas: Canvas) -> None:
@@ -37,7 +37,7 @@ class CanvasAccessible(QAccessibleInterface):
 
     @property
     def canvas(self) -> Canvas:
-        """The canvas, while it is there; Qt asks nothing of what is not valid."""
+        """The canvas. Qt asks only while ``isValid`` is true."""
         canvas = self._held()
         assert canvas is not None
         return canvas
@@ -49,7 +49,7 @@ class CanvasAccessible(QAccessibleInterface):
 
     @property
     def sheet(self) -> Sheet | None:
-        """What the canvas shows; None where it is gone."""
+        """The sheet that the canvas shows; None if the canvas is gone."""
         return self.canvas.sheet if self.isValid() else None
 
     def object(self) -> Any:
@@ -66,12 +66,12 @@ class CanvasAccessible(QAccessibleInterface):
         return QAccessible.queryAccessibleInterface(parent) if parent is not None else None
 
     def childCount(self) -> int:
-        """How many states the SB that is shown has."""
+        """The number of states in the SB that is shown."""
         sheet = self.sheet
         return len(sheet.picture) if sheet is not None else 0
 
     def child(self, index: int) -> Any:
-        """The state with this number; None where there is none."""
+        """The state with this number; None if there is none."""
         if not 0 <= index < self.childCount():
             return None
         if index not in self._children:
@@ -83,7 +83,7 @@ class CanvasAccessible(QAccessibleInterface):
         return child.index if isinstance(child, StateAccessible) else -1
 
     def childAt(self, x: int, y: int) -> Any:
-        """The state at a point of the screen; None where there is none."""
+        """The state at a point of the screen (pixels); None if there is none."""
         sheet = self.sheet
         if sheet is None:
             return None
@@ -92,7 +92,7 @@ class CanvasAccessible(QAccessibleInterface):
         return self.child(sheet.state_at(at.x(), at.y()))
 
     def focusChild(self) -> Any:
-        """The state that is selected last."""
+        """The state that was selected last."""
         sheet = self.sheet
         for address in reversed(self.canvas.marks.selection):
             state = sheet.picture.node(address) if sheet is not None else -1
@@ -109,10 +109,10 @@ class CanvasAccessible(QAccessibleInterface):
         return ""
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Names follow the blueprint; they are not set from outside."""
+        """Ignored: names follow the blueprint and cannot be set from outside."""
 
     def rect(self) -> QRect:
-        """Where the canvas lies on the screen."""
+        """The rectangle of the canvas on the screen (pixels)."""
         canvas = self.canvas
         return QRect(canvas.mapToGlobal(canvas.rect().topLeft()), canvas.size())
 
@@ -121,7 +121,7 @@ class CanvasAccessible(QAccessibleInterface):
         return QAccessible.Role.Graphic
 
     def state(self) -> QAccessible.State:
-        """Whether the canvas has the keys and can be seen."""
+        """Whether the canvas has the keyboard focus and is visible."""
         found = QAccessible.State()
         found.focusable = True
         found.focused = self.canvas.hasFocus()
@@ -168,11 +168,11 @@ class StateAccessible(QAccessibleInterface):
         return tuple(Address(branch.name, state, name) for name in branch.table[state])
 
     def childCount(self) -> int:
-        """How many operations leave the state."""
+        """The number of operations that leave the state."""
         return len(self.operations)
 
     def child(self, index: int) -> Any:
-        """The operation with this number, in the order of the file; None where there is none."""
+        """The operation with this number, in the order of the file; None if there is none."""
         operations = self.operations
         if not 0 <= index < len(operations):
             return None
@@ -189,20 +189,20 @@ class StateAccessible(QAccessibleInterface):
         return operations.index(child.address)
 
     def childAt(self, x: int, y: int) -> Any:
-        """None: operations are not found by a point."""
+        """None: operations cannot be found by a point."""
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
-        """What is read out as the state's name; empty for other kinds of text."""
+        """The name of the state as it is read out; empty for other kinds of text."""
         if kind == QAccessible.Text.Name and self.isValid():
             return state_words(self.canvas, self.index)
         return ""
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Names follow the blueprint; they are not set from outside."""
+        """Ignored: names follow the blueprint and cannot be set from outside."""
 
     def rect(self) -> QRect:
-        """Where the state lies on the screen; empty where it is gone."""
+        """The rectangle of the node on the screen (pixels); empty if the state is gone."""
         sheet = self._parent.sheet
         if sheet is None or not self.isValid():
             return QRect()
@@ -267,16 +267,16 @@ class OperationAccessible(QAccessibleInterface):
         return None
 
     def text(self, kind: QAccessible.Text) -> str:
-        """What is read out as the operation's name; empty for other kinds of text."""
+        """The name of the operation as it is read out; empty for other kinds of text."""
         if kind == QAccessible.Text.Name and self.isValid():
             return words_for(self.canvas, self.address)
         return ""
 
     def setText(self, kind: QAccessible.Text, text: str) -> None:
-        """Names follow the blueprint; they are not set from outside."""
+        """Ignored: names follow the blueprint and cannot be set from outside."""
 
     def rect(self) -> QRect:
-        """Where the operation lies on the screen; empty where it is gone."""
+        """The rectangle of the label on the screen (pixels); empty if the operation is gone."""
         return _on_screen(self.canvas, self.address) if self.isValid() else QRect()
 
     def role(self) -> QAccessible.Role:
@@ -294,7 +294,7 @@ class OperationAccessible(QAccessibleInterface):
 
 
 def _on_screen(canvas: Canvas, address: Address) -> QRect:
-    """Where a state's node or an operation's label lies on the screen; empty for neither."""
+    """The rectangle of a state's node or an operation's label on the screen; empty for neither."""
     rect = canvas.rect_of(address)
     if rect is None:
         return QRect()

@@ -1,7 +1,7 @@
-"""The background of a canvas: all edges that are not lit, and the nodes that have no item.
+"""The background of a canvas: edges without a highlight, and nodes that have no item.
 
-It is painted once and kept as long as nothing of it changes. Far below a readable size edges and
-nodes are painted in batches from numpy buffers. Near, edges are painted one by one.
+Qt keeps the painted background until a part of it is invalidated. At a small zoom edges and nodes
+are painted in batches from numpy buffers. At a readable zoom edges are painted one by one.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from smsl_studio.studio.base.paint import batch
 from smsl_studio.studio.base.paint.edge_paint import EdgeShapes, LineInk, paint_label, paint_plain
 
 MANY_EDGES = 700
-"""Beyond so many edges in view they are painted in a batch."""
+"""With more edges than this in view they are painted in a batch."""
 SMOOTH_EDGES, SMOOTH_NODES = 3000, 1500
-"""From so many in view on they are painted without smooth borders."""
+"""From this number in view on, edges (nodes) are painted without antialiasing."""
 
 
 def _sides(rect: QRectF) -> Rect:
@@ -37,15 +37,21 @@ def _cosmetic(pen: QPen) -> QPen:
 
 
 class EdgePainter:
-    """All edges that are not lit, below the nodes: how many are in view decides how they look."""
+    """Paints all edges without a highlight, below the nodes.
+
+    The number of edges in view decides how: one by one or in a batch, with or without antialiasing.
+    """
 
     def __init__(self, over: LitLayer) -> None:
-        """``over`` is what is painted above."""
+        """``over`` is the layer above, whose labels can hide names of this layer."""
         self._drawn, self._over = EdgeShapes(), over
         self._near = self._smooth = True
 
     def look_at(self, sheet: Sheet, view: Rect) -> bool:
-        """This part of the scene is in view now; whether edges look different for that."""
+        """Take the visible part of the scene.
+
+        Returns whether edges must now be painted differently.
+        """
         before, seen = (self._near, self._smooth), sheet.edges_in(*view)
         self._near = sheet.level >= Level.COMPACT and len(seen) <= MANY_EDGES
         source, target = sheet.picture.source[seen], sheet.picture.target[seen]
@@ -53,7 +59,7 @@ class EdgePainter:
         return before != (self._near, self._smooth)
 
     def paint(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
-        """Paint edges one by one where they are near and few, else in one batch."""
+        """Paint the exposed edges: one by one if near and few, else in one batch."""
         edges = sheet.edges_in(*_sides(exposed))
         if self._near:
             self._paint_near(painter, sheet, edges.tolist())
@@ -79,7 +85,7 @@ class EdgePainter:
         painter.restore()
 
     def names(self, sheet: Sheet, edges: Iterable[int]) -> dict[int, Rect]:
-        """Where the names of these edges stand; one that the label of a change covers hides."""
+        """The rectangles of these edges' names. A name below the label of a change is left out."""
         found = {edge: rect for edge in edges if (rect := sheet.geometry.label(edge)) is not None}
         if not sheet.looks.marks.changes:
             return found
@@ -88,7 +94,10 @@ class EdgePainter:
         return {e: r for e, r in found.items() if not any(labels.meet(r, one) for one in over)}
 
     def _paint_far(self, painter: QPainter, sheet: Sheet, edges: Numbers) -> None:
-        """Straight lines; opposite edges lie on each other, heads are two strokes."""
+        """Paint straight lines with heads of two strokes.
+
+        Opposite edges share one line at the level of dots.
+        """
         tokens = sheet.ink.tokens
         source, target = sheet.picture.source[edges], sheet.picture.target[edges]
         keep = (target >= 0) & (source != target)
@@ -107,7 +116,7 @@ class EdgePainter:
         across = np.column_stack([-along[:, 1], along[:, 0]])
         shift = across * 2.5 * sheet.unit
         half = sheet.halves()[target] if len(target) else step
-        # Where the line meets the target's box.
+        # The distance from the target's centre to its border along the line.
         reach = np.minimum(
             half[:, 0] / np.maximum(np.abs(along[:, 0]), 1e-6),
             half[:, 1] / np.maximum(np.abs(along[:, 1]), 1e-6),
@@ -127,17 +136,17 @@ class EdgePainter:
 
 
 class FarNodePainter:
-    """Nodes that are dots, boxes, or too many to be items."""
+    """Paints nodes that have no item: dots, boxes, or too many compact nodes."""
 
     def __init__(self) -> None:
         self.near: frozenset[int] = frozenset()
-        """States that are shown by an item of their own, where not all in view are."""
+        """States that have a node item, if not all states in view have one."""
         self._whole, self._smooth = True, True
 
     def look_at(self, sheet: Sheet, view: Rect, near: frozenset[int], whole: bool) -> bool:
-        """This part of the scene is in view now; whether all nodes look different for that.
+        """Take the visible part of the scene; returns whether all nodes must be painted anew.
 
-        ``whole`` says that every state in view has an item, else those in ``near`` have one.
+        ``whole`` says that every state in view has an item. Otherwise those in ``near`` have one.
         """
         before = self._whole, self._smooth
         seen = 0 if whole else sum(1 for state in sheet.states_in(*view) if state not in near)
@@ -145,7 +154,7 @@ class FarNodePainter:
         return before != (self._whole, self._smooth)
 
     def paint(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
-        """Paint dots or boxes for the states that have no node item."""
+        """Paint dots or boxes for the exposed states that have no node item."""
         if self._whole:
             return
         states = sheet.states_in(*_sides(exposed))

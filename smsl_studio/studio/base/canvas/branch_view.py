@@ -1,6 +1,6 @@
-"""BranchView: what shows one SB, as its gestures, keys and floating widgets know it.
+"""BranchView: a view of one SB, as gestures, keys and floating widgets see it.
 
-It knows where it looks, what may be done in it, and by which signals it tells what somebody wants.
+It has the camera, the switch ``editing``, and the signals by which user requests leave the canvas.
 """
 
 from __future__ import annotations
@@ -17,48 +17,48 @@ from smsl_studio.studio.base.canvas.stage import Stage
 from smsl_studio.studio.base.theme import Tokens
 
 TOP = 40
-"""The height that belongs to the breadcrumb."""
+"""The height at the top that is kept free for the breadcrumb (pixels)."""
 
 
 class BranchView(Stage):
-    """Looks at a part of one SB. Positions in signals are scene points.
+    """A view of one SB. Points in signals are scene points.
 
-    ``editing`` is False in Run mode: nothing moves, and a click on an operation asks for it
-    (``edge_clicked``).
+    ``editing`` is False in Run mode: nothing can be moved, and a click on an operation emits
+    ``edge_clicked``.
     """
 
     selection_wanted = Signal(object)
-    """tuple[Address]: what shall be selected."""
+    """tuple[Address]: select these elements."""
     add_state_wanted = Signal(QPointF)
-    """A state is wanted at this point (double click on empty canvas)."""
+    """Add a state at this point (double click on empty canvas)."""
     connect_wanted = Signal(object, object, QPointF)
-    """(source, target or None, point): an operation is wanted; without target, a state too."""
+    """(source, target or None, point): add an operation; without a target also add a state."""
     retarget_wanted = Signal(object, object)
-    """(operation, new target state): the arrowhead was dragged there."""
+    """(operation, new target state): the user dragged the arrowhead there."""
     rename_wanted = Signal(object)
-    """Address whose name shall be edited in place."""
+    """Address: edit the name of this element in place."""
     moved = Signal(object)
-    """dict[str, (x, y)]: states that were dragged and let go."""
+    """dict[str, (x, y)]: the user dragged these states to these scene points."""
     enter_wanted = Signal(str)
-    """A sub-SB shall be shown."""
+    """The name of a sub-SB: show it."""
     leave_wanted = Signal()
-    """The base SB shall be shown."""
+    """Show the base SB."""
     edge_clicked = Signal(object)
-    """Address of an operation that was clicked while not editing."""
+    """Address: an operation was clicked while ``editing`` is False."""
     node_clicked = Signal(object)
-    """Address of a state that was clicked while not editing."""
+    """Address: a state was clicked while ``editing`` is False."""
     context_wanted = Signal(object, object)
-    """(Address or None, global point): a context menu is wanted."""
+    """(Address or None, point of the screen): open a context menu."""
     quick_add_wanted = Signal()
-    """Tab or /: an operation shall be added from the selected state."""
+    """Add an operation from the selected state (Tab or /)."""
     pressed = Signal()
     """A mouse button went down on the canvas."""
     delete_wanted = Signal()
-    """Del: the selection shall go."""
+    """Delete the selection (Del)."""
     fact_wanted = Signal(int)
-    """A fact of a selected state was clicked: its digit."""
+    """The digit of a fact of the selected state that was clicked."""
     verb_wanted = Signal(str)
-    """A key asks for an action of the window by its id: copy, cut, paste, duplicate, find."""
+    """The id of a window action whose key was pressed: copy, cut, paste, duplicate, find."""
     hover_changed = Signal(object)
     """Address under the pointer, or None."""
 
@@ -66,32 +66,32 @@ class BranchView(Stage):
         super().__init__(tokens, parent)
         self.editing = True
         self.why_not: Callable[[Address, Address], str] = lambda source, target: ""
-        """Why an operation from a state to another is impossible; the empty text if it is not."""
+        """Called with (source, target): why there can be no such operation; empty if there can."""
         self.extended: Callable[[], tuple[Address, ...]] = lambda: self.marks.selection
-        """What a click with Shift or Ctrl adds to."""
+        """The selection that a click with Shift or Ctrl extends."""
 
     def say(self, text: str, at: QPointF | None = None) -> None:
-        """Say a short sentence at the pointer, or at a scene point."""
+        """Show a short sentence at the pointer, or at a scene point."""
 
     def top_room(self) -> int:
-        """The height at the top that belongs to what stands over the picture."""
+        """The height at the top that floating widgets cover (pixels)."""
         return TOP
 
     def zoom_to(self, zoom: float) -> None:
-        """Zoom about the middle: 1.0 is 100 %."""
+        """Zoom about the middle of the view; 1.0 is 100 %."""
         self.camera.keep("")
         self.camera.go(self.camera.centre, zoom)
 
     def zoom_in(self) -> None:
-        """Zoom in one step about the middle."""
+        """Zoom in one step about the middle of the view."""
         self.zoom_to(self.zoom * STEP)
 
     def zoom_out(self) -> None:
-        """Zoom out one step about the middle."""
+        """Zoom out one step about the middle of the view."""
         self.zoom_to(self.zoom / STEP)
 
     def fit(self, smooth: bool = True) -> None:
-        """Show everything, at 100 % at most."""
+        """Show the whole SB, at 100 % at most."""
         sheet = self.sheet
         self.camera.keep("fit", fitted=True)
         if sheet is None or not len(sheet.at):
@@ -100,9 +100,10 @@ class BranchView(Stage):
         self._look_below_top(*frame_of(sheet, self._room), smooth)
 
     def look_at_opening(self) -> None:
-        """Show everything; where states could not be told apart then, what is about the initial.
+        """Show the whole SB, or the part around the initial state if states would be too small.
 
-        While nobody draws everything is shown all the same: what runs is lit and named.
+        With ``editing`` off it always shows the whole, because a run highlights and names what
+        matters.
         """
         sheet = self.sheet
         if sheet is None or not len(sheet.at):
@@ -115,7 +116,7 @@ class BranchView(Stage):
         self._look_below_top(*(first or whole), smooth=False)
 
     def look_again(self) -> None:
-        """There is more room or less: look at what was looked at, if nobody zoomed or panned."""
+        """Repeat the last fit after the view changed its size, unless the user zoomed or panned."""
         if self.camera.keeps == "fit":
             self.fit(smooth=False)
         elif self.camera.keeps == "opening":
@@ -123,7 +124,7 @@ class BranchView(Stage):
 
     @property
     def _room(self) -> tuple[float, float]:
-        """The pixels a picture may fill: all but the top, which belongs to the breadcrumb."""
+        """The size that a picture may fill (pixels): the viewport without ``top_room``."""
         view = self.viewport()
         return float(view.width()), float(view.height() - self.top_room())
 
@@ -132,13 +133,13 @@ class BranchView(Stage):
         self.camera.go(middle - QPointF(0.0, top / 2 / zoom), zoom, smooth)
 
     def reveal(self, address: Address, smooth: bool = True) -> None:
-        """Bring a state or operation into view, without zooming, where it is not in view yet."""
+        """Scroll to a state or operation if it is not in view. The zoom stays."""
         rect = self.rect_of(address)
         if rect is not None:
             self.reveal_point(rect.center(), smooth)
 
     def reveal_point(self, at: QPointF, smooth: bool = True) -> None:
-        """Scroll until a scene point is in view, where it is not; it is in the middle then."""
+        """Scroll a scene point to the middle if it is not in ``clear_view``. The zoom stays."""
         self.camera.finish()
         if not self.clear_view.contains(at):
             self.camera.keep("")
@@ -146,7 +147,7 @@ class BranchView(Stage):
 
     @property
     def clear_view(self) -> QRectF:
-        """The part of the scene in view in which a node is whole, and below the breadcrumb."""
+        """The visible part of the scene without a margin, so that a node at its border is whole."""
         view = self.viewport().rect()
         across, down = min(70, view.width() // 3), min(64, view.height() // 3)
         return self.mapToScene(view.adjusted(across, down, -across, -down)).boundingRect()

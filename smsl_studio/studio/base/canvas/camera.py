@@ -20,15 +20,16 @@ STEP = 1.2
 
 
 class Camera(QObject):
-    """Where a view looks: the scene point in its middle, and the zoom.
+    """The scene point in the middle of a view, and the zoom.
 
-    ``fitted`` says that everything is in view. ``keeps`` says what a canvas looks at again when it
-    has grown: everything ("fit") or what an SB opens at ("opening"), until somebody zooms or pans.
+    ``fitted`` says that the whole picture is in view. ``keeps`` says what to show again after the
+    view changed its size: "fit" (the whole), "opening" (what an SB opens with), or empty after the
+    user zoomed or panned.
     """
 
     zoom_changed = Signal(float)
     arrived = Signal()
-    """A movement has ended."""
+    """A movement, or a jump without movement, has ended."""
 
     def __init__(self, view: QGraphicsView) -> None:
         super().__init__(view)
@@ -56,11 +57,11 @@ class Camera(QObject):
         return self._view.mapToScene(self._view.viewport().rect()).boundingRect().center()
 
     def keep(self, what: str, fitted: bool = False) -> None:
-        """What shall be looked at again, and whether that is everything."""
+        """Set ``keeps`` and ``fitted``."""
         self.keeps, self.fitted = what, fitted
 
     def zoom_at(self, factor: float, at: QPointF) -> None:
-        """Zoom by a factor so that what is under a point of the viewport stays there."""
+        """Multiply the zoom; the scene point below ``at`` (viewport pixels) stays there."""
         self._animation.stop()
         self.keep("")
         zoom = min(max(self.zoom * factor, LEAST), MOST)
@@ -77,7 +78,10 @@ class Camera(QObject):
         bars[1].setValue(bars[1].value() - round(dy))
 
     def go(self, centre: QPointF, zoom: float, smooth: bool = True) -> None:
-        """Look at a scene point at a zoom, with a short movement where motion is wanted."""
+        """Show a scene point in the middle at this zoom.
+
+        ``smooth`` moves there in a short animation.
+        """
         zoom = min(max(zoom, LEAST), MOST)
         self._animation.stop()
         if not (smooth and self.motion and self._view.isVisible()):
@@ -88,7 +92,7 @@ class Camera(QObject):
         self._animation.start()
 
     def finish(self) -> None:
-        """End a movement at once."""
+        """Jump to the end of a movement."""
         if self._animation.state() is QVariantAnimation.State.Running:
             self._animation.stop()
             self._look(*self._to)
@@ -99,7 +103,7 @@ class Camera(QObject):
         self._look(a + (b - a) * share, zoom)
 
     def _look(self, centre: QPointF, zoom: float) -> None:
-        # Whole percents where it makes no difference, so that 100 % is exactly 1.
+        # A zoom close to 100 % becomes exactly 1.0, so that texts are sharp.
         if abs(zoom - 1.0) < 0.004:
             zoom = 1.0
         view = self._view
@@ -116,7 +120,11 @@ class Camera(QObject):
 def fit_zoom(
     extent: QRectF, marks: tuple[float, float], room: tuple[float, float], most: float = 1.0
 ) -> float:
-    """The zoom at which an extent (scene) and the marks around it (pixels) fill a room (pixels)."""
+    """The zoom at which a picture fills a room.
+
+    ``extent`` is in scene units. ``marks`` is what the signs around it need in addition and
+    ``room`` is the free size, both (width, height) in pixels. ``most`` is the largest zoom.
+    """
     width = max(extent.width(), 1.0)
     height = max(extent.height(), 1.0)
     free_w, free_h = max(room[0] - marks[0], 40.0), max(room[1] - marks[1], 40.0)

@@ -1,7 +1,7 @@
-"""Canvas: the view of one SB. It draws and gestures; it never edits a blueprint itself.
+"""Canvas: the view of one SB. It paints it and handles gestures; it never edits a blueprint.
 
-What somebody wants is told by signals (``CanvasEditor`` turns them into edits of a session); what
-is shown is set by ``show_branch`` and ``set_marks``.
+User requests leave it as signals, and ``CanvasEditor`` turns them into edits of a session.
+``show_branch`` and ``set_marks`` set what it shows.
 """
 
 from __future__ import annotations
@@ -68,9 +68,10 @@ class Canvas(BranchView):
         positions: Mapping[str, Position] | None = None,
         keep_view: bool = False,
     ) -> None:
-        """Show an SB where it opens. Without positions they are those of its layout.
+        """Show an SB. Without ``positions`` the states stand where the layout puts them.
 
-        ``keep_view`` leaves zoom and place alone: the same SB after an edit.
+        ``keep_view`` keeps zoom and place, for the same SB after an edit. Otherwise the SB is shown
+        as it opens.
         """
         self.hand.reset()
         sheet: Sheet | None = None
@@ -88,7 +89,7 @@ class Canvas(BranchView):
         self._describe()
 
     def look_at_opening(self) -> None:
-        """Show everything, or what is about the initial state.
+        """Show the whole SB, or the part around the initial state if states would be too small.
 
         Before the first picture this waits until the size of the canvas is settled.
         """
@@ -100,7 +101,10 @@ class Canvas(BranchView):
     def show_places(
         self, blueprint: Blueprint, branch: str, positions: Mapping[str, Position]
     ) -> None:
-        """Show the same states and operations at other places, after a move or its undo."""
+        """Move states to other places (scene points), after a move or its undo.
+
+        Nothing else changed.
+        """
         sheet = self.sheet
         if sheet is None or branch != sheet.picture.branch.name:
             self.show_branch(blueprint, branch, positions, keep_view=True)
@@ -110,13 +114,13 @@ class Canvas(BranchView):
         sheet.picture.branch = blueprint[branch]
         index = sheet.picture.index
         sheet.move({index[n]: at for n, at in positions.items() if n in index})
-        # Saved under another name, the same picture stands below another file.
+        # After a save under another name the breadcrumb shows the new file.
         self.overlays.breadcrumb.show_branch(blueprint, branch)
         self.settle()
         self.hand.show_grip()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         super().set_tokens(tokens)
         self.overlays.set_tokens(tokens)
 
@@ -132,15 +136,15 @@ class Canvas(BranchView):
             self._describe()
 
     def show_banner(self, text: str) -> None:
-        """Say something across the top, such as "The drawing has moved on"; empty hides it."""
+        """Show a sentence across the top, such as "The drawing has moved on"; empty hides it."""
         self.overlays.show_banner(text)
 
     def show_pending(
         self, source: Address | None, target: Address | None = None, at: QPointF | None = None
     ) -> None:
-        """Show an operation that is being named: dashed, to a state or to a new one at a point.
+        """Show an operation while it is being named: a dashed line to a state, or to a point.
 
-        None takes it away.
+        Without ``source`` it disappears.
         """
         rect = self.rect_of(source) if source is not None else None
         if source is None or rect is None or at is None or source == target:
@@ -152,15 +156,15 @@ class Canvas(BranchView):
         self.gestures.put("drawn", DrawnOperation(start, end, ghost=target is None))
 
     def say(self, text: str, at: QPointF | None = None) -> None:
-        """Say a short sentence at the pointer, or at a scene point."""
+        """Show a short sentence at the pointer, or at a scene point."""
         self.overlays.say(text, self.mapFromScene(at) if at is not None else None)
 
     def top_room(self) -> int:
-        """The height at the top that belongs to the breadcrumb, or to the head of a run."""
+        """The height at the top that the breadcrumb or a banner covers (pixels)."""
         return self.overlays.top_room()
 
     def _describe(self) -> None:
-        """Tell assistive tools what is shown and what is selected."""
+        """Tell assistive tools which SB is shown and what is selected."""
         sheet = self.sheet
         if sheet is None or not len(sheet.picture):
             self.setAccessibleDescription("Empty. Double-click to add the first state.")
@@ -178,13 +182,13 @@ class Canvas(BranchView):
             QAccessible.updateAccessibility(event)
 
     def describe(self, address: Address) -> str:
-        """A state or operation in words: "State_1100, active, 7 operations out"."""
+        """The words for a state or operation, such as "State_1100, active, 7 operations out"."""
         return words_for(self, address)
 
     # Qt's events
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Place what floats again, and look at what was looked at before."""
+        """Place the floating widgets again and repeat the last fit."""
         super().resizeEvent(event)
         if self._fitted:
             self._fit_in()
@@ -198,16 +202,16 @@ class Canvas(BranchView):
             self.refresh_pool()
 
     def _fit_first(self) -> None:
-        """Look from where the SB opens, now that the layouts of the window have their sizes."""
+        """Show the SB as it opens, now that the layouts of the window have their sizes."""
         if not self._fitted:
             self._fitted = True
             self._fit_in()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Draw the SB, or only the ground in a window whose size is not settled yet.
+        """Paint the SB, or only the ground if the size of the window is not settled yet.
 
         Nothing is moved while Qt paints a window. A canvas that is not on the screen is painted
-        into an image; no event loop settles its size, so this does.
+        into an image. No event loop settles its size, so this does.
         """
         if not self._fitted and not self.isVisible():
             self._fit_first()
@@ -215,7 +219,7 @@ class Canvas(BranchView):
             super().paintEvent(event)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Place what floats and look again, because the size is known only now."""
+        """Place the floating widgets and fit again, because the size is known only now."""
         super().showEvent(event)
         if self._fitted:
             self.overlays.place()
@@ -237,55 +241,55 @@ class Canvas(BranchView):
         event.accept()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Let the hand begin a gesture."""
+        """Hand the press to ``Hand``, which begins a gesture."""
         self.hand.press(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Let the hand go on with the gesture, or hover."""
+        """Hand the move to ``Hand``: it continues the gesture, or updates what is hovered."""
         self.hand.move(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let the hand end the gesture."""
+        """Hand the release to ``Hand``, which ends the gesture."""
         self.hand.release(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Let the hand answer the double click."""
+        """Hand the double click to ``Hand``."""
         self.hand.double_click(event)
 
     def leaveEvent(self, event: object) -> None:
-        """Hover nothing once the pointer is outside."""
+        """End the hover, because the pointer is outside now."""
         super().leaveEvent(event)  # type: ignore[arg-type]
         self.hand.left()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Ask for the menu of what lies under the pointer."""
+        """Emit ``context_wanted`` with the element under the pointer."""
         at = self.mapToScene(event.pos())
         self.context_wanted.emit(self.address_at(at), event.globalPos())
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Let the hand take the key; one it does not use goes on to the window."""
+        """Hand the key to ``Hand``; a key it does not use goes on to the window."""
         if not self.hand.key_press(event):
             event.ignore()
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """Let the hand take the key; one it does not use goes on to the window."""
+        """Hand the key to ``Hand``; a key it does not use goes on to the window."""
         if not self.hand.key_release(event):
             event.ignore()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Show the line around the canvas."""
+        """Show the outline that marks the keyboard focus."""
         super().focusInEvent(event)
         self.overlays.ring.show_focus(True)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Hide the line around the canvas, and let go of Space."""
+        """Hide the outline, and treat Space as released."""
         super().focusOutEvent(event)
         self.overlays.ring.show_focus(False)
         self.hand.lost_focus()
 
     def focusNextPrevChild(self, forward: bool) -> bool:
-        """Tab adds an operation while a state is selected; else it goes on as everywhere."""
+        """With a selected state Tab adds an operation; otherwise it moves the focus as usual."""
         if self.editing and any(a.state for a in self.marks.selection):
             return False
         return super().focusNextPrevChild(forward)

@@ -1,4 +1,4 @@
-"""Framing: what of a sheet is to be seen when everything is to be seen, and at which zoom."""
+"""Frames: which part of a sheet a view shows by itself, and at which zoom."""
 
 from __future__ import annotations
 
@@ -10,14 +10,17 @@ from smsl_studio.studio.base.canvas.sheet import Sheet
 
 Room = tuple[float, float]
 MARGIN = (28.0, 20.0)
-"""Pixels left free in all, across and down."""
+"""Pixels left free: left and right together, top and bottom together."""
 FAR_MARKS = (56.0, 64.0)
-"""What compact nodes, their dot and labels reach beyond their centres in a large picture."""
+"""Pixels that compact nodes, the initial dot and labels need beyond the node centres."""
 FULL_FROM = 0.70
 
 
 def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
-    """The middle and the zoom at which a sheet fits a room of so many pixels, 100 % at most."""
+    """The scene point for the middle and the zoom (100 % at most) that show a whole sheet.
+
+    ``room`` is the free width and height in pixels.
+    """
     before = sheet.zoom
     try:
         if not sheet.picture.small:
@@ -37,10 +40,10 @@ def frame_of(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
 
 
 def opening_of(sheet: Sheet, room: Room, whole: float) -> tuple[QPointF, float] | None:
-    """Where an SB opens whose states could not be told apart at the zoom that shows the ``whole``.
+    """The middle and zoom for the first look at an SB that is too large to be read as a whole.
 
-    The initial state is in view, and no more of the void around the drawing than must be. None
-    where everything can be read when everything is in view.
+    ``whole`` is the zoom that shows everything. The initial state is in view, with as little empty
+    space around the drawing as possible. None if the SB can be read at ``whole``.
     """
     zoom = readable_zoom(sheet.spacing)
     if whole >= zoom:
@@ -58,14 +61,18 @@ def opening_of(sheet: Sheet, room: Room, whole: float) -> tuple[QPointF, float] 
 
 
 def _held(at: float, size: float, low: float, high: float) -> float:
-    """The middle of a view of this size that looks at a point, but not beyond both ends."""
+    """The middle of a view of this size, as near to ``at`` as possible without passing low or
+    high."""
     if size >= high - low:
         return (low + high) / 2
     return min(max(at, low + size / 2), high - size / 2)
 
 
 def _compact_frame(sheet: Sheet, room: Room) -> tuple[QPointF, float]:
-    """Marks keep their size on the screen, so the zoom is found in two steps."""
+    """The frame of compact nodes.
+
+    Labels and signs keep their size on the screen, so a second step corrects the zoom of the first.
+    """
     centres = _centres(sheet)
     most = FULL_FROM - 0.01 if sheet.roomy else 1.0
     zoom = fit_zoom(centres, FAR_MARKS, room, most)
@@ -87,7 +94,7 @@ def _centres(sheet: Sheet) -> QRectF:
 
 
 def _bounds(sheet: Sheet) -> QRectF:
-    """All that nodes, lines and labels cover at the sheet's zoom."""
+    """The rectangle that nodes, lines and labels cover at the sheet's zoom (scene units)."""
     half, unit = sheet.halves(), sheet.unit
     low, high = (sheet.at - half).min(axis=0), (sheet.at + half).max(axis=0)
     whole = QRectF(QPointF(*low), QPointF(*high)).adjusted(-4 * unit, -4 * unit, 4 * unit, 4 * unit)
@@ -96,13 +103,13 @@ def _bounds(sheet: Sheet) -> QRectF:
         x, y = sheet.at[initial] - half[initial]
         whole = whole.united(QRectF(x - 28.0 * unit, y, 28.0 * unit, 10.0 * unit))
     for goal in sheet.looks.marks.goals & sheet.picture.index.keys():
-        # "goal" stands below the node.
+        # The word "goal" stands below the node.
         x, y = sheet.at[sheet.picture.index[goal]]
         below = y + half[sheet.picture.index[goal]][1]
         whole = whole.united(QRectF(x, below, 1.0, 24.0 * unit))
     geometry = sheet.geometry
     for edge in range(len(sheet.picture.operations)):
-        # Also during a run, in which each of them may come to be lit.
+        # Hidden labels count too, because a run may highlight each of them.
         for rect in (geometry.shape(edge).bounds, geometry.label(edge)):
             if rect is not None:
                 left, top, right, bottom = rect

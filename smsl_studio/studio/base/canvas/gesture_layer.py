@@ -1,4 +1,4 @@
-"""What a gesture shows while it lasts: the band, the line being drawn, the handle, the grip."""
+"""The layer that shows a gesture: selection band, drawn line, handle, and grip."""
 
 from __future__ import annotations
 
@@ -15,17 +15,18 @@ HANDLE_RADIUS = 8.0
 
 @dataclass
 class DrawnOperation:
-    """An operation that is being drawn: from a point on the source's border to the pointer."""
+    """The line of an operation that the user is drawing, from the source to the pointer (scene
+    points)."""
 
     start: QPointF
     end: QPointF
     refused: bool = False
     ghost: bool = False
-    """Whether a new state would arise at the end."""
+    """Whether the line ends on empty canvas, where a new state would be added."""
 
 
 class GestureLayer(QGraphicsItem):
-    """The topmost layer; lengths are pixels of the screen at every zoom."""
+    """The topmost layer of the scene. Its signs have the same size in pixels at every zoom."""
 
     def __init__(self, view: QGraphicsView) -> None:
         super().__init__()
@@ -40,18 +41,18 @@ class GestureLayer(QGraphicsItem):
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
     def cover(self, rect: QRectF) -> None:
-        """Reach over this part of the scene."""
+        """Set the part of the scene that this layer covers."""
         if rect != self._rect:
             self.prepareGeometryChange()
             self._rect = rect
 
     def clear(self) -> None:
-        """Show nothing."""
+        """Remove band, line, handle and grip."""
         for name in ("band", "drawn", "handle", "grip"):
             self.put(name, None)
 
     def put(self, name: str, value: object) -> None:
-        """Show another band, line, handle or grip; only what it covers is painted again."""
+        """Set ``band``, ``drawn``, ``handle`` or ``grip``, and repaint only what it covers."""
         before = self._area()
         setattr(self, name, value)
         dirty = before.united(self._area())
@@ -73,13 +74,13 @@ class GestureLayer(QGraphicsItem):
         return rect.adjusted(-pad, -pad, pad, pad) if not rect.isNull() else rect
 
     def boundingRect(self) -> QRectF:
-        """The part of the scene that ``cover`` set."""
+        """The part of the scene that ``cover`` has set."""
         return self._rect
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        """Paint the band, the line that is drawn, the handle and the grip, where they are there."""
+        """Paint band, line, handle and grip, if they are set."""
         ink = self.ink
         if ink is None:
             return

@@ -1,4 +1,4 @@
-"""Gestures: small objects that live from a press to its release."""
+"""Gestures: small objects that live from a press of a mouse button to its release."""
 
 from __future__ import annotations
 
@@ -17,29 +17,29 @@ Modifier = Qt.KeyboardModifier
 
 
 class Gesture(Protocol):
-    """What follows a press of a mouse button."""
+    """A mouse gesture on the canvas, begun by a press of a button."""
 
     def move(self, event: QMouseEvent) -> None:
         """The pointer moved while the button is down."""
 
     def release(self, event: QMouseEvent) -> None:
-        """The button was let go: do what the gesture stands for."""
+        """The button was released: carry out the gesture."""
 
     def cancel(self) -> None:
-        """Leave everything as it was before the press."""
+        """The gesture was cancelled: restore what was there before the press."""
 
 
 class GestureOwner(Protocol):
-    """What a gesture asks of the hand that makes it."""
+    """What a gesture needs from ``Hand``, which made it."""
 
     def fact_at(self, state: int, at: QPointF) -> int:
-        """The digit of the fact whose chip lies at a scene point; -1 for none."""
+        """The digit of the fact whose chip is at a scene point; -1 for none."""
 
     def hover_target(self, address: Address | None) -> None:
-        """Light the state that an operation would lead to; None lights none."""
+        """Highlight the state that would become the target; None removes the highlight."""
 
     def hush(self) -> None:
-        """Hide what is said at the pointer."""
+        """Hide the sentence at the pointer."""
 
 
 def _is_far(a: QPoint, b: QPoint) -> bool:
@@ -54,22 +54,22 @@ class Pan:
         canvas.viewport().setCursor(Qt.CursorShape.ClosedHandCursor)
 
     def move(self, event: QMouseEvent) -> None:
-        """Move the picture as far as the pointer moved."""
+        """Move the picture by as much as the pointer moved."""
         step = event.position() - self._last
         self._last = event.position()
         self._canvas.camera.pan(step.x(), step.y())
 
     def release(self, event: QMouseEvent) -> None:
-        """Give the pointer its usual shape again."""
+        """Restore the usual pointer."""
         self.cancel()
 
     def cancel(self) -> None:
-        """Give the pointer its usual shape again; the picture stays where it is."""
+        """Restore the usual pointer; the picture stays where it is."""
         self._canvas.viewport().unsetCursor()
 
 
 class Band:
-    """Selects the states (and the operations between them) in a rectangle."""
+    """Selects the states whose nodes touch a rectangle that the user draws."""
 
     def __init__(self, canvas: BranchView, event: QMouseEvent) -> None:
         self._canvas = canvas
@@ -79,7 +79,7 @@ class Band:
         self._begun = False
 
     def move(self, event: QMouseEvent) -> None:
-        """Draw the band and select what lies in it."""
+        """Draw the rectangle and select the states that it touches."""
         here = event.position().toPoint()
         if not self._begun and not _is_far(self._start, here):
             return
@@ -89,14 +89,17 @@ class Band:
         self._canvas.selection_wanted.emit(self._selected(rect.normalized()))
 
     def release(self, event: QMouseEvent) -> None:
-        """Take the band away; a click alone selects nothing, unless Shift or Ctrl is held."""
+        """Remove the rectangle.
+
+        A click without a drag clears the selection, unless Shift or Ctrl is held.
+        """
         self._canvas.gestures.put("band", None)
         kept = self._modifiers & (Modifier.ShiftModifier | Modifier.ControlModifier)
         if not self._begun and not kept:
             self._canvas.selection_wanted.emit(())
 
     def cancel(self) -> None:
-        """Take the band away and select again what was selected before."""
+        """Remove the rectangle and restore the former selection."""
         self._canvas.gestures.put("band", None)
         self._canvas.selection_wanted.emit(self._before)
 
@@ -122,7 +125,7 @@ class Band:
 
 
 class DragStates:
-    """A press on a state: a click selects it, a drag moves it with all that are selected."""
+    """A press on a state: a click selects it, a drag moves it and all selected states."""
 
     def __init__(
         self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, state: int
@@ -145,7 +148,7 @@ class DragStates:
         self._places = {i: (float(sheet.at[i, 0]), float(sheet.at[i, 1])) for i in states}
 
     def move(self, event: QMouseEvent) -> None:
-        """Move the selected states on the grid; Alt leaves the grid aside."""
+        """Move the states in steps of the grid; with Alt without the grid."""
         here = event.position().toPoint()
         if not self._canvas.editing or (not self._begun and not _is_far(self._start, here)):
             return
@@ -154,13 +157,14 @@ class DragStates:
         x, y = self._places[self._state]
         dx, dy = step.x(), step.y()
         if not event.modifiers() & Modifier.AltModifier:
-            # The state under the pointer comes to lie on the grid, the others keep with it.
+            # Only the state under the pointer snaps to the grid. The others keep their distance to
+            # it.
             dx = round((x + dx) / GRID) * GRID - x
             dy = round((y + dy) / GRID) * GRID - y
         self._canvas.drag_states({i: (px + dx, py + dy) for i, (px, py) in self._places.items()})
 
     def release(self, event: QMouseEvent) -> None:
-        """Tell where the states were dropped; a click without a drag selects."""
+        """Emit the new places after a drag; select the state after a click."""
         sheet = self._canvas.sheet
         if not self._begun or sheet is None:
             if self._late:
@@ -176,21 +180,22 @@ class DragStates:
             self._canvas.moved.emit(places)
 
     def _want_fact(self) -> None:
-        """A click on a fact of the one state that was selected before asks for the fact."""
+        """Emit ``fact_wanted`` for a click on a fact of the state that alone was selected
+        before."""
         canvas = self._canvas
         digit = self._hand.fact_at(self._state, canvas.mapToScene(self._start))
         if digit >= 0:
             canvas.fact_wanted.emit(digit)
 
     def cancel(self) -> None:
-        """Put the states back to where they were."""
+        """Put the states back where they were."""
         if self._begun:
             self._canvas.drag_states(self._places)
             self._canvas.settle()
 
 
 class Connect:
-    """Draws an operation from a state's handle; lets go over a state or over empty canvas."""
+    """Draws an operation from a state's handle to a state or to empty canvas."""
 
     def __init__(
         self,
@@ -200,7 +205,10 @@ class Connect:
         state: int,
         start: QPointF,
     ) -> None:
-        """``event`` is the press it begins with; None where it follows the pointer unpressed."""
+        """``event`` is the press that began it.
+
+        None if the line follows the pointer without a button.
+        """
         sheet = canvas.sheet
         assert sheet is not None
         self._canvas, self._hand = canvas, hand
@@ -212,7 +220,7 @@ class Connect:
         canvas.gestures.put("drawn", DrawnOperation(start, start))
 
     def move(self, event: QMouseEvent) -> None:
-        """Draw the line to the pointer, and say why the state below it cannot be the target."""
+        """Draw the line to the pointer. If the state below cannot be the target, say why."""
         here = event.position().toPoint()
         self._begun = self._begun or _is_far(self._pressed, here)
         at = self._canvas.mapToScene(here)
@@ -229,7 +237,8 @@ class Connect:
             self._hand.hush()
 
     def release(self, event: QMouseEvent) -> None:
-        """Ask for an operation to the state below the pointer, or to a new one on empty canvas."""
+        """Ask for an operation to the state below the pointer, or to a new state on empty
+        canvas."""
         at = self._canvas.mapToScene(event.position().toPoint())
         target = _state_at(self._canvas, at)
         self.cancel()
@@ -242,7 +251,7 @@ class Connect:
             self._canvas.connect_wanted.emit(self._source, target, at)
 
     def cancel(self) -> None:
-        """Take the line and what was said about it away."""
+        """Remove the line and the sentence at the pointer."""
         self._canvas.gestures.put("drawn", None)
         self._hand.hover_target(None)
         self._hand.hush()
@@ -253,7 +262,7 @@ class Connect:
 
 
 class Retarget:
-    """Drags the arrowhead of a selected operation to another state."""
+    """Drags the arrowhead of the selected operation to another state."""
 
     def __init__(
         self, canvas: BranchView, hand: GestureOwner, event: QMouseEvent, edge: int
@@ -267,7 +276,7 @@ class Retarget:
         self._begun = False
 
     def move(self, event: QMouseEvent) -> None:
-        """Draw the line to the pointer, and say where there is no target."""
+        """Draw the line to the pointer. If there is no state below it, say what is missing."""
         here = event.position().toPoint()
         if not self._begun and not _is_far(self._pressed, here):
             return
@@ -290,7 +299,7 @@ class Retarget:
             self._canvas.retarget_wanted.emit(self._address, target)
 
     def cancel(self) -> None:
-        """Take the line and what was said about it away."""
+        """Remove the line and the sentence at the pointer."""
         self._canvas.gestures.put("drawn", None)
         self._hand.hover_target(None)
         self._hand.hush()
@@ -299,7 +308,7 @@ class Retarget:
 def selection_after(
     selection: tuple[Address, ...], address: Address, modifiers: Qt.KeyboardModifier
 ) -> tuple[Address, ...]:
-    """The selection after a click: Shift adds, Ctrl toggles, else it is this one alone."""
+    """The selection after a click: Shift adds, Ctrl toggles, otherwise only the clicked element."""
     if modifiers & Modifier.ControlModifier:
         if address in selection:
             return tuple(a for a in selection if a != address)

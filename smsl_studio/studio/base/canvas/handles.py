@@ -1,4 +1,4 @@
-"""Handles: where an operation can be drawn from, at the border of each state."""
+"""Handles: the points at the border of a state from which an operation can be drawn."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from PySide6.QtCore import QPointF, QRectF
 from smsl_studio.studio.base.canvas.sheet import Sheet
 
 OUT = 6.0
-"""How far a handle's middle stands outside the border (pixels)."""
+"""Distance from the node's border to the middle of a handle (pixels)."""
 
 
 def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
-    """Where the handles of a state stand, by side (scene points)."""
+    """The handles of a state as scene points: right, left, top, bottom."""
     x, y = sheet.at[state].tolist()
     w, h = sheet.halves()[state].tolist()
     out = OUT / sheet.zoom
@@ -24,7 +24,7 @@ def handles(sheet: Sheet, state: int) -> dict[str, QPointF]:
 
 
 def nearest(sheet: Sheet, state: int, point: QPointF) -> QPointF:
-    """The handle on the side of a node that is nearest to a point."""
+    """The handle on that side of a node which is nearest to a scene point."""
     x, y = sheet.at[state].tolist()
     w, h = sheet.halves()[state].tolist()
     dx, dy = point.x() - x, point.y() - y
@@ -40,7 +40,10 @@ def nearest(sheet: Sheet, state: int, point: QPointF) -> QPointF:
 def pending_ends(
     sheet: Sheet, state: int, at: QPointF, goal: QRectF | None
 ) -> tuple[QPointF, QPointF]:
-    """Where a pending operation leaves its source, and where it ends: at a point or a node."""
+    """The two ends (scene points) of an operation that is being named.
+
+    It ends at ``at``, or at the border of the rectangle ``goal``.
+    """
     aim = goal.center() if goal is not None else at
     x, y = sheet.at[state].tolist()
     w, h = sheet.halves()[state].tolist()
@@ -51,7 +54,7 @@ def pending_ends(
     if goal is None:
         return start, at
     step = goal.center() - start
-    # From the border of the target, not from its middle.
+    # The line ends at the border of the target, not in its middle.
     reach = min(
         (goal.width() / 2 + 3.0) / max(abs(step.x()), 1e-6),
         (goal.height() / 2 + 3.0) / max(abs(step.y()), 1e-6),

@@ -1,4 +1,4 @@
-"""The hover pad: four buttons beside a state the pointer rests on."""
+"""The hover pad: four buttons beside the state under the pointer."""
 
 from __future__ import annotations
 
@@ -19,10 +19,13 @@ AWAY = 20
 
 
 class HoverPad(Card):
-    """Adds an operation, connects, makes a self loop, renames; stands where it covers no node."""
+    """Buttons that add an operation, connect, add a self loop, and rename.
+
+    It appears after the pointer has rested on a state, beside it, where it covers no node.
+    """
 
     operation_wanted = Signal(object)
-    """Address of a state from which an operation shall be drawn."""
+    """Address: the user wants to draw an operation from this state."""
 
     def __init__(self, canvas: BranchView, tokens: Tokens, busy: Callable[[], bool]) -> None:
         super().__init__(canvas, tokens, 8.0)
@@ -65,11 +68,12 @@ class HoverPad(Card):
 
     @property
     def address(self) -> Address | None:
-        """The state the pad belongs to; None while it is hidden."""
+        """The state that the pad belongs to; None while it is hidden."""
         return self._address if not self.isHidden() else None
 
     def hover(self, address: Address | None) -> None:
-        """The pointer is at a state, at an operation, or at neither."""
+        """Take the element under the pointer (None for none): show or hide the pad after a
+        delay."""
         canvas = self._canvas
         sheet = canvas.sheet
         wanted = (
@@ -99,11 +103,11 @@ class HoverPad(Card):
         self.hide()
 
     def enterEvent(self, event: QEnterEvent) -> None:
-        """Stay as long as the pointer is on it."""
+        """Stay while the pointer is on the pad."""
         self._hide.stop()
 
     def leaveEvent(self, event: QEvent) -> None:
-        """Go soon after the pointer left it."""
+        """Hide soon after the pointer has left the pad."""
         self._hide.start()
 
     def _appear(self) -> None:
@@ -123,7 +127,10 @@ class HoverPad(Card):
         self.raise_()
 
     def _free_place(self, node: QRectF) -> QPoint | None:
-        """Left or right of the node, where no other node is covered."""
+        """A place left or right of the node where the pad covers no other node.
+
+        None if there is none.
+        """
         canvas, size = self._canvas, self.sizeHint()
         sheet = canvas.sheet
         assert sheet is not None

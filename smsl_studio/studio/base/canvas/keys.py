@@ -1,4 +1,4 @@
-"""The keys of the canvas. Single keys act only while the canvas has the focus."""
+"""The keys of the canvas. They act only while the canvas has the keyboard focus."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ VERBS = {
     Key.Key_D: "duplicate",
     Key.Key_F: "find",
 }
-"""What Ctrl and a key ask of the window while the canvas has the focus."""
+"""The window actions for Ctrl and a key while the canvas has the focus."""
 PAN_STEP = 64.0
 
 
 def press(canvas: BranchView, event: QKeyEvent) -> bool:
-    """Act on a key; False where it means nothing here."""
+    """Act on a key; False if the canvas has no use for it."""
     key = Key(event.key())
     modifiers = event.modifiers() & ~Modifier.KeypadModifier
     if key in ARROWS and modifiers in (Modifier.NoModifier, Modifier.ShiftModifier):
@@ -86,7 +86,7 @@ def _edit_key(canvas: BranchView, key: Qt.Key, text: str) -> bool:
 
 
 def enter_sub(canvas: BranchView) -> bool:
-    """Enter the one sub-SB of this SB; where there are several, a chip must be chosen."""
+    """Show the sub-SB of this SB. If there are several, ask for a double click on a fact."""
     sheet = canvas.sheet
     if sheet is None:
         return False
@@ -107,7 +107,7 @@ def select_all(canvas: BranchView) -> None:
 
 
 def _arrow(canvas: BranchView, dx: float, dy: float, extend: bool) -> None:
-    """Go to the next state in a direction, or pan where none is selected."""
+    """Select the next state in a direction; without a selected state pan instead."""
     sheet = canvas.sheet
     selection = canvas.marks.selection
     states = [s for a in selection if sheet and (s := sheet.picture.node(a)) >= 0]
@@ -117,7 +117,7 @@ def _arrow(canvas: BranchView, dx: float, dy: float, extend: bool) -> None:
     step = sheet.at - sheet.at[states[-1]]
     along = step[:, 0] * dx + step[:, 1] * dy
     across = np.abs(step[:, 0] * dy + step[:, 1] * dx)
-    # What lies sideways counts double, so that the way stays in its row.
+    # Sideways distance counts double, so that the next state is one of the same row.
     cost = np.where(along > 1.0, along + 2.0 * across, np.inf)
     best = int(cost.argmin())
     if not np.isfinite(cost[best]):

@@ -1,4 +1,7 @@
-"""Where the labels of lit edges stand: beside short lines, clear of nodes and of each other."""
+"""Labels of highlighted edges: beside short lines, clear of nodes and of each other.
+
+An edge is lit (highlighted) if a mark or the pointer is on it, see ``EdgeLook.lit``.
+"""
 
 from __future__ import annotations
 
@@ -19,17 +22,24 @@ from smsl_studio.studio.base.paint.edge_paint import (
 )
 
 MOST = 400
-"""Beyond so many lit edges only those that say more than their name keep their label, so many of
-them at most: finding a place takes a millisecond, and thousands of names can be read by nobody."""
+"""The most labels of highlighted edges.
+
+With more such edges only those get a label that say more than their name. Finding a place takes
+about a millisecond, and nobody can read thousands of names.
+"""
 
 
 STEPS = 24
-"""Points of a line that are looked at."""
+"""The number of points of a line that are tested against a rectangle."""
 
 
 @dataclass(frozen=True)
 class LitLabel:
-    """A label of a lit edge; ``ground`` says whether it stands on its line and needs a ground."""
+    """The label of a highlighted edge.
+
+    ``ground`` says that it lies on its line and needs a background. ``pill`` has the words of a
+    running operation.
+    """
 
     edge: int
     text: EdgeText
@@ -39,14 +49,18 @@ class LitLabel:
 
 
 class LitLabels:
-    """The labels of all lit edges of a sheet, worked out anew only when something changed."""
+    """The labels of all highlighted edges of a sheet, computed again only after a change."""
 
     def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
         self._found: list[LitLabel] = []
 
     def of(self, sheet: Sheet, view: Rect) -> list[LitLabel]:
-        """The labels now; what runs and what is possible is named where it is in view."""
+        """The labels now.
+
+        ``view`` is the visible part of the scene; running and possible operations get their label
+        inside it.
+        """
         looks, marks = sheet.looks, sheet.looks.marks
         seen = view if marks.running or marks.possible or marks.planned or marks.trail else None
         key = (looks.marks, looks.hovered_edge, sheet.version, sheet.level, sheet.unit, seen)
@@ -57,8 +71,8 @@ class LitLabels:
 
 
 def by_weight(sheet: Sheet) -> list[int]:
-    """The lit edges; what is painted last lies on top."""
-    # Selecting everything in a large SB must not paint 20,000 edges one by one.
+    """The highlighted edges in the order of painting: the most important is last and on top."""
+    # If everything is selected in a large SB, 20,000 edges must not be painted one by one.
     return sorted(sheet.looks.lit_edges[:2000], key=lambda e: _weight(sheet.edge_look(e)))
 
 
@@ -79,7 +93,10 @@ def _weight(look: EdgeLook) -> int:
 
 
 def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]:
-    """The labels of these edges, the most important last in ``edges``; some may find no place."""
+    """The labels of these edges.
+
+    The most important edge is the last; the less important may get no label.
+    """
     taken = lit_boxes(sheet)
     found: list[LitLabel] = []
     named = list(edges)[::-1]
@@ -95,7 +112,10 @@ def lit_labels(sheet: Sheet, edges: Iterable[int], view: Rect) -> list[LitLabel]
 
 
 def _guards(sheet: Sheet, taken: list[Rect]) -> Iterator[LitLabel]:
-    """In a run the rest has no names; what it needs is told all the same, where there is room."""
+    """The labels of edges with required facts in a run, where there is room.
+
+    Other edges show no name during a run.
+    """
     looks = sheet.looks
     if not looks.marks.dimmed or sheet.level < Level.COMPACT:
         return
@@ -107,7 +127,7 @@ def _guards(sheet: Sheet, taken: list[Rect]) -> Iterator[LitLabel]:
 
 
 def _says_more(look: EdgeLook) -> bool:
-    """Whether a label tells more than that its edge is selected, possible or on a way."""
+    """Whether the label says more than that the edge is selected, possible or on a route."""
     marked = look.pruned or look.held_back or look.risky or look.hovered
     return marked or bool(look.finding or look.change) or look.running is not None
 
@@ -133,7 +153,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         rects = _clear_of_names(sheet, edge, text, shape)
         return _first(sheet, edge, text, rects, taken, True)
     if sheet.compact and (look.trail or look.planned or look.possible):
-        # Short lines would vanish below their label: it stands beside them.
+        # A label would cover a short line, so it stands beside it.
         size = _size(sheet, text)
         gap = (4.0 if look.trail else 2.0) * sheet.unit
         rects = [
@@ -145,7 +165,8 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
         covered = sheet.geometry.covered(edge, rects)
         rects = [rects[at] for at in sorted(range(len(rects)), key=lambda at: covered[at])]
         if not (look.trail or look.planned or look.hovered):
-            # What is only possible is named where there is room; its row in the list says the rest.
+            # A merely possible operation is named only where there is room; the list of operations
+            # has the rest.
             rects = [
                 r
                 for r in rects
@@ -158,7 +179,7 @@ def _label(sheet: Sheet, edge: int, taken: list[Rect], view: Rect) -> LitLabel |
 
 
 def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
-    """Places beside a line, those that cover no name of an edge that is not lit first."""
+    """Places beside a line; those that cover no other edge's name come first."""
     size = _size(sheet, text)
     rects = [
         labels.outside(shape, shape.length * share, size, gap * sheet.unit, side)
@@ -174,13 +195,13 @@ def _clear_of_names(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -
 
 
 def _all_of(rects: list[Rect]) -> Rect:
-    """What all of these rectangles cover together."""
+    """The smallest rectangle around all of these rectangles."""
     left, top, right, bottom = zip(*rects, strict=True)
     return min(left), min(top), max(right), max(bottom)
 
 
 def lit_boxes(sheet: Sheet) -> list[Rect]:
-    """Where lit nodes stand that are larger than the rest of a far picture."""
+    """The rectangles of highlighted nodes that are larger than the others in a far picture."""
     states = sheet.looks.lit_states
     if sheet.level >= Level.COMPACT or len(states) > 60:
         return []
@@ -194,7 +215,7 @@ def lit_boxes(sheet: Sheet) -> list[Rect]:
 
 
 def _plain(sheet: Sheet, edge: int, taken: list[Rect]) -> LitLabel | None:
-    """A label on its line, also one that hides while its edge is not lit."""
+    """A label on its line, or one that is hidden while its edge has no highlight."""
     look, rect = sheet.edge_look(edge), sheet.geometry.label(edge)
     hidden = rect is None or any(labels.meet(rect, other) for other in taken)
     if hidden and not (look.selected or look.hovered or look.change):
@@ -215,10 +236,10 @@ def _first(
     taken: list[Rect],
     ground: bool,
 ) -> LitLabel | None:
-    """At the first of these places that covers neither a node nor a label.
+    """The label in the first of these places that covers neither a node nor a label.
 
-    Where there is none it hides until it is pointed at, unless it has a ``ground``: what must be
-    read has one.
+    If there is none, the label is hidden until its edge is hovered. A label with ``ground`` must be
+    readable, so it takes the first place.
     """
     must = ground or sheet.edge_look(edge).hovered
     free = (r for r in rects if _is_free(sheet, r, taken))
@@ -234,7 +255,7 @@ def _is_free(sheet: Sheet, rect: Rect, taken: list[Rect]) -> bool:
 
 
 def _on_a_way(sheet: Sheet, edge: int, rect: Rect) -> bool:
-    """Whether a way that was gone or is planned passes through a rectangle."""
+    """Whether the path so far or the planned route passes through a rectangle."""
     left, top, right, bottom = rect
     for other in sheet.edges_in(left, top, right, bottom).tolist():
         look = sheet.edge_look(other)
@@ -253,7 +274,7 @@ def _lies_in(rect: Rect, view: Rect) -> bool:
 
 
 def _near_sign(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> list[Rect]:
-    """Places around the sign in the middle of a line, those that cover nothing else first."""
+    """Places around the sign in the middle of a line; those that cover least come first."""
     unit = sheet.unit
     x, y = shape.at(shape.length / 2)
     w, h = (value / 2 for value in _size(sheet, text))
@@ -277,7 +298,7 @@ def _near_sign(sheet: Sheet, edge: int, text: EdgeText, shape: EdgeShape) -> lis
 
 
 def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Rect) -> LitLabel:
-    """What runs and for how long, beside the line."""
+    """The name and duration of the running operation, beside its line."""
     unit = sheet.unit
     name = sheet.picture.operations[edge]
     words = sheet.looks.marks.running_words.removeprefix(name).strip()
@@ -291,7 +312,8 @@ def _pill(sheet: Sheet, edge: int, shape: EdgeShape, taken: list[Rect], view: Re
         (x + gap, y - 36.0 * unit),
         (x - gap - width, y + 26.0 * unit),
     ]
-    # Between two nodes side by side there is only room above the line, or above the nodes.
+    # Between two neighbouring nodes there is room only above or below the line, or above or below
+    # the nodes.
     corners += [(x - width / 2, y + apart * unit) for apart in (-26.0, 26.0, -50.0, 50.0)]
     rects = [(a, b - half, a + width, b + half) for a, b in corners]
     inside = [r for r in rects if _lies_in(r, view)] or rects

@@ -1,4 +1,4 @@
-"""LitLayer: the one layer above the nodes, for edges of which a mark speaks."""
+"""LitLayer: the layer above the nodes that paints highlighted edges and their labels."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from smsl_studio.studio.base.paint.node_paint import paint_goal
 
 
 class LitLayer(QGraphicsItem):
-    """Edges that are selected, hovered, on a route or have a finding: above the nodes."""
+    """Paints edges that are selected, hovered, on a route or with a finding, above the nodes."""
 
     def __init__(self, z: float) -> None:
         super().__init__()
@@ -33,34 +33,34 @@ class LitLayer(QGraphicsItem):
         self.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         self.labels = LitLabels()
         self.view: Rect = (0.0, 0.0, 0.0, 0.0)
-        """What of the scene is in view."""
+        """The visible part of the scene: left, top, right, bottom (scene units)."""
 
     def cover(self, rect: QRectF) -> None:
-        """Take this rectangle as the layer's extent."""
+        """Set the part of the scene that this layer covers."""
         if rect != self._rect:
             self.prepareGeometryChange()
             self._rect = rect
 
     def boundingRect(self) -> QRectF:
-        """The whole sheet, in scene units."""
+        """The part of the scene that ``cover`` has set."""
         return self._rect
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        """Paint the part that is exposed, where there is a sheet with states."""
+        """Paint the exposed part, if the sheet has states."""
         if self.sheet is not None and len(self.sheet.picture):
             exposed = option.exposedRect
             self._paint_sheet(painter, self.sheet, exposed)
 
     def shown(self) -> dict[int, LitLabel]:
-        """The labels by edge, as they are painted now."""
+        """The labels that are painted now, by the number of their edge."""
         if self.sheet is None or not len(self.sheet.picture):
             return {}
         return {label.edge: label for label in self.labels.of(self.sheet, self.view)}
 
     def _paint_sheet(self, painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
-        """Paint the lit edges and then their labels, the most important one last."""
+        """Paint the highlighted edges, then their labels; the most important one is last."""
         geometry, looks, unit = sheet.geometry, sheet.looks, sheet.unit
         order = by_weight(sheet)
         ink = LineInk(sheet.ink, unit, sheet.compact)
@@ -97,7 +97,10 @@ class LitLayer(QGraphicsItem):
 
     @staticmethod
     def _spare_names(painter: QPainter, sheet: Sheet, exposed: QRectF) -> None:
-        """In a far picture lines end at dots; they must not cross the names of lit nodes."""
+        """Keep lines off the names of highlighted nodes.
+
+        In a far picture lines end at dots, but these nodes are larger.
+        """
         boxes = lit_boxes(sheet)
         if boxes:
             outside, inside = QPainterPath(), QPainterPath()

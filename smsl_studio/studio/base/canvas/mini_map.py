@@ -1,4 +1,4 @@
-"""The mini-map: all states at once and the part that is in view; a press goes there."""
+"""The mini-map: all states and a frame around the visible part. A press moves the view there."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MANY, MANY_LINES = 400, 2000
 
 
 class MiniMap(Card):
-    """Stands at the bottom right; states are painted in one batch."""
+    """A small map at the bottom right of the canvas."""
 
     def __init__(self, canvas: Stage, tokens: Tokens) -> None:
         super().__init__(canvas, tokens)
@@ -29,7 +29,10 @@ class MiniMap(Card):
         return QSize(148, 92)
 
     def _frame(self) -> tuple[float, QPointF] | None:
-        """The scale, and the scene point in the middle; None where there is nothing."""
+        """Pixels per scene unit, and the scene point in the middle of the map.
+
+        None without states.
+        """
         sheet = self._canvas.sheet
         if sheet is None or not len(sheet.at):
             return None
@@ -47,7 +50,7 @@ class MiniMap(Card):
         return canvas.mapToScene(canvas.viewport().rect()).boundingRect()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint all states in one batch, and a frame around what is in view."""
+        """Paint all states in one batch, and a frame around the visible part."""
         super().paintEvent(event)
         frame, sheet = self._frame(), self._canvas.sheet
         if frame is None or sheet is None:
@@ -82,15 +85,15 @@ class MiniMap(Card):
         painter.end()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Look at the place under the pointer."""
+        """Move the view to the point under the pointer."""
         self._go(event)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Look at the place under the pointer while it is dragged."""
+        """Move the view along while the pointer is dragged."""
         self._go(event)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Take the release, so that the canvas below hears nothing of it."""
+        """Take the release, so that the canvas below does not get it."""
         event.accept()
 
     def _go(self, event: QMouseEvent) -> None:

@@ -1,4 +1,4 @@
-"""NodeItem: a near or lit node as a real item, taken from a pool and put to use for any state."""
+"""NodeItem: a graphics item for a near or highlighted node; a pool reuses it for any state."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from smsl_studio.studio.base.paint.node_paint import MARGIN, paint_node
 
 
 class NodeItem(QGraphicsObject):
-    """Shows one state of a sheet. The canvas decides which, and hit-tests on the sheet."""
+    """Shows one state of a sheet.
+
+    The canvas chooses the state; clicks are resolved on the sheet.
+    """
 
     def __init__(self) -> None:
         super().__init__()
@@ -23,7 +26,7 @@ class NodeItem(QGraphicsObject):
         self.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIsSelectable, False)
 
     def show_state(self, sheet: Sheet, state: int) -> None:
-        """Show this state as the sheet has it now."""
+        """Show this state with its present place, size and look."""
         self.sheet, self.state = sheet, state
         width, height = self.size()
         unit = sheet.unit
@@ -38,20 +41,20 @@ class NodeItem(QGraphicsObject):
         self.update()
 
     def size(self) -> tuple[float, float]:
-        """The size of the node in mark pixels."""
+        """Width and height of the node in mark pixels."""
         assert self.sheet is not None
         if self.sheet.compact:
             return float(self.sheet.compact_widths[self.state]), COMPACT_SIZE[1]
         return float(self.sheet.full_widths[self.state]), FULL_SIZE[1]
 
     def boundingRect(self) -> QRectF:
-        """The node with all that is painted around it, in scene units."""
+        """The node and the signs around it, in scene units."""
         return self._rect
 
     def paint(
         self, painter: QPainter, option: QStyleOptionGraphicsItem, widget: QWidget | None = None
     ) -> None:
-        """Paint the state as the sheet says it looks now."""
+        """Paint the state with its present look."""
         sheet = self.sheet
         if sheet is None or not 0 <= self.state < len(sheet.picture):
             return
@@ -62,14 +65,14 @@ class NodeItem(QGraphicsObject):
 
 
 class NodePool:
-    """Items that are shown for the states in use now and kept for later ones."""
+    """The node items: those in use by state number, and free ones for later."""
 
     def __init__(self) -> None:
         self.used: dict[int, NodeItem] = {}
         self._free: list[NodeItem] = []
 
     def show(self, sheet: Sheet, states: list[int]) -> list[NodeItem]:
-        """Show exactly these states; returns the items that are new and belong into the scene."""
+        """Show exactly these states; returns new items, which the caller adds to the scene."""
         wanted = dict.fromkeys(states)
         for state in [s for s in self.used if s not in wanted]:
             item = self.used.pop(state)
@@ -86,7 +89,7 @@ class NodePool:
         return fresh
 
     def refresh(self, sheet: Sheet) -> None:
-        """Take over level, positions and looks for all items in use."""
+        """Update size, place and look of all items in use."""
         for state, item in self.used.items():
             item.show_state(sheet, state)
 

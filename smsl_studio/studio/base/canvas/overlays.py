@@ -1,6 +1,6 @@
-"""What floats on the canvas: breadcrumb, zoom control, legends, banner, names being edited.
+"""The widgets that float over the canvas: breadcrumb, zoom control, legends, banner, map.
 
-These widgets are children of the view, not of its viewport: a viewport scrolls its children along.
+They are children of the view. Children of its viewport would scroll with the picture.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from smsl_studio.studio.base.theme import Tokens
 
 EDGE = 14
 WIDE, TALL = 720, 420
-"""The mini-map is left out of a smaller view."""
+"""In a view smaller than this (pixels) there is no mini-map."""
 SPOKEN = 6000
-"""How long a word at the pointer stays when nothing happens (ms)."""
+"""How long a sentence at the pointer stays (ms)."""
 
 
 class Overlays:
     """Owns and places the floating widgets of one canvas."""
 
     def __init__(self, canvas: BranchView, tokens: Tokens, busy: Callable[[], bool]) -> None:
-        """``busy`` says whether a gesture is under way."""
+        """``busy`` says whether a gesture is in progress."""
         self._canvas = canvas
         self._dimmed = False
         self.breadcrumb = Breadcrumb(canvas, tokens)
@@ -66,7 +66,7 @@ class Overlays:
             plain.update()
 
     def show_branch(self, blueprint: Blueprint, branch: str) -> None:
-        """Show the path to an SB and the legend of what its picture has in it."""
+        """Show the path to an SB, and the legend for the signs in its picture."""
         self.breadcrumb.show_branch(blueprint, branch)
         sheet = self._canvas.sheet
         kinds: set[str] = set()
@@ -78,13 +78,13 @@ class Overlays:
         if sheet is not None:
             self.legend.show_branch(sheet.picture.branch, kinds)
         self.show_empty()
-        # A run has a head and buttons of its own in the breadcrumb's place.
+        # During a run the run's own header and buttons take the place of the breadcrumb.
         self.breadcrumb.setVisible(self._canvas.editing)
         self.zoom.setVisible(self._canvas.editing)
         self.place()
 
     def show_marks(self, marks: Marks) -> None:
-        """Show the legend that fits the marks: that of a run while one is marked."""
+        """Show the legend that fits the marks: during a run that of the run."""
         sheet = self._canvas.sheet
         guarded = sheet is not None and bool(sheet.picture.guarded)
         anew = self.run_legend.show_kinds(guarded, bool(marks.risky))
@@ -98,27 +98,27 @@ class Overlays:
         self._explain()
 
     def show_empty(self) -> None:
-        """Say how to begin, where there is nothing yet."""
+        """Show how to begin, if the SB has no states."""
         sheet = self._canvas.sheet
         nothing = sheet is None or not len(sheet.picture)
-        # A banner tells why nothing can be drawn at present.
+        # A banner already tells why nothing can be drawn.
         self.empty.setVisible(nothing and self._canvas.editing and not self.banner.text)
 
     def _explain(self) -> None:
-        """Say what compact nodes and labels stand for, while they are shown."""
+        """Explain the short texts of compact nodes and labels while they are shown."""
         sheet = self._canvas.sheet
         compact = sheet is not None and sheet.level is Level.COMPACT and self._canvas.editing
         self.key.show_picture(sheet.picture if sheet is not None else None, compact)
         self.key.move(self._canvas.width() - self.key.width() - EDGE, 12)
 
     def fitted(self) -> None:
-        """A movement has ended, most often at a view of everything."""
+        """A movement of the camera has ended: place the widgets for the new view."""
         self._count_outside()
         self._place_zoom()
         self._place_legend()
 
     def _place_legend(self) -> None:
-        """What explains the marks, in a corner where it covers nothing of a fitted picture."""
+        """Put the legend in a corner where it covers nothing, or hide it."""
         legend: Legend | RunLegend = self.run_legend if self._dimmed else self.legend
         (self.legend if self._dimmed else self.run_legend).hide()
         legend.resize(legend.sizeHint())
@@ -136,18 +136,18 @@ class Overlays:
             legend.move(place)
 
     def _taken(self, corner: QPoint, size: QSize) -> bool:
-        """Whether another floating part stands there."""
+        """Whether another floating widget is there."""
         area = QRect(corner, size)
         others = (self.zoom, self.map, self.key)
         return any(not w.isHidden() and w.geometry().intersects(area) for w in others)
 
     def floats_in(self, area: QRect) -> bool:
-        """Whether anything that stands over the picture for long stands in this area."""
+        """Whether a permanent floating widget is in this area of the view (pixels)."""
         parts = (self.breadcrumb, self.banner, self.zoom, self.map, self.key, self.legend)
         return any(not part.isHidden() and part.geometry().intersects(area) for part in parts)
 
     def show_banner(self, text: str) -> None:
-        """Say something across the top; empty hides the banner."""
+        """Show a sentence across the top; empty hides the banner."""
         if text == self.banner.text:
             return
         self.banner.show_text(text)
@@ -156,11 +156,11 @@ class Overlays:
         self._canvas.look_again()
 
     def top_room(self) -> int:
-        """The height at the top that belongs to the breadcrumb, or to the head of a run."""
+        """The height at the top that the breadcrumb and a banner cover (pixels)."""
         return TOP + (self.banner.height() + 8 if self.banner.text else 0)
 
     def say(self, text: str, at: QPoint | None = None) -> None:
-        """Say something beside the pointer, or beside a point of the viewport."""
+        """Show a sentence beside the pointer, or beside a point of the viewport (pixels)."""
         canvas = self._canvas
         if at is None:
             at = canvas.mapFromGlobal(QCursor.pos())
@@ -173,20 +173,20 @@ class Overlays:
         self._hush.start()
 
     def hush(self) -> None:
-        """Hide what is said at the pointer."""
+        """Hide the sentence at the pointer."""
         self.word.hide()
 
     def forget(self) -> None:
-        """What was said and offered was about states that may have gone or stand elsewhere now."""
+        """Hide the sentence and the hover pad: their states may be gone or elsewhere now."""
         self.hush()
         self.pad.go()
 
     def hover(self, address: Address | None) -> None:
-        """The pointer is on something else now."""
+        """Pass the element under the pointer to the hover pad; None for none."""
         self.pad.hover(address)
 
     def view_moved(self) -> None:
-        """The picture moved under the floating widgets."""
+        """Update the widgets after a scroll or zoom."""
         self.pad.go()
         self._count_outside()
         if not self._canvas.camera.fitted:
@@ -197,20 +197,20 @@ class Overlays:
             self._place_zoom()
 
     def picture_changed(self) -> None:
-        """States stand elsewhere or look different."""
+        """Update the widgets after states moved or changed their look."""
         self._count_outside()
         if not self.map.isHidden():
             self.map.update()
 
     def _count_outside(self) -> None:
-        """Say what is not in view; the zoom control is wider then."""
+        """Show how many states are outside the view; the zoom control grows for that."""
         self.zoom.show_outside(self._canvas.outside)
         if self.zoom.size() != self.zoom.sizeHint():
             self.zoom.resize(self.zoom.sizeHint())
             self._place_zoom()
 
     def _place_zoom(self) -> None:
-        """At the bottom right, or below the breadcrumb where it would cover a node of a fit."""
+        """Put the zoom control at the bottom right, or at the top where it would cover a node."""
         canvas, zoom, map_ = self._canvas, self.zoom, self.map
         right, bottom = canvas.width() - EDGE, canvas.height() - EDGE
         several = canvas.sheet is not None and len(canvas.sheet.picture) > 1
@@ -222,7 +222,7 @@ class Overlays:
         if shown:
             right = at.x() - 12
         place = QPoint(right - zoom.width(), bottom - zoom.height())
-        # Where it would cover the picture: below the breadcrumb, or in its line at the right.
+        # If it would cover the picture, it goes below the breadcrumb, or at the right of it.
         beside = QPoint(canvas.width() - EDGE - zoom.width(), 7)
         clear = not self.key.rows and self.breadcrumb.geometry().right() < beside.x()
         below = QPoint(EDGE - 2, 44 + (self.banner.height() + 6 if self.banner.text else 0))
@@ -231,7 +231,8 @@ class Overlays:
         zoom.move(next(free, places[-2] if clear else place))
 
     def _hides(self, corner: QPoint, size: QSize) -> bool:
-        """Whether what stands at this corner covers the drawing of a fit, or states of any view."""
+        """Whether a widget of this size at this corner covers the fitted drawing, or states of
+        any view."""
         canvas, sheet = self._canvas, self._canvas.sheet
         if sheet is None or canvas.camera.fitted:
             return self._covers(corner, size)
@@ -240,7 +241,8 @@ class Overlays:
         return bool(sheet.states_in(near.x(), near.y(), far.x(), far.y()))
 
     def _covers(self, corner: QPoint, size: QSize) -> bool:
-        """Whether what stands at this corner covers nodes or lines of a fitted picture."""
+        """Whether a widget of this size at this corner covers nodes or lines of a fitted
+        picture."""
         canvas = self._canvas
         sheet = canvas.sheet
         if sheet is None or not canvas.camera.fitted:
@@ -250,7 +252,7 @@ class Overlays:
         return sheet.is_drawn_on(near.x(), near.y(), far.x(), far.y())
 
     def place(self) -> None:
-        """Put everything where it belongs in the view's size."""
+        """Place all widgets for the present size of the view."""
         canvas = self._canvas
         width, height = canvas.width(), canvas.height()
         self.ring.place(width, height)

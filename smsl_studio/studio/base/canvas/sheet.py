@@ -1,7 +1,8 @@
-"""Sheet: what the layers paint from. Picture, positions, level of detail, geometry and looks.
+"""Sheet: what the painters read. Picture, positions, level of detail, geometry, looks.
 
-Changing marks, hovering or dragging changes looks and a few shapes; nothing is rebuilt. All
-lengths are scene units; ``unit`` is the size of a mark's pixel in them.
+A change of marks, a hover or a drag updates looks and a few shapes; nothing else is computed again.
+All lengths are scene units. ``unit`` is the number of scene units in one mark pixel: 1 for full
+nodes and from 100 % on, otherwise so many that signs keep their size on the screen.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ Numbers = NDArray[np.intp]
 
 
 class Sheet:
-    """One SB as it is shown now."""
+    """One SB as the canvas shows it now. States and edges are known by their numbers."""
 
     def __init__(
         self,
@@ -52,7 +53,7 @@ class Sheet:
         marks: Marks,
         former: Sheet | None = None,
     ) -> None:
-        """``former`` is the sheet of the same SB before an edit."""
+        """``former`` is the sheet of the same SB before an edit; its routing is reused."""
         self.picture, self.ink = picture, ink
         self.at: Floats = np.array(
             [positions.get(name, (0.0, 0.0)) for name in picture.names], dtype=np.float64
@@ -60,7 +61,7 @@ class Sheet:
         self.looks = Looks(picture, marks)
         self.zoom, self.level, self.unit = 1.0, Level.FULL, 1.0
         self.version = 0
-        """Grows whenever lines or labels lie elsewhere."""
+        """Increased whenever lines or labels change their place."""
         self._measure()
         self._geometry: dict[tuple[bool, float], Geometry] = {}
         self._former = former.routings if former is not None else {}
@@ -69,7 +70,7 @@ class Sheet:
         self.set_zoom(1.0)
 
     def _measure(self) -> None:
-        """The widths of all nodes; in a large SB all are as wide as the widest of a sample."""
+        """Compute the widths of all nodes. In a large SB all get the largest width of a sample."""
         count = len(self.picture)
         few = count <= SMALL_STATES
         sample = range(count) if few else range(0, count, count // 50)
@@ -82,27 +83,27 @@ class Sheet:
         self.spacing = spacing_of(self.at, full, compact)
 
     def is_of(self, branch: str) -> bool:
-        """Whether it shows the SB of this name."""
+        """Whether this sheet shows the SB of this name."""
         return self.picture.branch.name == branch
 
     @property
     def roomy(self) -> bool:
-        """Whether full nodes have room in this layout."""
+        """Whether this layout has room for full nodes."""
         return self.spacing.roomy
 
     @property
     def compact(self) -> bool:
-        """Whether nodes show less than their name and facts."""
+        """Whether nodes show less than their full name and facts."""
         return self.level is not Level.FULL
 
     def set_zoom(self, zoom: float) -> None:
-        """Take another zoom (1.0 is 100 %), with the level of detail that belongs to it."""
+        """Set the zoom (1.0 is 100 %) and the level of detail and unit that follow from it."""
         self.zoom = zoom
         self.level = level_at(zoom, self.spacing)
         self.unit = unit_at(zoom, self.level)
 
     def move(self, places: Mapping[int, Position]) -> list[int]:
-        """Put states elsewhere while they are dragged; returns the edges that changed."""
+        """Move states during a drag (scene points by number); returns the edges that changed."""
         self.version += 1
         for state, place in places.items():
             self.at[state] = place
@@ -115,7 +116,7 @@ class Sheet:
 
     @property
     def routings(self) -> dict[tuple[bool, float], Routing]:
-        """How a small picture was routed, by size of marks."""
+        """The routing of a small picture, by (compact, unit)."""
         full = {key: one for key, one in self._former.items() if not key[0]}
         found = ((key, one.routing) for key, one in self._geometry.items())
         return full | {key: one for key, one in found if one is not None}
@@ -125,15 +126,15 @@ class Sheet:
         self._former, self._geometry = self.routings, {}
 
     def settle(self) -> None:
-        """Route and label anew: states have come to rest elsewhere."""
+        """Route and label again, after states were moved."""
         self._route_anew()
         self.spacing = spacing_of(self.at, self.full_widths, self.compact_widths)
         self.set_zoom(self.zoom)
 
     def change_marks(self, marks: Marks) -> tuple[set[int], set[int]]:
-        """Take other marks; returns the states and edges that look different now.
+        """Set other marks; returns the numbers of the states and edges that look different now.
 
-        Other findings make labels wider or narrower: small pictures are labelled anew.
+        Findings change the width of labels, so a small picture is labelled again.
         """
         relabel = marks.findings != self.looks.marks.findings and self.picture.small
         changed = self.looks.change(marks)
@@ -154,7 +155,7 @@ class Sheet:
         return COMPACT_SIZE[1] if self.compact else FULL_SIZE[1]
 
     def halves(self) -> Floats:
-        """Half the size of every node at this level, (n, 2), in scene units."""
+        """Half the width and height of every node at this level, (n, 2), in scene units."""
         if self.level is Level.DOT:
             size = np.broadcast_to(np.array(DOT_SIZE), self.at.shape)
         elif self.level is Level.BOX:
@@ -165,7 +166,7 @@ class Sheet:
         return size / 2 * self.unit
 
     def states_in(self, left: float, top: float, right: float, bottom: float) -> list[int]:
-        """The states whose nodes meet a rectangle."""
+        """The states whose nodes touch a rectangle (scene units)."""
         half = self.halves()
         x, y = self.at[:, 0], self.at[:, 1]
         inside = (
@@ -178,11 +179,14 @@ class Sheet:
         return found
 
     def state_at(self, x: float, y: float, reach: float = 0.0) -> int:
-        """The state whose node is at a point, -1 for none; ``reach`` widens nodes (pixels)."""
+        """The state whose node is at a scene point, -1 for none.
+
+        ``reach`` widens nodes (pixels).
+        """
         if not len(self.at):
             return -1
         half = self.halves() + reach * self.unit
-        # Lit nodes never fall below compact, so they are found in that size.
+        # Highlighted nodes are never smaller than compact, so they are hit in that size.
         if self.level < Level.COMPACT:
             for state in self.looks.lit_states:
                 half[state] = (
@@ -200,7 +204,7 @@ class Sheet:
 
     @property
     def geometry(self) -> Geometry:
-        """Lines and labels at this size of marks, made when first asked for."""
+        """Lines and labels for the present level and unit, computed when first needed."""
         unit = _in_steps(self.unit)
         key = (self.compact, unit)
         found = self._geometry.get(key)
@@ -221,7 +225,7 @@ class Sheet:
         return np.hstack([self.at, half.reshape(-1, 2)])
 
     def text(self, edge: int) -> EdgeText:
-        """An edge's label."""
+        """The label of an edge."""
         label = self.picture.label(edge)
         mono = self.compact and len(label) <= 4
         found = self._texts.get((edge, mono))
@@ -230,7 +234,7 @@ class Sheet:
             found = EdgeText(label, self.picture.kind(edge), mono, guard=guard)
             self._texts[edge, mono] = found
         sign = self.looks.edge(edge).change
-        # How a guard stands makes its sign no wider: labels stay where they are.
+        # The sign of a guard has one width for all its values, so labels stay where they are.
         guard = self.looks.guard(edge) if found.guard else ""
         if sign or guard:
             return replace(found, sign=sign, guard=guard or found.guard)
@@ -244,11 +248,11 @@ class Sheet:
         return w * unit, h * unit
 
     def edges_in(self, left: float, top: float, right: float, bottom: float) -> Numbers:
-        """The numbers of edges whose straight way (with room for bends) meets a rectangle."""
+        """The numbers of edges whose straight line, with room for bends, touches a rectangle."""
         if not len(self.picture.source):
             return np.zeros(0, dtype=np.intp)
         low, high = self._reaches()
-        # Lanes and loops reach out of the way between two states.
+        # Parallel lanes and self loops leave the straight line between two states.
         room = (170.0 if self.picture.small else 60.0) * self.unit
         inside = (
             (high[0] >= left - room)
@@ -259,7 +263,8 @@ class Sheet:
         return np.nonzero(inside)[0]
 
     def _reaches(self) -> tuple[Floats, Floats]:
-        """The least and the greatest x and y of the straight way of each edge, each (2, n)."""
+        """The least and the greatest (x, y) of each edge's straight line, each (2, n), in scene
+        units."""
         version, reaches = self._kept_reaches
         if version != self.version:
             source, target = self.picture.source, self.picture.target
@@ -269,7 +274,7 @@ class Sheet:
         return reaches
 
     def edge_at(self, x: float, y: float, reach: float = 5.0) -> int:
-        """The edge whose label or line is at a point, -1 for none."""
+        """The edge whose label or line is at a scene point, -1 for none; ``reach`` is in pixels."""
         if self.level < Level.COMPACT:
             near: Iterable[int] = self.looks.lit_edges
         else:
@@ -291,7 +296,7 @@ class Sheet:
         return best
 
     def is_drawn_on(self, left: float, top: float, right: float, bottom: float) -> bool:
-        """Whether nodes, or lines of a small picture, lie in a rectangle."""
+        """Whether a rectangle (scene units) touches a node, or a line of a small picture."""
         if self.states_in(left, top, right, bottom):
             return True
         if not self.picture.small or self.level < Level.COMPACT:
@@ -307,14 +312,14 @@ class Sheet:
         return Address(self.picture.branch.name, self.picture.names[state])
 
     def node_look(self, state: int) -> node_paint.NodeLook:
-        """How the state with this number looks now."""
+        """The present look of the state with this number."""
         return self.looks.node(state)
 
     def edge_look(self, edge: int) -> edge_paint.EdgeLook:
-        """How the edge with this number looks now."""
+        """The present look of the edge with this number."""
         return self.looks.edge(edge)
 
 
 def _in_steps(unit: float) -> float:
-    """The unit in steps of 4 %: while somebody zooms, lines are not made anew for every frame."""
+    """The unit rounded to steps of 4 %, so that a zoom does not need new lines in every frame."""
     return 1.0 if unit == 1.0 else round(1.04 ** round(math.log(unit) / math.log(1.04)), 6)

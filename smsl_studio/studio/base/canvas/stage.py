@@ -1,6 +1,6 @@
-"""Stage: the scene side of a canvas. It shows an SB from a sheet and repaints what changed.
+"""Stage: the scene of a canvas. It shows an SB from a sheet and repaints what changed.
 
-It knows no gesture and nothing that floats; ``Canvas`` adds these.
+It knows no gestures and no floating widgets; ``Canvas`` adds these.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ from smsl_studio.studio.base.paint.ink import Ink
 from smsl_studio.studio.base.theme import Tokens
 
 POOL = 320
-"""So many near nodes are items of their own; more are painted by a layer."""
+"""The most near nodes that get an item of their own; if there are more, a layer paints them."""
 DOT_STEP, DOT = 16.0, 1.5
 
 
 class Stage(QGraphicsView):
-    """A view with a background that is kept, a layer and a pool of node items, all of one sheet."""
+    """A view with a cached background, two layers, and a pool of node items, for one sheet."""
 
     picture_changed = Signal()
-    """States stand elsewhere or look different."""
+    """States moved or changed their look."""
     view_moved = Signal()
-    """Another part of the picture is in view."""
+    """The visible part of the scene has changed."""
     zoom_changed = Signal(float)
 
     def __init__(self, tokens: Tokens, parent: QWidget | None = None) -> None:
@@ -62,7 +62,8 @@ class Stage(QGraphicsView):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setViewportUpdateMode(QGraphicsView.ViewportUpdateMode.MinimalViewportUpdate)
-        # What is not lit is painted once, scrolled along, and anew where it was told to be other.
+        # Qt caches the background (all that has no highlight), scrolls it, and repaints only what
+        # was invalidated.
         self.setCacheMode(QGraphicsView.CacheModeFlag.CacheBackground)
         self.setTransformationAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
         self.setResizeAnchor(QGraphicsView.ViewportAnchor.NoAnchor)
@@ -73,11 +74,11 @@ class Stage(QGraphicsView):
 
     @property
     def sheet(self) -> Sheet | None:
-        """What is shown now, None for nothing."""
+        """The sheet that is shown; None for none."""
         return self._sheet
 
     def show_sheet(self, sheet: Sheet | None) -> None:
-        """Show another sheet; where the view looks stays as it is."""
+        """Show another sheet; zoom and place of the view stay."""
         self.pool.clear()
         self._sheet = sheet
         if sheet is not None:
@@ -90,7 +91,7 @@ class Stage(QGraphicsView):
 
     @property
     def positions(self) -> dict[str, Position]:
-        """Where the states stand now."""
+        """The places of the states (scene points) by name."""
         if self._sheet is None:
             return {}
         names = self._sheet.picture.names
@@ -98,16 +99,16 @@ class Stage(QGraphicsView):
 
     @property
     def ink(self) -> Ink:
-        """The fonts and colours everything is painted with."""
+        """The fonts and colours for painting."""
         return self._ink
 
     @property
     def tokens(self) -> Tokens:
-        """The colours it is painted in."""
+        """The colours of the present theme."""
         return self._ink.tokens
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take other colours."""
+        """Use the colours of another theme."""
         self._ink = self.gestures.ink = Ink(tokens)
         if self._sheet is not None:
             self._sheet.ink = self._ink
@@ -117,7 +118,7 @@ class Stage(QGraphicsView):
 
     @property
     def marks(self) -> Marks:
-        """What is marked on states and operations now."""
+        """The marks on states and operations."""
         return self._marks
 
     def set_marks(self, marks: Marks) -> None:
@@ -141,17 +142,17 @@ class Stage(QGraphicsView):
 
     @property
     def zoom(self) -> float:
-        """1.0 is 100 %."""
+        """The zoom; 1.0 is 100 %."""
         return self.camera.zoom
 
     @property
     def seen(self) -> QRectF:
-        """The part of the scene that is in view."""
+        """The visible part of the scene."""
         return self.mapToScene(self.viewport().rect()).boundingRect()
 
     @property
     def outside(self) -> int:
-        """How many states have their middle outside the view."""
+        """The number of states whose centre is outside the view."""
         if self._sheet is None:
             return 0
         view, (x, y) = self.seen, self._sheet.at.T
@@ -161,7 +162,10 @@ class Stage(QGraphicsView):
     # Where things are
 
     def rect_of(self, address: Address) -> QRectF | None:
-        """Where a state's node, or an operation's label, lies (scene); None for neither."""
+        """The rectangle of a state's node or an operation's label (scene units).
+
+        None for neither.
+        """
         sheet = self._sheet
         if sheet is None:
             return None
@@ -177,7 +181,7 @@ class Stage(QGraphicsView):
         return QRectF(x - w, y - h, 2 * w, 2 * h)
 
     def address_at(self, at: QPointF) -> Address | None:
-        """What lies at a scene point: a state before an operation."""
+        """The element at a scene point: a state before an operation; None for none."""
         sheet = self._sheet
         if sheet is None:
             return None
@@ -190,7 +194,7 @@ class Stage(QGraphicsView):
     # Moving without rebuilding
 
     def drag_states(self, places: Mapping[int, Position]) -> None:
-        """Show states elsewhere while they are dragged."""
+        """Show states at other places (scene points) during a drag."""
         sheet = self._sheet
         if sheet is None:
             return
@@ -204,7 +208,10 @@ class Stage(QGraphicsView):
         self.picture_changed.emit()
 
     def _dirty(self, states: list[int], edges: list[int] | None = None) -> QRectF:
-        """The part of the scene that states and their edges cover."""
+        """The part of the scene that these states and edges cover.
+
+        All in view if there are many.
+        """
         sheet = self._sheet
         assert sheet is not None
         if len(states) > POOL or sheet.level < Level.COMPACT:
@@ -226,7 +233,7 @@ class Stage(QGraphicsView):
         return rect.adjusted(-pad, -pad, pad, pad)
 
     def settle(self) -> None:
-        """States have come to rest: route and label anew."""
+        """Route and label again, after states were moved."""
         if self._sheet is not None:
             self._sheet.settle()
             self.cover()
@@ -235,13 +242,13 @@ class Stage(QGraphicsView):
             self._repaint()
 
     def update_edges(self, edges: Iterable[int]) -> None:
-        """Paint these edges again."""
+        """Repaint these edges."""
         numbers = list(edges)
         if numbers and self._sheet is not None:
             self._repaint(self._dirty([], numbers))
 
     def update_lit(self, before: Mapping[int, LitLabel]) -> None:
-        """Paint again the labels of lit edges that are not what they were."""
+        """Repaint the labels of highlighted edges that differ from ``before``."""
         sheet = self._sheet
         if sheet is None:
             return
@@ -254,12 +261,12 @@ class Stage(QGraphicsView):
                 if label is not None:
                     left, top, right, bottom = label.rect
                     rect = QRectF(left, top, right - left, bottom - top)
-                    # What the label of a change covers hides, and comes back when that moves.
+                    # The label of a change hides names below it. They appear again when it moves.
                     pad = (160.0 if sheet.looks.marks.changes else 4.0) * sheet.unit
                     self._repaint(rect.adjusted(-pad, -pad, pad, pad))
 
     def update_node(self, state: int) -> None:
-        """Paint this node again."""
+        """Repaint this node."""
         item = self.pool.used.get(state)
         if item is not None and self._sheet is not None:
             item.show_state(self._sheet, state)
@@ -267,7 +274,7 @@ class Stage(QGraphicsView):
     # Inside
 
     def cover(self) -> None:
-        """Let scene and layers reach far beyond the states, so that one can pan freely."""
+        """Make scene and layers much larger than the drawing, so that the user can pan freely."""
         rect = QRectF(-600.0, -400.0, 1200.0, 800.0)
         if self._sheet is not None and len(self._sheet.at):
             low, high = self._sheet.at.min(axis=0), self._sheet.at.max(axis=0)
@@ -293,10 +300,10 @@ class Stage(QGraphicsView):
         self.zoom_changed.emit(zoom)
 
     def refresh_pool(self) -> None:
-        """Give near nodes and lit ones an item, take it from those that left the view.
+        """Give items to near and highlighted nodes, and free those that left the view.
 
-        While the view zooms out it scrolls before the sheet knows its zoom: all states would be
-        taken for near ones. ``zoom_changed`` comes right after.
+        It does nothing while the sheet has another zoom than the view: during a zoom the view
+        scrolls first, and all states would count as near. ``_zoomed`` calls it again right after.
         """
         sheet = self._sheet
         if sheet is None or sheet.zoom != self.zoom:
@@ -321,7 +328,7 @@ class Stage(QGraphicsView):
         self._look_at(self.seen, frozenset() if whole else frozenset(self.pool.used), whole)
 
     def _look_at(self, view: QRectF, near: frozenset[int], whole: bool) -> None:
-        """Paint the background anew where what is painted there depends on what is in view."""
+        """Repaint the background where it depends on what is in view."""
         sheet = self._sheet
         assert sheet is not None
         sides = view.left(), view.top(), view.right(), view.bottom()
@@ -336,12 +343,14 @@ class Stage(QGraphicsView):
                     self._repaint(QRectF(x - w, y - h, 2 * w, 2 * h))
 
     def _repaint(self, rect: QRectF | None = None) -> None:
-        """Paint a part of the scene anew, or all of it: also what is kept of it."""
+        """Repaint a part of the scene or all of it, including the cached background."""
         self.scene().invalidate(rect if rect is not None else QRectF())
 
     def drawBackground(self, painter: QPainter, rect: QRectF | object) -> None:
-        """Canvas, a dot every 16 pixels (or the next power of two of the scene), then all edges
-        that are not lit and the nodes that have no item.
+        """Paint the ground, the dots of the grid, and all edges and nodes without a highlight.
+
+        The grid has a dot every 16 scene units, doubled or halved until its step is 11 to 23
+        pixels.
         """
         area = QRectF(rect)  # type: ignore[arg-type]
         tokens, sheet = self._ink.tokens, self._sheet
@@ -358,7 +367,7 @@ class Stage(QGraphicsView):
             self.far_nodes.paint(painter, sheet, area)
 
     def scrollContentsBy(self, dx: int, dy: int) -> None:
-        """Scroll, give items to the nodes that came into view, and tell that the view moved."""
+        """Scroll, give items to the nodes that came into view, and emit ``view_moved``."""
         super().scrollContentsBy(dx, dy)
         if self._ready:
             self.refresh_pool()

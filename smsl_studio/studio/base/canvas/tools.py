@@ -1,4 +1,4 @@
-"""Hand: turns mouse and keys into gestures, and knows what lies under the pointer."""
+"""Hand: turns mouse and key events into gestures, and tracks what is under the pointer."""
 
 from __future__ import annotations
 
@@ -26,15 +26,16 @@ from smsl_studio.studio.base.paint.node_paint import chip_places
 from smsl_studio.studio.base.tips import tip_text
 
 REACH = 15.0
-"""How far around a node the pointer still counts as being at it, so that its handle is reached."""
+"""How far outside a node the pointer still counts as on it (pixels), so that it can reach the
+handle."""
 GRIP = 10.0
-"""How near to the grip a press takes it (pixels)."""
+"""A press within this distance takes the grip (pixels)."""
 CLEAR = 32.0
-"""No handle is shown nearer to the grip than this, from middle to middle (pixels)."""
+"""The smallest distance between the middles of a handle and the grip (pixels)."""
 
 
 class Hand:
-    """The gesture under way, the hovered state or edge, and the Space key."""
+    """The gesture in progress, the hovered state or edge, and whether Space is held."""
 
     def __init__(self, canvas: BranchView, overlays: Overlays) -> None:
         self._canvas, self._overlays = canvas, overlays
@@ -43,11 +44,11 @@ class Hand:
 
     @property
     def busy(self) -> bool:
-        """Whether a gesture is under way."""
+        """Whether a gesture is in progress."""
         return self._gesture is not None
 
     def reset(self) -> None:
-        """Forget what is under way, and what floats beside it: another picture is shown."""
+        """Drop the gesture and hide what belongs to it, because another picture is shown."""
         self._gesture, self._sticky = None, False
         self._canvas.gestures.clear()
         self._overlays.forget()
@@ -55,7 +56,7 @@ class Hand:
     # Mouse
 
     def press(self, event: QMouseEvent) -> None:
-        """Take the keys, and begin the gesture that fits the button and what lies below it."""
+        """Take the keyboard focus, and begin the gesture that fits the button and what is below."""
         canvas = self._canvas
         canvas.setFocus(Qt.FocusReason.MouseFocusReason)
         self._overlays.hush()
@@ -102,7 +103,7 @@ class Hand:
         return Band(canvas, event) if canvas.editing else Pan(canvas, event)
 
     def begin_connect(self, address: Address) -> None:
-        """Draw an operation from a state to where the next click lies; Esc leaves it."""
+        """Draw an operation from a state to the next click; Esc cancels."""
         sheet = self._canvas.sheet
         state = sheet.picture.node(address) if sheet is not None else -1
         if state >= 0:
@@ -112,7 +113,7 @@ class Hand:
             self._canvas.say("Click the target state, or empty canvas for a new one.")
 
     def move(self, event: QMouseEvent) -> None:
-        """Go on with the gesture; without one, hover what lies under the pointer."""
+        """Continue the gesture; without one update what is hovered."""
         if self._gesture is not None:
             self._gesture.move(event)
         else:
@@ -127,7 +128,7 @@ class Hand:
             self._hover(event.position())
 
     def double_click(self, event: QMouseEvent) -> None:
-        """Open what lies under the pointer; on empty canvas ask for a new state."""
+        """Enter a sub-SB, or rename what is below; on empty canvas ask for a new state."""
         canvas, sheet = self._canvas, self._canvas.sheet
         if event.button() is not Qt.MouseButton.LeftButton:
             return
@@ -154,12 +155,12 @@ class Hand:
             canvas.add_state_wanted.emit(at)
 
     def sub_at(self, state: int, at: QPointF) -> str:
-        """The sub-SB of the fact whose chip lies at a scene point; the empty text for none."""
+        """The sub-SB of the fact whose chip is at a scene point; empty for none."""
         sheet, digit = self._canvas.sheet, self.fact_at(state, at)
         return sheet.picture.face(state).chips[digit].sub if sheet and digit >= 0 else ""
 
     def fact_at(self, state: int, at: QPointF) -> int:
-        """The digit of the fact whose chip lies at a scene point; -1 for none."""
+        """The digit of the fact whose chip is at a scene point; -1 for none."""
         sheet = self._canvas.sheet
         if sheet is None or sheet.level is not Level.FULL:
             return -1
@@ -172,20 +173,20 @@ class Hand:
         return -1
 
     def _select_for_menu(self, event: QMouseEvent) -> None:
-        """A right click selects what it is about, unless that is selected already."""
+        """Select the element of a right click, unless it is selected already."""
         canvas = self._canvas
         address = canvas.address_at(canvas.mapToScene(event.position().toPoint()))
         if address is not None and address not in canvas.marks.selection:
             canvas.selection_wanted.emit((address,))
 
     def look_again(self) -> None:
-        """Another picture lies under a pointer that has not moved."""
+        """Update what is hovered: the picture changed below a pointer that did not move."""
         viewport = self._canvas.viewport()
         if self._gesture is None and viewport.underMouse():
             self._hover(QPointF(viewport.mapFromGlobal(QCursor.pos())))
 
     def left(self) -> None:
-        """The pointer has left the canvas."""
+        """The pointer has left the canvas: hover nothing."""
         if self._gesture is None:
             self._set_hover(-1, -1)
 
@@ -203,7 +204,7 @@ class Hand:
         self._set_hover(state, edge)
         if state >= 0 and canvas.editing and sheet.level >= Level.COMPACT:
             handle = nearest(sheet, state, point)
-            # Where the grip lies a handle would be drawn over it and take its place.
+            # A handle near the grip would cover it and take its clicks.
             hidden = self._near(handle, canvas.gestures.grip, CLEAR)
             canvas.gestures.put("handle", None if hidden else handle)
         elif canvas.gestures.handle is not None:
@@ -212,7 +213,10 @@ class Hand:
         self._cursor()
 
     def _kept_hover(self, point: QPointF) -> int:
-        """Just outside a node it is still meant while its handle is within reach."""
+        """The state beside the pointer, if the pointer is outside it but near its handle.
+
+        -1 for none.
+        """
         sheet = self._canvas.sheet
         assert sheet is not None
         near = sheet.state_at(point.x(), point.y(), REACH)
@@ -223,7 +227,7 @@ class Hand:
         return near if kept or self._near(point, handle, HANDLE_RADIUS + 2.0) else -1
 
     def handles(self, state: int) -> dict[str, QPointF]:
-        """Where the handles of a state stand, by side (scene points)."""
+        """The handles of a state as scene points, by side."""
         sheet = self._canvas.sheet
         return handles(sheet, state) if sheet is not None else {}
 
@@ -252,17 +256,17 @@ class Hand:
         canvas.hover_changed.emit(address)
 
     def hover_target(self, address: Address | None) -> None:
-        """Light the state an operation would lead to while it is drawn."""
+        """Highlight the state that would become the target; None removes the highlight."""
         sheet = self._canvas.sheet
         if sheet is not None:
             self._set_hover(sheet.picture.node(address) if address is not None else -1, -1)
 
     def hush(self) -> None:
-        """Take away what was said at the pointer."""
+        """Hide the sentence at the pointer."""
         self._overlays.hush()
 
     def _tip(self, state: int, edge: int) -> None:
-        """A name that is cut, or a label that hides, is told in a tooltip."""
+        """Set the tooltip: the full name of a state, or the words of an operation."""
         sheet = self._canvas.sheet
         assert sheet is not None
         tip = ""
@@ -282,7 +286,7 @@ class Hand:
         return sheet.picture.edge(selection[0])
 
     def show_grip(self) -> None:
-        """Show the grip at the arrowhead of the one selected operation."""
+        """Show the grip at the arrowhead if exactly one operation is selected."""
         canvas, sheet = self._canvas, self._canvas.sheet
         edge = self._grip_edge()
         place = None
@@ -306,7 +310,7 @@ class Hand:
     # Keys
 
     def key_press(self, event: QKeyEvent) -> bool:
-        """Whether a key was taken."""
+        """Act on a key; returns whether it was used."""
         if event.key() == Qt.Key.Key_Space and not event.modifiers():
             if not event.isAutoRepeat():
                 self._space = True
@@ -319,7 +323,7 @@ class Hand:
         return keys.press(self._canvas, event)
 
     def key_release(self, event: QKeyEvent) -> bool:
-        """Let go of Space; answers whether the key was used."""
+        """Take the release of Space; returns whether the key was used."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self._space = False
             self._cursor()
@@ -327,5 +331,5 @@ class Hand:
         return False
 
     def lost_focus(self) -> None:
-        """Let go of Space, because its release will not be heard."""
+        """Treat Space as released, because its release event will not come here."""
         self._space = False

@@ -1,6 +1,6 @@
-"""The zoom control: less, the zoom in percent (a click goes to 100 %), more, fit.
+"""The zoom control: zoom out, the zoom in percent (a click sets 100 %), zoom in, fit.
 
-Where states are outside the view it says how many, and a click brings them all in.
+If states are outside the view it shows how many; a click there fits all.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ OUTSIDE = 92
 
 
 class ZoomControl(Card):
-    """Stands at the bottom right of the canvas."""
+    """The card with the zoom buttons, usually at the bottom right of the canvas."""
 
     def __init__(self, canvas: BranchView, tokens: Tokens) -> None:
         super().__init__(canvas, tokens)
@@ -48,11 +48,11 @@ class ZoomControl(Card):
         self.show_zoom(1.0)
 
     def sizeHint(self) -> QSize:
-        """Wider while it says how many states are outside the view."""
+        """The size of the buttons; wider while it shows how many states are outside."""
         return QSize(156 + (0 if self.outside.isHidden() else OUTSIDE), 32)
 
     def show_outside(self, states: int) -> None:
-        """Say how many states are not in view; nothing where all of them are."""
+        """Show how many states are outside the view; 0 hides the number."""
         words = f"{states:,} outside" if states else ""
         if words != self.outside.text():
             self.outside.setText(words)
@@ -67,7 +67,7 @@ class ZoomControl(Card):
         self.value.setText(f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %")
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the card, and a line before the button that fits all."""
+        """Paint the card, and a line before the button Fit."""
         super().paintEvent(event)
         painter = QPainter(self)
         painter.setPen(QPen(self.tokens.line, 1.0))

@@ -1,5 +1,5 @@
-"""The lines of forms: a name, a field of one kind, and what is to be said about its value.
+"""The lines of forms: a name, a field of one kind, and a sentence about its value.
 
-A line never edits. It shows values, checks what is typed, says a refusal right below the field,
-and tells with ``given`` what was meant; the form around it makes the edit.
+A line never edits the blueprint. It shows values, checks what is typed, and shows a refusal below
+the field. The signal ``given`` carries a new value, and the form makes the edit.
 """

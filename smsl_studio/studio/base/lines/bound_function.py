@@ -1,4 +1,4 @@
-"""The library function an operation is bound to, and its arguments, typed as the function says."""
+"""The library function to which an operation is bound, and its typed arguments."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ KINDS: Mapping[object, tuple[str, str]] = {
 
 
 class BindingLine(FormLine):
-    """Chooses among the functions of the loaded plugins; ``given`` tells the whole binding."""
+    """A choice among the functions of the loaded plugins; ``given`` carries the whole binding."""
 
     def __init__(self, words: str, tip: str) -> None:
         self.field: Combo = Combo()
@@ -47,7 +47,7 @@ class BindingLine(FormLine):
         self.field.activated.connect(self._chosen)
 
     def set_plugins(self, loaded: Loaded) -> None:
-        """The functions that can be chosen."""
+        """Set the functions that can be chosen."""
         self._functions = {
             entry.name: entry for plugin in loaded.plugins for entry in plugin.library.operations
         }
@@ -73,7 +73,7 @@ class BindingLine(FormLine):
         self._show_arguments(written)
 
     def said(self, value: Any) -> str:
-        """The name of the function."""
+        """The name of the function, for the history."""
         if isinstance(value, Binding):
             return value.function
         return str(value["function"])
@@ -125,7 +125,7 @@ class BindingLine(FormLine):
 
 
 class ArgumentLine(FormLine):
-    """One argument of a function; its type stands in the field."""
+    """One argument of a function. The field shows which type it takes."""
 
     def __init__(self, name: str, kind: object, needed: bool) -> None:
         self.field: Field = Field()
@@ -137,7 +137,7 @@ class ArgumentLine(FormLine):
         self.field.editingFinished.connect(self._typed)
 
     def show_argument(self, value: Any) -> None:
-        """Show the value of the argument as it is typed."""
+        """Show the value of the argument as a user would type it."""
         self.field.settle(_argument_text(value))
 
     def _typed(self) -> None:
@@ -175,7 +175,7 @@ def _written(function: str, arguments: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _from_name(entry: OperationEntry | None, operation: str) -> dict[str, Any]:
-    """The arguments an operation's name gives, so that binding it by hand starts from there."""
+    """The arguments that follow from the operation's name, as a start for a binding by hand."""
     texts = entry.pattern.match(operation) if entry and entry.pattern and operation else None
     if entry is None or texts is None:
         return {}
@@ -186,7 +186,7 @@ def _from_name(entry: OperationEntry | None, operation: str) -> dict[str, Any]:
 
 
 def _missing(entry: OperationEntry, arguments: Mapping[str, Any]) -> str:
-    """What keeps a binding from fitting its function, in a sentence."""
+    """A sentence about what is wrong with the arguments; empty if they fit the function."""
     try:
         entry.signature.checked(arguments)
     except PluginError as error:

@@ -1,4 +1,4 @@
-"""A line for words of several lines."""
+"""A line for a text of several lines."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ HIGH = 62
 
 
 class TextBox(QPlainTextEdit):
-    """Text that is given back once when it is meant: on leaving it, or on Ctrl+Enter.
+    """A text edit whose text counts when it is left, or on Ctrl+Enter.
 
-    Escape puts the old text back.
+    Escape restores the old text.
     """
 
     done = Signal()
@@ -30,17 +30,17 @@ class TextBox(QPlainTextEdit):
 
     @property
     def changed(self) -> bool:
-        """Whether the text is another than the one that was shown."""
+        """Whether the text differs from the value that was shown."""
         return self.toPlainText() != self._settled
 
     def settle(self, text: str) -> None:
-        """Show a value; what was being typed is over."""
+        """Show a value and drop what was being typed."""
         self._settled = text
         if self.toPlainText() != text:
             self.setPlainText(text)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Escape puts the old text back, Ctrl+Enter gives the new one; other keys are typed."""
+        """Escape restores the old text; Ctrl+Enter emits ``done``; other keys type."""
         held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
         if event.key() == Qt.Key.Key_Escape and self.changed:
             self.setPlainText(self._settled)
@@ -51,14 +51,14 @@ class TextBox(QPlainTextEdit):
             super().keyPressEvent(event)
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Give the text, unless only a menu took the keys."""
+        """Emit ``done``, unless only a menu took the focus."""
         super().focusOutEvent(event)
         if event.reason() is not Qt.FocusReason.PopupFocusReason:
             self.done.emit()
 
 
 class BoxLine(FormLine):
-    """Words of several lines."""
+    """A line for a text of several lines."""
 
     def __init__(self, words: str, tip: str) -> None:
         self.field: TextBox = TextBox()
@@ -68,7 +68,7 @@ class BoxLine(FormLine):
         self.field.done.connect(self._typed)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
-        """Show the words where all entries have the same; else say that they differ."""
+        """Show the text if all entries have the same; otherwise say that they differ."""
         super().show_values(shown)
         values = [one.value or "" for one in shown]
         alike = bool(values) and same(values)

@@ -1,4 +1,4 @@
-"""Lines that are chosen: one of a few, or yes and no."""
+"""Lines with a choice: one of a few values, or yes and no."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _STANDARD, _VARIOUS = object(), object()
 
 
 class ChoiceLine(FormLine):
-    """One of a few values, as pairs (words, value)."""
+    """A choice of one of a few values, given as pairs (words, value)."""
 
     def __init__(self, words: str, tip: str, choices: Choices, none: str = NOT_SAID) -> None:
         self.field: Combo = Combo()
@@ -27,12 +27,12 @@ class ChoiceLine(FormLine):
         self.field.activated.connect(self._chosen)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
-        """Offer the choices and mark the one that is written, or that the entries differ."""
+        """Offer the choices and select the one that is written, or say that the entries differ."""
         super().show_values(shown)
         self.field.clear()
         alike = bool(shown) and same(list(shown))
         first = shown[0] if shown else ShownValue()
-        # A default is offered once, as what holds when nothing is written.
+        # A default appears once: as the value that applies if nothing is written.
         plain = [c for c in self._choices if first.origin or c[1] != first.standard]
         self._values = [_STANDARD, *(value for _, value in plain)]
         self.field.addItem(self._standard_words(shown))
@@ -46,7 +46,7 @@ class ChoiceLine(FormLine):
         self.field.setCurrentIndex(self._values.index(first.written) if written else 0)
 
     def said(self, value: Any) -> str:
-        """The words of a value; the value itself where no choice has it."""
+        """The words of a value; the value itself if no choice has it."""
         return next((words for words, one in self._choices if one == value), str(value))
 
     def _standard_words(self, shown: Sequence[ShownValue]) -> str:
@@ -63,7 +63,7 @@ class ChoiceLine(FormLine):
 
 
 class SwitchLine(FormLine):
-    """Yes or no; what was said can be taken back."""
+    """A switch for yes or no. Clear removes the written answer."""
 
     def __init__(self, words: str, tip: str) -> None:
         self.field: Switch = Switch()
@@ -77,7 +77,7 @@ class SwitchLine(FormLine):
         self.clear.clicked.connect(lambda: self.given.emit(None))
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
-        """Show yes where all entries say yes, and offer to take back what is written."""
+        """Show yes if all entries say yes, and offer Clear if an answer is written."""
         super().show_values(shown)
         values = [one.value for one in shown]
         self.field.setChecked(bool(values) and all(values))

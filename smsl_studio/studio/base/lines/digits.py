@@ -1,4 +1,4 @@
-"""Digits of an SB, typed with commas between."""
+"""A line for digits of an SB, separated by commas."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ class DigitsLine(ListLine):
     """Facts by their place in the fact string, counted from 0; each once, in order."""
 
     def text_of(self, value: Any) -> str:
-        """The digits with commas between them."""
+        """The digits, separated by commas."""
         return ", ".join(map(str, value))
 
     def value_of(self, text: str) -> Any:
-        """The digits in order, None for none; raises ``ValueError`` where a word is no digit."""
+        """The digits in order, None for none; raises ``ValueError`` if a word is no digit."""
         texts = super().value_of(text) or []
         for word in texts:
             if not (word.isascii() and word.isdecimal() and len(word) < 7):

@@ -1,4 +1,4 @@
-"""Naming a fact by typing: completion over the facts of all SBs, by place and by plain name."""
+"""Completion for the names of facts, over all SBs, by place and by plain name."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from smsl_studio.errors import did_you_mean
 from smsl_studio.studio.base.controls import NameDelegate
 
 MOST = 4096
-"""So many facts are offered; any other can still be typed."""
+"""The most facts that are offered. Others can still be typed."""
 TEXT = Qt.ItemDataRole.UserRole
 
 
 def fact_model(blueprint: Blueprint, parent: QObject) -> QStandardItemModel:
-    """Every fact as a row: ``SB/digit`` and its plain name."""
+    """The facts as rows: ``SB/digit`` and the plain name."""
     model = QStandardItemModel(parent)
     for branch in blueprint:
         for digit in range(branch.num_facts if branch.table else 0):
@@ -31,7 +31,7 @@ def fact_model(blueprint: Blueprint, parent: QObject) -> QStandardItemModel:
 
 
 class FactCompleter(QCompleter):
-    """Finds facts by any part of their place or name, and writes their place."""
+    """Finds facts by any part of their place or name, and completes to their place."""
 
     def __init__(self, model: QStandardItemModel, parent: QObject) -> None:
         super().__init__(model, parent)
@@ -44,12 +44,12 @@ class FactCompleter(QCompleter):
             popup.setItemDelegate(NameDelegate(popup))
 
     def pathFromIndex(self, index: QModelIndex | QPersistentModelIndex) -> str:
-        """What is written for a row: the place of the fact."""
+        """The text that a row completes to: the place of the fact."""
         return str(index.data(TEXT))
 
 
 def fact_fault(blueprint: Blueprint, text: str) -> str:
-    """Why a text names no fact, in a sentence; the empty text where it names one."""
+    """A sentence about why a text names no fact; empty if it names one."""
     fact = split_fact(text)
     if fact is None:
         return f"“{text[:40]}” names no fact. Write SB/digit, such as {_example(blueprint)}."

@@ -1,4 +1,4 @@
-"""Facts with the values they must have, in rows, as hazards and ``requires`` list them."""
+"""Rows of facts with the values they must have, for hazards and for ``requires``."""
 
 from __future__ import annotations
 
@@ -38,7 +38,10 @@ class FactLine:
 
 
 class FactRows(QWidget):
-    """``given`` tells all facts (``{"SB/digit": value}``) after any row was changed."""
+    """Rows of facts and values.
+
+    ``given`` carries all facts (``{"SB/digit": value}``) after any row was changed.
+    """
 
     given = Signal(object)
 
@@ -63,17 +66,17 @@ class FactRows(QWidget):
 
     @property
     def facts(self) -> dict[str, str]:
-        """The facts that are shown and complete."""
+        """The facts of all complete rows."""
         return dict(self._facts)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self._tokens = tokens
         for one in self.rows:
             one.gone.set_tokens(tokens)
 
     def show_facts(self, blueprint: Blueprint, facts: Mapping[str, str]) -> None:
-        """Show these facts; a row that is being added stays where the blueprint is the same."""
+        """Show these facts, one in each row."""
         if blueprint is not self._blueprint:
             self._model = None
         self._blueprint, self._facts = blueprint, dict(facts)
@@ -89,12 +92,12 @@ class FactRows(QWidget):
             self._explain(one)
 
     def add_row(self) -> None:
-        """An empty row to be filled in; it is told when fact and value stand in it."""
+        """Add an empty row. It counts when both fact and value are filled in."""
         empty = next((one for one in self.rows if not one.text), None) or self._new_row()
         empty.fact.setFocus()
 
     def refuse(self, sentence: str) -> None:
-        """Say below the rows why a change was refused; empty takes it away."""
+        """Show below the rows why a change was refused; empty hides the sentence."""
         self.refusal.setText(sentence)
         self.refusal.setVisible(bool(sentence))
 
@@ -129,7 +132,7 @@ class FactRows(QWidget):
                 widget.deleteLater()
 
     def _complete(self, one: FactLine) -> None:
-        """Completion is made when somebody types, and not for every row that is shown."""
+        """Make the completion when the user types, not for every row that is shown."""
         if one.fact.completer() is None and self._blueprint is not None:
             if self._model is None:
                 self._model = fact_model(self._blueprint, self)
@@ -158,7 +161,7 @@ class FactRows(QWidget):
         self.given.emit({**facts, text: value})
 
     def _explain(self, one: FactLine) -> None:
-        """The plain name of the fact and its values, in tooltip and completion."""
+        """Show the plain name of the fact and its values in tooltip and completion."""
         fact = split_fact(one.fact.text().strip())
         if fact is None or self._blueprint is None or fact_fault(self._blueprint, one.fact.text()):
             return

@@ -1,4 +1,4 @@
-"""What every line of a form has: a name at the left, a field, and words below it."""
+"""The parts of every line in a form: a name at the left, a field, and sentences below."""
 
 from __future__ import annotations
 
@@ -19,9 +19,11 @@ NOT_SAID, VARIOUS = "Not said", "Various"
 
 @dataclass(frozen=True)
 class ShownValue:
-    """The value of one word in one entry: as written there (None: not), and what holds without.
+    """The value of one word of the notes in one entry, and where it comes from.
 
-    ``origin`` says where that comes from, such as ``all Op_1b``; empty for a plain default.
+    ``written`` is the value in the entry itself (None: nothing is written). ``standard`` applies
+    without it. ``origin`` says where ``standard`` comes from, such as ``all Op_1b``; empty for a
+    plain default.
     """
 
     written: Any = None
@@ -30,12 +32,12 @@ class ShownValue:
 
     @property
     def value(self) -> Any:
-        """What holds."""
+        """The value that applies."""
         return self.standard if self.written is None else self.written
 
 
 class Sentence(Label):
-    """A sentence in one of the style sheet's roles, which takes no room while it is empty."""
+    """A label with a role of the style sheet that takes no room while it is empty."""
 
     def __init__(self, role: str, left: int = 0) -> None:
         super().__init__()
@@ -51,7 +53,10 @@ class Sentence(Label):
 
 
 class FormLine(QWidget):
-    """One line. ``given`` tells a value that was meant; None: nothing shall be written."""
+    """One line of a form.
+
+    ``given`` carries a new value; None means that nothing shall be written.
+    """
 
     given = Signal(object)
 
@@ -78,20 +83,23 @@ class FormLine(QWidget):
         column.addWidget(self.refusal)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
-        """Show the word in every entry; subclasses put it into their field."""
+        """Show the values of all entries that the form is about.
+
+        Subclasses put them into their field.
+        """
         self.refuse("")
         self.say(_origin_words(shown, self.said))
 
     def said(self, value: Any) -> str:
-        """A value in words, as steps and hints name it."""
+        """A value in words, for the history and for hints."""
         return f"“{value}”"
 
     def say(self, sentence: str) -> None:
-        """A quiet sentence below the field; the empty text takes it away."""
+        """Show a hint below the field; empty hides it."""
         self.hint.say(sentence)
 
     def refuse(self, sentence: str) -> None:
-        """Say below the field why a value was not taken; the empty text takes it away."""
+        """Show below the field why a value was refused; empty hides the sentence."""
         self.refusal.say(sentence)
         mark = getattr(self.field, "set_refused", None)
         if mark is not None:
@@ -107,12 +115,12 @@ def labelled(words: str, field: QWidget) -> QHBoxLayout:
 
 
 def same(values: Sequence[Any]) -> bool:
-    """Whether all values are one."""
+    """Whether all values are equal."""
     return all(value == values[0] for value in values[1:])
 
 
 def _origin_words(shown: Sequence[ShownValue], said: Any) -> str:
-    """Where a value comes from, where another would hold without it."""
+    """A hint that this entry overrides an inherited value; empty if it does not."""
     if len(shown) != 1 or shown[0].written is None or not shown[0].origin:
         return ""
     standard = shown[0].standard

@@ -1,4 +1,4 @@
-"""The facts an operation requires, as a line of its form."""
+"""The line for the facts that an operation requires."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from smsl_studio.studio.base.tips import tip_text
 
 
 class RequiresLine(FormLine):
-    """Rows of facts under a heading; where entries differ, what is added holds for all of them."""
+    """Rows of facts under a heading.
+
+    If the entries differ, a row that is added replaces them all.
+    """
 
     def __init__(self, words: str, tip: str, tokens: Tokens) -> None:
         super().__init__(words, QWidget(), tip)
@@ -30,11 +33,11 @@ class RequiresLine(FormLine):
         self.facts.given.connect(lambda facts: self.given.emit(facts or None))
 
     def set_blueprint(self, blueprint: Blueprint) -> None:
-        """Whose facts can be named."""
+        """Set the blueprint whose facts can be named."""
         self._blueprint = blueprint
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
-        """Show the required facts, and say where the entries differ or where they come from."""
+        """Show the required facts, and whether the entries differ or where the facts come from."""
         super().show_values(shown)
         values = [one.value for one in shown]
         if self._blueprint is None:
@@ -51,5 +54,5 @@ class RequiresLine(FormLine):
         return ", ".join(f"{fact} = {one}" for fact, one in value.items()) or "nothing"
 
     def refuse(self, sentence: str) -> None:
-        """Say below the rows why a change was refused."""
+        """Show below the rows why a change was refused."""
         self.refusal.say(sentence)

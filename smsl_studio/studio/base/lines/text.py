@@ -1,4 +1,4 @@
-"""Lines that are typed: a text, a number with its unit, a list."""
+"""Lines with typed values: a text, a number with its unit, a list."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from smsl_studio.studio.base.lines.line import VARIOUS, FormLine, ShownValue, sa
 
 
 class TextLine(FormLine):
-    """One line of text."""
+    """A line for a short text."""
 
     def __init__(self, words: str, tip: str, hint: str = "") -> None:
         self.field: Field = Field()
@@ -23,7 +23,7 @@ class TextLine(FormLine):
         self.field.editingFinished.connect(self._typed)
 
     def show_values(self, shown: Sequence[ShownValue]) -> None:
-        """Show the text where all entries have the same written; else a hint in its place."""
+        """Show the text if the same is written in all entries; otherwise a placeholder."""
         super().show_values(shown)
         written = [one.written for one in shown]
         alike = bool(shown) and same(written) and written[0] is not None
@@ -31,11 +31,11 @@ class TextLine(FormLine):
         self.field.setPlaceholderText(self._placeholder(shown))
 
     def text_of(self, value: Any) -> str:
-        """A value as it is typed."""
+        """A value in the form in which a user types it."""
         return str(value)
 
     def value_of(self, text: str) -> Any:
-        """What a text means; ValueError with a sentence where it means nothing."""
+        """The value of a typed text; ``ValueError`` with a sentence if it has none."""
         return text
 
     def _placeholder(self, shown: Sequence[ShownValue]) -> str:
@@ -61,16 +61,16 @@ class TextLine(FormLine):
 
 @dataclass(frozen=True)
 class NumberBounds:
-    """What numbers are taken: from ``least`` (or above it) to ``most``."""
+    """The allowed numbers: from ``least`` to ``most``."""
 
     least: float = 0.0
     open: bool = False
-    """Whether ``least`` itself is too little."""
+    """Whether ``least`` itself is not allowed."""
     most: float = 1e12
     whole: bool = False
 
     def sentence(self, text: str) -> str:
-        """Why a text is no such number; the empty text where it is one."""
+        """A sentence about why a text is no allowed number; empty if it is one."""
         kind, example = ("whole number", "2") if self.whole else ("number", "2.5")
         try:
             value = float(text)
@@ -87,7 +87,7 @@ class NumberBounds:
 
 
 class NumberLine(TextLine):
-    """A number; its unit stands in the field."""
+    """A line for a number. The field shows its unit."""
 
     def __init__(
         self, words: str, tip: str, bounds: NumberBounds, unit: str = "", hint: str = ""
@@ -97,11 +97,11 @@ class NumberLine(TextLine):
         self.field.set_suffix(unit)
 
     def text_of(self, value: Any) -> str:
-        """A number as it is typed."""
+        """A number in the form in which a user types it."""
         return number_text(value)
 
     def value_of(self, text: str) -> Any:
-        """The number that was typed; raises ``ValueError`` with the reason where it is none."""
+        """The typed number; raises ``ValueError`` with a sentence if it is not allowed."""
         text = text.replace(",", ".")
         sentence = self._bounds.sentence(text)
         if sentence:
@@ -115,9 +115,9 @@ class NumberLine(TextLine):
 
 
 class ListLine(TextLine):
-    """Several texts, with commas between them; one that holds a comma stands in quotes.
+    """A line for several texts, separated by commas; a text with a comma stands in quotes.
 
-    ``once`` drops what is typed twice; where the place of each text matters, it is kept.
+    ``once`` drops repeated texts.
     """
 
     def __init__(self, words: str, tip: str, hint: str = "", once: bool = True) -> None:
@@ -125,19 +125,19 @@ class ListLine(TextLine):
         self._once = once
 
     def text_of(self, value: Any) -> str:
-        """The texts with commas between them, in quotes where one holds a comma."""
+        """The texts, separated by commas; a text with a comma in quotes."""
         out = io.StringIO()
         csv.writer(out, lineterminator="").writerow(value)
         return out.getvalue().replace(",", ", ") if _plain(value) else out.getvalue()
 
     def value_of(self, text: str) -> Any:
-        """The texts that were typed; None for none."""
+        """The typed texts; None if there are none."""
         cells = next(csv.reader([text.replace("\n", " ")], skipinitialspace=True), [])
         texts = [cell.strip() for cell in cells if cell.strip()]
         return (list(dict.fromkeys(texts)) if self._once else texts) or None
 
     def said(self, value: Any) -> str:
-        """The texts with commas between them."""
+        """The texts, separated by commas."""
         return self.text_of(value)
 
 
@@ -146,7 +146,7 @@ def _plain(value: Sequence[str]) -> bool:
 
 
 def number_text(value: float | None) -> str:
-    """A number as it is typed; the empty text for none."""
+    """A number in the form in which a user types it; empty for None."""
     if value is None:
         return ""
     return str(int(value)) if float(value).is_integer() and abs(value) < 1e15 else repr(value)

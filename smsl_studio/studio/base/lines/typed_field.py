@@ -1,4 +1,4 @@
-"""What is still being typed into a field: taken over, with the caret left where it was."""
+"""Taking over what is still being typed into a field, without moving the caret."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from smsl_studio.studio.base.lines.box import TextBox
 
 
 def take_over(field: QWidget | None) -> None:
-    """Leaving a field is what takes its text over; so it is left, and gone back to.
+    """Take the focus from a field and give it back, because a field commits its text when it is
+    left.
 
-    A name that is edited in place has no field once it is taken over. The keys then go to what the
-    name stands in, because without a field or anything else that has them they would do nothing.
+    A name that is edited in place has no field after that. The focus then goes to the widget around
+    it, because keys without a focus do nothing.
     """
     if not isinstance(field, TextBox | QLineEdit):
         return
@@ -30,21 +31,21 @@ def take_over(field: QWidget | None) -> None:
 
 
 class _Mark:
-    """Where the caret of a field is, and which part of its text is selected."""
+    """The caret position of a field and the selected part of its text."""
 
     def __init__(self, field: QLineEdit) -> None:
         self._field, self._at = field, field.cursorPosition()
         self._first, self._length = field.selectionStart(), field.selectionLength()
 
     def put_back(self) -> None:
-        """Put caret and selection back to where they were."""
+        """Restore caret and selection."""
         self._field.setCursorPosition(self._at)
         if self._length:
             self._field.setSelection(self._first, self._length)
 
 
 def _what_it_stands_in(field: QWidget) -> QWidget | None:
-    """The nearest widget around a field that takes keys itself: a canvas, a tree."""
+    """The nearest widget around a field that takes the keyboard focus: a canvas, a tree."""
     around = field.parentWidget()
     while around is not None and around.focusPolicy() is Qt.FocusPolicy.NoFocus:
         around = around.parentWidget()

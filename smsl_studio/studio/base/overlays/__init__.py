@@ -1,4 +1,4 @@
-"""What floats over a canvas: breadcrumb, zoom control, legends, banner, cards.
+"""Widgets that float over a canvas: breadcrumb, legends, banner, cards.
 
-These widgets are children of the view, not of its viewport: a viewport scrolls its children along.
+They are children of the view. Children of its viewport would scroll with the picture.
 """

@@ -1,4 +1,4 @@
-"""The breadcrumb: file, base SBs, the SB that is shown; each but the last can be clicked."""
+"""The breadcrumb: file, base SBs, and the SB that is shown. All but the last can be clicked."""
 
 from __future__ import annotations
 
@@ -22,12 +22,14 @@ from smsl_studio.studio.base.theme import RADIUS_CHIP, Tokens, text_font
 from smsl_studio.studio.base.tips import tip_text
 
 EDGE, NARROWEST, VEIL = 14, 72.0, 235
-"""Pixels beside it in the view, and to which a name is shortened at most where room is short;
-how little is seen through it."""
+"""Pixels left free at both sides of the breadcrumb.
+
+The smallest width of a shortened name (pixels); the opacity of its background (of 255).
+"""
 
 
 def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
-    """The SBs from a root down to ``branch``, by the first base each names."""
+    """The SBs from a root down to ``branch``, along the first base that each names."""
     found = [branch]
     while blueprint.bases.get(found[0]):
         base = blueprint.bases[found[0]][0][0]
@@ -38,7 +40,7 @@ def chain(blueprint: Blueprint, branch: str) -> tuple[str, ...]:
 
 
 class Breadcrumb(QWidget):
-    """Stands at the top left; ``clicked`` names the SB to show, empty for the file."""
+    """The path at the top left. ``clicked`` carries the SB to show, empty for the file."""
 
     clicked = Signal(str)
 
@@ -53,7 +55,7 @@ class Breadcrumb(QWidget):
         self.setAccessibleName("Path")
 
     def show_branch(self, blueprint: Blueprint, branch: str) -> None:
-        """Show where an SB stands."""
+        """Show the path to an SB."""
         self._file = blueprint.file.replace("\\", "/").rpartition("/")[2]
         self._chain = chain(blueprint, branch) if branch in blueprint.branches else ()
         self._note = ""
@@ -75,16 +77,16 @@ class Breadcrumb(QWidget):
 
     @property
     def note(self) -> str:
-        """What is said of the SB behind its name."""
+        """The words behind the path: the numbers of states and operations of the SB."""
         return self._note
 
     @property
     def words(self) -> tuple[str, ...]:
-        """What is shown, from the file on."""
+        """The parts of the path, beginning with the file."""
         return (self._file, *self._chain)
 
     def place_of(self, part: int) -> QRectF:
-        """Where a part stands in the widget; part 0 is the file."""
+        """The rectangle of a part in the widget; part 0 is the file."""
         return self._places()[part]
 
     def _places(self) -> list[QRectF]:
@@ -95,7 +97,7 @@ class Breadcrumb(QWidget):
         return places
 
     def _widths(self) -> list[float]:
-        """How wide each name is shown: shortened from the file on, where the view is narrow."""
+        """The width of each name (pixels). In a narrow view names are shortened, the file first."""
         widths = [_width(text, i == len(self._chain) and i > 0)
                   for i, text in enumerate(self.words)]  # fmt: skip
         beside = 22.0 * len(widths) + 20 + _width(self._note, False)
@@ -113,7 +115,7 @@ class Breadcrumb(QWidget):
         return QSize(int(last + 12 + _width(self._note, False) + 8), 26)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Mark the part under the pointer, if it can be clicked."""
+        """Underline the part under the pointer, if it can be clicked."""
         at = event.position()
         found = (i for i, rect in enumerate(self._places()) if rect.contains(at))
         under = next(found, -1)
@@ -127,7 +129,7 @@ class Breadcrumb(QWidget):
             self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
-        """Mark no part."""
+        """Underline no part."""
         self._under = -1
         self.update()
 
@@ -136,18 +138,18 @@ class Breadcrumb(QWidget):
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Tell which part was clicked."""
+        """Emit ``clicked`` for the part under the pointer."""
         for i, rect in enumerate(self._places()):
             if rect.contains(event.position()) and i < len(self._chain):
                 self.clicked.emit(self._chain[i - 1] if i else "")
                 return
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the parts on a veil over the drawing."""
+        """Paint the parts on a background that half hides the drawing."""
         tokens = self.tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        # A large graph lies below it, and is not to be seen through the names.
+        # The drawing below must not be visible through the names.
         behind = QColor(tokens.canvas)
         behind.setAlpha(VEIL)
         painter.setPen(Qt.PenStyle.NoPen)

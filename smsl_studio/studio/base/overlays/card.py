@@ -1,4 +1,4 @@
-"""Card and IconButton: the ground and the buttons of what floats on the canvas."""
+"""Card and IconButton: the background and the buttons of floating widgets."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from smsl_studio.studio.base.tips import tip_text
 
 
 class Card(QWidget):
-    """A floating ground with a thin line and rounded corners."""
+    """A floating background with a thin border and rounded corners."""
 
     def __init__(self, parent: QWidget, tokens: Tokens, radius: float = RADIUS_CONTROL) -> None:
         super().__init__(parent)
@@ -30,7 +30,7 @@ class Card(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
     def float_up(self) -> None:
-        """Cast a soft shadow, as what floats over the picture does."""
+        """Give the card a soft shadow."""
         shadow = QGraphicsDropShadowEffect(self)
         shadow.setBlurRadius(22.0)
         shadow.setOffset(0.0, 4.0)
@@ -38,14 +38,14 @@ class Card(QWidget):
         self.setGraphicsEffect(shadow)
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme, with all icon buttons on the card."""
+        """Use the colours of another theme, also for the icon buttons on the card."""
         self.tokens = tokens
         for child in self.findChildren(IconButton):
             child.tokens = tokens
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground and its border."""
+        """Paint the background and its border."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self.tokens.line, 1.0))
@@ -56,7 +56,7 @@ class Card(QWidget):
 
 
 class PassingCard(Card):
-    """A card that is there for one answer: once closed it says so and is gone for good."""
+    """A card for one answer. After it closed it emits ``closed`` and is deleted."""
 
     closed = Signal()
 
@@ -66,9 +66,9 @@ class PassingCard(Card):
         self.float_up()
 
     def close_field(self) -> None:
-        """Go away; calling it twice is harmless.
+        """Close the card; a second call does nothing.
 
-        The keys go back to what it lay on, unless somebody has taken them elsewhere already.
+        If the card has the keyboard focus, the focus returns to the widget below.
         """
         if not self._closing:
             self._closing = True
@@ -81,12 +81,12 @@ class PassingCard(Card):
 
 
 def tint(label: QLabel, colour: QColor) -> None:
-    """Give a label its colour, whatever the style sheet of the window says of labels."""
+    """Set the colour of a label, independent of the window's style sheet."""
     label.setStyleSheet(f"color: {colour.name()}; background: transparent;")
 
 
 class IconButton(QAbstractButton):
-    """A button with a line icon, or with words; its name is its tooltip too."""
+    """A button with a line icon or with words; its name is also its tooltip."""
 
     def __init__(self, parent: QWidget, tokens: Tokens, icon: str, name: str) -> None:
         super().__init__(parent)
@@ -104,17 +104,17 @@ class IconButton(QAbstractButton):
         return QSize(30, 30)
 
     def enterEvent(self, event: QEnterEvent) -> None:
-        """Light the button while the pointer is on it."""
+        """Highlight the button while the pointer is on it."""
         self._inside = True
         self.update()
 
     def leaveEvent(self, event: QEvent) -> None:
-        """Light the button no more."""
+        """Remove the highlight."""
         self._inside = False
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the icon or the words, lit where the pointer is on it."""
+        """Paint the icon or the words, with a highlight under the pointer."""
         tokens = self.tokens
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

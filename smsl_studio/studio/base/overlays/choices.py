@@ -1,4 +1,4 @@
-"""The names that fit what is being typed; one is chosen by arrow keys or a click."""
+"""The list of names that fit what is being typed; arrow keys or a click choose one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROW = 28
 
 
 class Choices(QWidget):
-    """The names that fit what was typed; none is chosen until an arrow key or click does."""
+    """The list of fitting names. No name is chosen before an arrow key or a click."""
 
     chosen = Signal(str)
 
@@ -36,26 +36,26 @@ class Choices(QWidget):
         return tuple(self._names)
 
     def show_names(self, names: list[str]) -> None:
-        """Offer other names and choose none; without names it hides."""
+        """Offer these names and choose none; without names the list hides."""
         self._names, self._at = names, -1
         self.setVisible(bool(names))
         self.setFixedHeight(len(names) * ROW)
         self.update()
 
     def move_choice(self, step: int) -> None:
-        """Choose the name so many rows further; it goes round at the ends."""
+        """Move the choice by so many rows; it wraps around at the ends."""
         if self._names:
             self._at = (self._at + step) % len(self._names)
             self.update()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Tell the name that was clicked."""
+        """Emit ``chosen`` with the clicked name."""
         row = int(event.position().y() // ROW)
         if 0 <= row < len(self._names):
             self.chosen.emit(self._names[row])
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the names, the chosen one marked."""
+        """Paint the names, with a highlight on the chosen one."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for i, name in enumerate(self._names):

@@ -1,4 +1,4 @@
-"""The line around a canvas that has the keys."""
+"""The outline around a canvas that has the keyboard focus."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ WIDE = 2
 
 
 class FocusRing(QWidget):
-    """Covers only the border, so that the canvas is not painted again because of it."""
+    """A widget that covers only the border, so that the canvas below is not repainted for it."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
@@ -21,19 +21,19 @@ class FocusRing(QWidget):
         self.hide()
 
     def place(self, width: int, height: int) -> None:
-        """Lie around a view of this size."""
+        """Fit around a view of this size (pixels)."""
         self.setGeometry(0, 0, width, height)
         inner = self.rect().adjusted(WIDE, WIDE, -WIDE, -WIDE)
         self.setMask(QRegion(self.rect()).subtracted(QRegion(inner)))
 
     def show_focus(self, has: bool) -> None:
-        """Show whether keys go to the canvas."""
+        """Show or hide the outline."""
         self.setVisible(has)
         if has:
             self.raise_()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Fill the border with the accent."""
+        """Paint the border in the accent colour."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.tokens.acc)
         painter.end()

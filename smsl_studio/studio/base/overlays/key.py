@@ -1,4 +1,4 @@
-"""The key: what the short texts of compact nodes and labels stand for."""
+"""The key to the short texts of compact nodes and labels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LONGEST = 46
 
 
 class Key(QWidget):
-    """Stands at the top right while nodes show their facts alone."""
+    """Explains short texts at the top right while nodes show only their facts."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
@@ -27,11 +27,11 @@ class Key(QWidget):
 
     @property
     def rows(self) -> tuple[tuple[str, str], ...]:
-        """Pairs of a short text and what it stands for."""
+        """Pairs of a short text and its meaning."""
         return self._rows
 
     def show_picture(self, picture: Picture | None, compact: bool) -> None:
-        """Explain a picture; nothing is said where all names are written out."""
+        """Explain the short texts of a picture; hidden if all names are written out."""
         rows: list[tuple[str, str]] = []
         if picture is not None and len(picture) and compact:
             branch = picture.branch
@@ -56,7 +56,7 @@ class Key(QWidget):
         return QSize(int(max(widths, default=0.0)) + 4, ROW * len(self._rows))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the rows against the right edge, on a veil over the drawing."""
+        """Paint the rows against the right edge, on a background that half hides the drawing."""
         painter = QPainter(self)
         draw_veil(painter, self.rect(), self.tokens)
         for i, (code, words) in enumerate(self._rows):

@@ -1,4 +1,4 @@
-"""Legends: the sub-SB marks of the SB that is shown, or what is lit during a run."""
+"""Legends: the signs of sub-SBs in a drawing, and the signs of a run."""
 
 from __future__ import annotations
 
@@ -29,8 +29,10 @@ RUN_ROW = 22
 
 
 class Legend(QWidget):
-    """Explains rise, fall and mixed, with the name of the fact where there is one sub-SB, and the
-    lock of what needs other facts first."""
+    """Explains the signs rise, fall and mixed of sub-SBs, and the lock of required facts.
+
+    With one sub-SB it names its fact.
+    """
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
@@ -40,7 +42,7 @@ class Legend(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
     def show_branch(self, branch: StateBranch, kinds: set[str]) -> None:
-        """Explain the kinds that occur; nothing is shown where there are none."""
+        """Explain the signs of these kinds; without kinds the legend is empty."""
         subs = list(branch.subs)
         name = ""
         if len(subs) == 1:
@@ -68,7 +70,7 @@ class Legend(QWidget):
         return QSize(int(width) + 24, ROW * len(self._words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a mark and its words in each row, on a veil over the drawing."""
+        """Paint a sign and its words in each row, on a background that half hides the drawing."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         draw_veil(painter, self.rect(), self.tokens)
@@ -83,8 +85,11 @@ class Legend(QWidget):
 
 
 class RunLegend(QWidget):
-    """Explains the marks of a run: active, running, path so far, planned, pruned; what is held
-    back and the locks where operations need other facts; risky where one is."""
+    """Explains the signs of a run: active, running, path so far, planned, pruned.
+
+    If operations require facts it also explains the locks and what is held back, and the risky sign
+    if there is one.
+    """
 
     empty = False
 
@@ -97,7 +102,7 @@ class RunLegend(QWidget):
         self.show_kinds(guarded=False, risky=False)
 
     def show_kinds(self, guarded: bool, risky: bool) -> bool:
-        """Explain what may be seen in this SB; whether that is something else than before."""
+        """Explain the signs that this SB can show; returns whether the legend changed."""
         words: tuple[str, ...] = RUN_WORDS
         words += (HELD_BACK, MET, NOT_MET) if guarded else ()
         words += (RISK,) if risky else ()
@@ -115,7 +120,7 @@ class RunLegend(QWidget):
         return QSize(int(width) + 42, RUN_ROW * len(self.words))
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint a mark and its words in each row, on a veil over the drawing."""
+        """Paint a sign and its words in each row, on a background that half hides the drawing."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         draw_veil(painter, self.rect(), self.tokens)

@@ -1,4 +1,4 @@
-"""A line for a name in place, and what is said beside it when the name does not fit."""
+"""A line edit for a name on the canvas, and the label for what is wrong with the name."""
 
 from __future__ import annotations
 
@@ -13,7 +13,11 @@ from smsl_studio.studio.base.theme import Tokens, mono_font, text_font
 
 
 class NameLine(QLineEdit):
-    """A line for a name, in the code font; Enter and Esc are told, Tab goes to the next line."""
+    """A line edit in the code font.
+
+    Signals: ``done`` (Enter), ``left`` (Esc), ``moved`` (+1 or -1 for the arrows down and up),
+    ``tabbed`` (Tab).
+    """
 
     done = Signal()
     left = Signal()
@@ -34,9 +38,9 @@ class NameLine(QLineEdit):
         self.setMinimumHeight(28)
 
     def event(self, event: QEvent) -> bool:
-        """Keep letters from the window's shortcuts while a name is typed, and tell Tab."""
+        """Keep letters from the window's shortcuts while a name is typed, and emit ``tabbed``."""
         if isinstance(event, QKeyEvent) and event.type() is QEvent.Type.ShortcutOverride:
-            # Keys belong to the field while it is edited, not to the window's shortcuts.
+            # While a name is edited, plain keys belong to the field, not to the window's shortcuts.
             if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
                 event.accept()
             return True
@@ -50,7 +54,7 @@ class NameLine(QLineEdit):
         return super().event(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Tell Enter, Escape and the arrows up and down; other keys are typed."""
+        """Emit the signal of Enter, Escape, Up or Down; other keys type."""
         key = event.key()
         if key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.done.emit()
@@ -65,7 +69,7 @@ class NameLine(QLineEdit):
 
 
 def error_label(parent: QWidget, tokens: Tokens) -> QLabel:
-    """A hidden label that says in the colour of errors why a name does not fit."""
+    """A hidden label in the colour of errors, for what is wrong with a name."""
     label = Label("", parent)
     label.setFont(text_font(12))
     label.setWordWrap(True)
@@ -76,7 +80,7 @@ def error_label(parent: QWidget, tokens: Tokens) -> QLabel:
 
 
 def complain(label: QLabel, reason: str, width: int) -> None:
-    """Say a reason in such a label, this many pixels wide; empty hides it."""
+    """Show a reason in such a label with this width (pixels); empty hides it."""
     label.setText(reason)
     label.setFixedWidth(width)
     label.setFixedHeight(label.heightForWidth(width) if reason else 0)

@@ -1,4 +1,4 @@
-"""What the canvas says: a banner at its top, a word at the pointer, the empty pane."""
+"""Messages on the canvas: a banner at the top, a sentence at the pointer, a hint if it is empty."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from smsl_studio.studio.base.theme import Tokens, text_font
 
 
 class Banner(QWidget):
-    """A line across the top, such as "The drawing has moved on since this run began"."""
+    """A box across the top, such as "The drawing has moved on since this run began"."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent)
@@ -28,19 +28,19 @@ class Banner(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.tokens = tokens
         tint(self._text, tokens.risk)
         self.update()
 
     def show_text(self, text: str) -> None:
-        """Say something; empty hides the banner."""
+        """Show a text; empty hides the banner."""
         self._text.setText(text)
         self.setAccessibleName(plain_text(text))
         self.setVisible(bool(text))
 
     def fit(self, room: int) -> None:
-        """As wide as the words, at most ``room``; then they go on in another line."""
+        """Make the banner as wide as its text, at most ``room`` pixels; a longer text wraps."""
         metrics = self._text.fontMetrics()
         lines = self._text.text().split("\n")
         wide = max(metrics.horizontalAdvance(line) for line in lines) + 32
@@ -49,11 +49,11 @@ class Banner(QWidget):
 
     @property
     def text(self) -> str:
-        """What the banner says now."""
+        """The present text."""
         return self._text.text()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint the ground in the colours of a risk."""
+        """Paint the background in the colours of a risk."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(self.tokens.risk, 1.0))
@@ -63,7 +63,7 @@ class Banner(QWidget):
 
 
 class PointerNote(Card):
-    """A short sentence beside the pointer; it goes with the next press or move."""
+    """A short sentence beside the pointer."""
 
     def __init__(self, parent: QWidget, tokens: Tokens) -> None:
         super().__init__(parent, tokens)
@@ -79,11 +79,11 @@ class PointerNote(Card):
 
     @property
     def text(self) -> str:
-        """What is said now; the empty text while nothing is."""
+        """The sentence that is shown; empty if there is none."""
         return self._label.text() if not self.isHidden() else ""
 
     def say(self, text: str) -> None:
-        """Show a sentence, above everything else on the canvas."""
+        """Show a sentence above all other widgets of the canvas."""
         self._label.setText(text)
         tint(self._label, self.tokens.tx)
         self.setAccessibleName(plain_text(text))
@@ -93,7 +93,7 @@ class PointerNote(Card):
 
 
 class EmptyHint(QWidget):
-    """What an SB without states says."""
+    """The hint on an SB without states, with a button that opens a sample."""
 
     sample_wanted = Signal()
 
@@ -103,7 +103,7 @@ class EmptyHint(QWidget):
         self._label = Label("Double-click to add the first state", self)
         self._label.setFont(text_font(14))
         self._label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        # A double click on the words is meant for the canvas below them.
+        # A double click on the words must reach the canvas below.
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.sample = QPushButton("Open sample", self)
         self.sample.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -116,7 +116,7 @@ class EmptyHint(QWidget):
         self.hide()
 
     def set_tokens(self, tokens: Tokens) -> None:
-        """Take the colours of another theme."""
+        """Use the colours of another theme."""
         self.tokens = tokens
         tint(self._label, tokens.tx2)
 

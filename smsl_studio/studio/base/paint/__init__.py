@@ -1,1 +1,1 @@
-"""How states, operations and marks are painted, with nothing of a view around them."""
+"""Painters of states, operations and marks. They know no view."""

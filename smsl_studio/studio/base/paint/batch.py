@@ -1,4 +1,4 @@
-"""Batch painting: whole numpy buffers handed to QPainter in one call."""
+"""Batch painting: QPainter gets a whole numpy buffer in one call."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 
 
 def draw_lines(painter: QPainter, lines: Floats) -> None:
-    """Draw (n, 4) lines x1, y1, x2, y2."""
+    """Draw lines, (n, 4): x1, y1, x2, y2."""
     buffer = np.ascontiguousarray(lines, dtype=np.float64)
     if len(buffer):
         call: Any = painter.drawLines
@@ -22,7 +22,7 @@ def draw_lines(painter: QPainter, lines: Floats) -> None:
 
 
 def draw_points(painter: QPainter, points: Floats) -> None:
-    """Draw (n, 2) points as dots of the pen's width."""
+    """Draw points, (n, 2), as dots of the pen's width."""
     buffer = np.ascontiguousarray(points, dtype=np.float64)
     if len(buffer):
         call: Any = painter.drawPoints
@@ -30,7 +30,7 @@ def draw_points(painter: QPainter, points: Floats) -> None:
 
 
 def draw_rects(painter: QPainter, rects: Floats) -> None:
-    """Draw (n, 4) rectangles x, y, width, height."""
+    """Draw rectangles, (n, 4): x, y, width, height."""
     buffer = np.ascontiguousarray(rects, dtype=np.float64)
     if len(buffer):
         call: Any = painter.drawRects
@@ -42,7 +42,7 @@ def _wrapped(buffer: Floats, kind: type) -> Any:
 
 
 def draw_grid(painter: QPainter, area: QRectF, step: float, size: float, colour: QColor) -> None:
-    """Draw a dot (a small square) every ``step`` in an area, at the multiples of ``step``."""
+    """Draw small squares at the multiples of ``step`` in an area (scene units)."""
     xs = np.arange(np.floor(area.left() / step), np.ceil(area.right() / step) + 1) * step
     ys = np.arange(np.floor(area.top() / step), np.ceil(area.bottom() / step) + 1) * step
     corners = np.stack(np.meshgrid(xs, ys), axis=-1).reshape(-1, 2) - size / 2

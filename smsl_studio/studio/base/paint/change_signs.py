@@ -1,6 +1,7 @@
-"""Marks of a comparison: a sign, a pattern and a colour each, so that the colour may be missing.
+"""Signs of a comparison: each change has a sign, a line pattern and a colour.
 
-Red is for what is wrong; what was removed is not.
+Sign and pattern are enough without the colour. Red is kept for errors, so what was removed is not
+red.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from smsl_studio.studio.base.theme import Tokens
 
 
 def change_colours(sign: str, tokens: Tokens) -> tuple[QColor, QColor]:
-    """Line and fill of what was added, removed or changed."""
+    """The line and fill colours for ``+`` (added), ``-`` (removed) or ``~`` (changed)."""
     return {
         "+": (tokens.ok, tokens.oks),
         "-": (tokens.risk, tokens.risks),
@@ -21,14 +22,14 @@ def change_colours(sign: str, tokens: Tokens) -> tuple[QColor, QColor]:
 
 
 def change_dashes(sign: str) -> tuple[float, ...]:
-    """The pattern of its line."""
+    """The dashes of the line; empty for a solid line."""
     return (4.0, 3.0) if sign == "-" else ()
 
 
 def draw_change(
     painter: QPainter, x: float, y: float, radius: float, sign: str, tokens: Tokens
 ) -> None:
-    """A filled disc with the sign in it."""
+    """Draw a filled disc with the sign in it."""
     painter.setPen(NO_PEN)
     painter.setBrush(change_colours(sign, tokens)[0])
     painter.drawEllipse(QPointF(x, y), radius, radius)

@@ -1,4 +1,4 @@
-"""How an edge looks: line, arrowhead, label and signs, by what is lit about it."""
+"""Painting of an edge: line, arrowhead, label and signs."""
 
 from __future__ import annotations
 
@@ -27,17 +27,21 @@ from smsl_studio.studio.base.paint.ink import (
 )
 
 HEAD, LABEL_HEIGHT = 8.0, 15.0
-# Labels are 16 high; one pixel less lets those of lines 16 apart stand under each other.
+# Two labels whose lines are 16 apart must fit below each other, so a label is 15 high.
 MARK_WIDTH = 13.0
 
 
 @dataclass(frozen=True)
 class EdgeLook:
-    """What is lit about an edge; see Marks. ``running`` is the share of time, -1 while unknown."""
+    """The marks on one edge, see ``Marks``. An edge with a mark is lit (highlighted).
+
+    ``running`` is the part of the time that has passed, 0 to 1; -1 if it is unknown, None if the
+    operation does not run.
+    """
 
     selected: bool = False
     out: bool = False
-    """Whether it leaves the one selected state."""
+    """Whether the edge leaves the one selected state."""
     running: float | None = None
     trail: bool = False
     planned: bool = False
@@ -47,13 +51,14 @@ class EdgeLook:
     possible: bool = False
     finding: str = ""
     change: str = ""
-    """What a comparison tells: ``+``, ``-`` or ``~``."""
+    """The sign of a comparison: ``+``, ``-`` or ``~``; empty without a comparison."""
     hovered: bool = False
     dimmed: bool = False
 
     @property
     def lit(self) -> bool:
-        """Whether the edge is drawn after the others, with its label, at every level."""
+        """Whether the edge is highlighted: painted above the others, with its label, at every
+        level."""
         return bool(
             (self.selected or self.out or self.hovered or self.finding or self.possible)
             or (self.running is not None or self.trail or self.planned)
@@ -66,19 +71,19 @@ PLAIN = EdgeLook()
 
 @dataclass(frozen=True)
 class EdgeText:
-    """An edge's label: its words, its marks, and whether it is set in the code font."""
+    """The label of an edge: its words and signs, and whether it is in the code font."""
 
     text: str
     kind: str = ""
     mono: bool = False
     sign: str = ""
-    """The sign of a comparison that stands in front of it."""
+    """The sign of a comparison in front of the words."""
     guard: str = ""
-    """How what it requires stands (see ``guard_sign``); empty where it requires nothing."""
+    """The state of the required facts (see ``guard_sign``); empty if there are none."""
 
 
 def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
-    """The size of a label with its mark, in mark pixels."""
+    """Width and height of a label with its signs, in mark pixels."""
     type_ = ink.mono_label if text.mono else ink.label
     marks = MARK_WIDTH * (bool(text.kind) + bool(text.sign) + bool(text.guard))
     width = type_.width(text.text) + marks + 8.0
@@ -86,7 +91,8 @@ def label_size(text: EdgeText, ink: Ink) -> tuple[float, float]:
 
 
 class LineInk(NamedTuple):
-    """What lines are drawn with: ink, scene units in a pixel, and whether states are compact."""
+    """What a line is drawn with: ink, scene units in a mark pixel, and whether nodes are
+    compact."""
 
     ink: Ink
     unit: float
@@ -100,7 +106,7 @@ def paint_line(
     with_ink: LineInk,
     drawn: EdgeShapes | None = None,
 ) -> None:
-    """The line and its arrowhead; compact edges have a smaller one.
+    """Paint a line and its arrowhead; the head is smaller if nodes are compact.
 
     ``drawn`` keeps polygons from one painting to the next.
     """
@@ -130,7 +136,7 @@ def paint_plain(
     with_ink: LineInk,
     drawn: EdgeShapes,
 ) -> None:
-    """Lines and arrowheads of edges that all look alike: all lines, then all heads."""
+    """Paint edges that all look alike: first all lines, then all arrowheads."""
     ink, unit, compact = with_ink
     colour, width, dashes = _stroke(look, ink, compact)
     head = HEAD - (1.0 if compact else 0.0)
@@ -146,14 +152,18 @@ def paint_plain(
 
 
 class EdgeShapes:
-    """Polygons of lines and arrowheads by shape; a shape that is dropped takes them along."""
+    """The polygons of lines and arrowheads, kept by shape.
+
+    When a shape is freed, so are its polygons.
+    """
 
     def __init__(self) -> None:
         self._kept: WeakKeyDictionary[EdgeShape, tuple[float, QPolygonF, QPolygonF]]
         self._kept = WeakKeyDictionary()
 
     def of(self, shape: EdgeShape, head: float, short: float) -> tuple[QPolygonF, QPolygonF]:
-        """The line, shorter by ``short``, and its arrowhead of length ``head``."""
+        """The line, cut by ``short`` at its end, and the arrowhead of length ``head`` (scene
+        units)."""
         found = self._kept.get(shape)
         if found is None or found[0] != head:
             body = polyline(shape.cut(0.0, shape.length - short))
@@ -162,7 +172,7 @@ class EdgeShapes:
 
 
 def _stroke(look: EdgeLook, ink: Ink, compact: bool) -> tuple[QColor, float, tuple[float, ...]]:
-    """Colour, width and dashes, the strongest statement first."""
+    """Colour, width and dashes of a line; the most important mark decides."""
     tokens = ink.tokens
     if look.finding == "E":
         return tokens.bad, 2.4, ()
@@ -207,7 +217,7 @@ def _running(painter: QPainter, shape: EdgeShape, share: float, ink: Ink, unit: 
 
 
 def paint_head(painter: QPainter, shape: EdgeShape, colour: QColor, size: float) -> None:
-    """A filled arrowhead at the end of a line."""
+    """Paint a filled arrowhead at the end of a line; ``size`` is its length in scene units."""
     painter.setPen(NO_PEN)
     painter.setBrush(colour)
     painter.drawPolygon(head_polygon(shape, size))
@@ -216,7 +226,8 @@ def paint_head(painter: QPainter, shape: EdgeShape, colour: QColor, size: float)
 def head_polygon(shape: EdgeShape, size: float) -> QPolygonF:
     """The arrowhead at the tip of an edge; ``size`` is its length in scene units."""
     x, y = shape.tip
-    # The direction is taken over the head's own length, so that a curve's head sits on it.
+    # The direction is that of the last part of the line, as long as the head, so that the head fits
+    # a curve.
     bx, by = shape.at(max(shape.length - size, 0.0))
     dx, dy = x - bx, y - by
     length = (dx * dx + dy * dy) ** 0.5 or 1.0
@@ -232,7 +243,7 @@ def head_polygon(shape: EdgeShape, size: float) -> QPolygonF:
 
 
 def polyline(points: Floats) -> QPolygonF:
-    """Points as a polygon of Qt."""
+    """Points, (n, 2), as a polygon of Qt."""
     return QPolygonF([QPointF(x, y) for x, y in points.tolist()])
 
 
@@ -244,7 +255,7 @@ def paint_label(
     ink: Ink,
     ground: bool = True,
 ) -> None:
-    """A label about ``centre`` in mark pixels: boxed with its sign where there is a finding."""
+    """Paint a label centred on ``centre`` (mark pixels); one with a finding stands in a box."""
     tokens = ink.tokens
     if look.finding:
         _boxed(painter, text, centre, look.finding, ink)
@@ -281,7 +292,10 @@ def paint_label(
 
 
 def paint_pill(painter: QPainter, name: str, words: str, left: QPointF, ink: Ink) -> None:
-    """What runs and for how long, filled accent, from its left middle on (mark pixels)."""
+    """Paint the name and duration of a running operation.
+
+    ``left`` is the middle of its left end.
+    """
     tokens = ink.tokens
     rect = QRectF(left.x(), left.y() - 13.0, pill_width(name, words, ink), 26.0)
     painter.setPen(NO_PEN)
@@ -294,13 +308,13 @@ def paint_pill(painter: QPainter, name: str, words: str, left: QPointF, ink: Ink
 
 
 def pill_width(name: str, words: str, ink: Ink) -> float:
-    """How wide the pill of a running operation is, in mark pixels."""
-    # Room for a digit more, so that the pill does not twitch while the time runs.
+    """The width of the pill of a running operation, in mark pixels."""
+    # Room for one more digit, so that the pill keeps its width while the time runs.
     return ink.strong.width(name) + 6.0 + ink.plain.width(words) + 28.0
 
 
 def boxed_width(text: EdgeText, ink: Ink) -> float:
-    """How wide a label in a box is, in mark pixels."""
+    """The width of a label in a box, in mark pixels."""
     return ink.boxed.width(text.text) + 26.0
 
 
@@ -319,7 +333,7 @@ def _boxed(painter: QPainter, text: EdgeText, centre: QPointF, letter: str, ink:
 
 
 def paint_sign(painter: QPainter, x: float, y: float, look: EdgeLook, ink: Ink) -> bool:
-    """The sign on a line about (x, y) in mark pixels; False where it has none."""
+    """Paint the sign on a line, centred on (x, y) in mark pixels; False if there is none."""
     if look.pruned:
         draw_barred(painter, x, y, 7.5, ink.tokens)
     elif look.held_back:

@@ -1,4 +1,4 @@
-"""The sign of a guard: a lock whose shape says how the required facts stand."""
+"""The sign of a guard: a lock whose shape says whether the required facts hold."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ WORDS = {
 
 
 def draw_guard(painter: QPainter, x: float, y: float, how: str, tokens: Tokens) -> None:
-    """About (x, y), 9 wide. Open: holds. Closed and filled: does not. Dashed, "?": unknown.
-    Closed and pale: there is no run that would know.
+    """Draw the lock, 9 mark pixels wide, centred on (x, y).
+
+    Open: the facts hold. Closed and filled: they do not hold. Dashed with "?": unknown. Closed and
+    pale: there is no run, so nothing is known.
     """
     if how == UNKNOWN:
         _unknown(painter, x, y, tokens)

@@ -1,4 +1,4 @@
-"""Ink: the fonts, metrics and small signs every painter of the canvas draws with."""
+"""Ink: the fonts, text sizes and small signs that all painters of the canvas use."""
 
 from __future__ import annotations
 
@@ -27,12 +27,13 @@ NO_BRUSH = Qt.BrushStyle.NoBrush
 
 
 class Type:
-    """One font with its measure; widths are remembered."""
+    """One font with its metrics; the widths of texts are cached."""
 
     def __init__(self, font: QFont) -> None:
         self.font = font
         self.metrics = QFontMetricsF(font)
-        # Centres capitals and digits rather than the line, as the eye does.
+        # Centres on the height of capitals and digits, which looks better than the middle of the
+        # line.
         self.rise = self.metrics.capHeight() / 2
         self.width = lru_cache(maxsize=20_000)(self._measured)
 
@@ -40,26 +41,26 @@ class Type:
         return self.metrics.horizontalAdvance(plain_text(text))
 
     def elided(self, text: str, width: float) -> str:
-        """The text, its middle left out where it is wider than ``width``."""
+        """The text, without its middle if it is wider than ``width`` (pixels)."""
         if self.width(text) <= width:
             return text
         return self.metrics.elidedText(plain_text(text), Qt.TextElideMode.ElideMiddle, width)
 
     def draw(self, painter: QPainter, x: float, y: float, text: str, colour: QColor) -> None:
-        """Draw a text centred about (x, y)."""
+        """Draw a text centred on (x, y)."""
         painter.setFont(self.font)
         painter.setPen(colour)
         painter.drawText(QPointF(x - self.width(text) / 2, y + self.rise), plain_text(text))
 
     def draw_from(self, painter: QPainter, x: float, y: float, text: str, colour: QColor) -> None:
-        """Draw a text from x on, centred about y."""
+        """Draw a text that begins at x, centred on y."""
         painter.setFont(self.font)
         painter.setPen(colour)
         painter.drawText(QPointF(x, y + self.rise), plain_text(text))
 
 
 class Ink:
-    """The type of one theme's canvas."""
+    """The fonts and colours of the canvas in one theme."""
 
     def __init__(self, tokens: Tokens) -> None:
         self.tokens = tokens
@@ -86,7 +87,7 @@ def faded(colour: QColor, alpha: float) -> QColor:
 
 
 def draw_veil(painter: QPainter, box: QRect, tokens: Tokens) -> None:
-    """Half hide the drawing behind words that float over it, so that both can be told apart."""
+    """Half hide the drawing behind floating words, so that the words can be read."""
     painter.fillRect(box, faded(tokens.canvas, 0.88))
 
 
@@ -101,7 +102,7 @@ def pen(colour: QColor, width: float, dashes: tuple[float, ...] = ()) -> QPen:
 
 
 def hatch(colour: QColor) -> QBrush:
-    """Thin diagonal lines, the sign of what is not known."""
+    """A brush of thin diagonal lines, the sign for unknown."""
     rows = bytes(sum(1 << ((x) % 8) for x in range(8) if (x + y) % 4 == 0) for y in range(8))
     from PySide6.QtCore import QSize
 
@@ -118,7 +119,7 @@ def rounded_rect(x: float, y: float, w: float, h: float, radius: float) -> QPain
 
 
 def draw_octagon(painter: QPainter, x: float, y: float, size: float, tokens: Tokens) -> None:
-    """An error: a filled octagon with a cross."""
+    """Draw the sign of an error: a filled octagon with a cross."""
     r, c = size / 2, size / 2 * 0.414
     corners = [(-c, -r), (c, -r), (r, -c), (r, c), (c, r), (-c, r), (-r, c), (-r, -c)]
     painter.setPen(NO_PEN)
@@ -131,7 +132,7 @@ def draw_octagon(painter: QPainter, x: float, y: float, size: float, tokens: Tok
 
 
 def draw_warning(painter: QPainter, x: float, y: float, size: float, tokens: Tokens) -> None:
-    """A warning, or a risky operation: a filled triangle with a stroke."""
+    """Draw the sign of a warning or a risk: a filled triangle with a stroke."""
     r = size / 2
     painter.setPen(pen(tokens.risk, 1.0))
     painter.setBrush(tokens.risk)
@@ -144,7 +145,7 @@ def draw_warning(painter: QPainter, x: float, y: float, size: float, tokens: Tok
 
 
 def draw_note(painter: QPainter, x: float, y: float, size: float, tokens: Tokens) -> None:
-    """A note: a circle with an i."""
+    """Draw the sign of a note: a circle with an i."""
     r = size / 2 - 0.6
     painter.setPen(pen(tokens.slate, 1.3))
     painter.setBrush(tokens.surf)
@@ -156,7 +157,7 @@ def draw_note(painter: QPainter, x: float, y: float, size: float, tokens: Tokens
 def draw_finding(
     painter: QPainter, x: float, y: float, size: float, letter: str, tokens: Tokens
 ) -> None:
-    """The sign of a finding by its severity letter."""
+    """Draw the sign of a finding; ``letter`` is its severity (E, W or I)."""
     draw = {"E": draw_octagon, "W": draw_warning}.get(letter, draw_note)
     draw(painter, x, y, size, tokens)
 
@@ -164,7 +165,7 @@ def draw_finding(
 def draw_sub_mark(
     painter: QPainter, x: float, y: float, kind: str, colour: QColor, ground: QColor
 ) -> None:
-    """Rise, fall or mixed, centred about (x, y), 9 wide."""
+    """Draw the sign rise, fall or mixed, 9 wide, centred on (x, y)."""
     if kind == "mixed":
         painter.setPen(pen(colour, 1.3))
         painter.setBrush(ground)
@@ -187,7 +188,7 @@ def draw_sub_mark(
 
 
 def draw_barred(painter: QPainter, x: float, y: float, r: float, tokens: Tokens) -> None:
-    """Pruned: a circle with a bar."""
+    """Draw the sign of a pruned operation: a circle with a bar."""
     painter.setPen(pen(tokens.slate, 1.4))
     painter.setBrush(tokens.canvas)
     painter.drawEllipse(QPointF(x, y), r, r)
@@ -196,7 +197,7 @@ def draw_barred(painter: QPainter, x: float, y: float, r: float, tokens: Tokens)
 
 
 def draw_unknown(painter: QPainter, x: float, y: float, size: float, ink: Ink) -> None:
-    """Not known: hatched, dashed, with a question mark."""
+    """Draw the sign for unknown: a hatched, dashed box with a question mark."""
     tokens = ink.tokens
     box = rounded_rect(x - size / 2, y - size / 2, size, size, 4.0)
     painter.setPen(NO_PEN)

@@ -1,4 +1,4 @@
-"""Looks: marks and the pointer, turned into what each node and edge shows."""
+"""Looks: from marks and the pointer to the look of each node and edge."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from smsl_studio.studio.base.paint.node_paint import NodeLook
 
 
 class Looks:
-    """The look of every state and edge by number; only what is lit is kept."""
+    """The look of every state and edge by number. Only highlighted ones are stored."""
 
     def __init__(self, picture: Picture, marks: Marks) -> None:
         self._picture = picture
@@ -25,42 +25,45 @@ class Looks:
 
     @property
     def lit_states(self) -> list[int]:
-        """States that never fall below compact."""
+        """The highlighted states; their nodes are never smaller than compact."""
         return [i for i, look in self._nodes.items() if look.lit]
 
     @property
     def lit_edges(self) -> list[int]:
-        """Edges that are drawn above the others and at every level."""
+        """The highlighted edges; they are painted above the others, at every level."""
         lit = list(self._edges)
         if self.hovered_edge >= 0 and self.hovered_edge not in self._edges:
             lit.append(self.hovered_edge)
         return lit
 
     def is_lit(self, edge: int) -> bool:
-        """Whether something is lit about the edge, or the pointer is on it."""
+        """Whether a mark or the pointer is on the edge."""
         return edge in self._edges or edge == self.hovered_edge
 
     def node(self, state: int) -> NodeLook:
-        """How the state with this number looks."""
+        """The look of the state with this number."""
         found = self._nodes.get(state) or NodeLook(dimmed=self.marks.dimmed)
         return replace(found, hovered=True) if state == self.hovered_state else found
 
     def edge(self, edge: int) -> EdgeLook:
-        """How the edge with this number looks."""
+        """The look of the edge with this number."""
         found = self._edges.get(edge) or self.plain
         return replace(found, hovered=True) if edge == self.hovered_edge else found
 
     @property
     def guarded_edges(self) -> list[int]:
-        """Edges of which it is known how what they require stands."""
+        """The edges for which the marks tell the state of their required facts."""
         return list(self._guards)
 
     def guard(self, edge: int) -> str:
-        """How what an edge requires stands; empty where nothing says."""
+        """The state of an edge's required facts (see ``guard_sign``).
+
+        Empty if the marks do not tell it.
+        """
         return self._guards.get(edge, "")
 
     def change(self, marks: Marks) -> tuple[set[int], set[int]]:
-        """Take other marks; returns the states and edges whose look is another now."""
+        """Set other marks; returns the numbers of the states and edges whose look changed."""
         nodes, edges, dimmed = self._nodes, self._edges, self.marks.dimmed
         guards = self._guards
         self.marks = marks
@@ -78,7 +81,7 @@ class Looks:
 
     def _read(self, marks: Marks) -> None:
         self.plain = EdgeLook(dimmed=marks.dimmed)
-        """How every edge looks that is not lit."""
+        """The look of every edge without a highlight."""
         nodes: dict[int, dict[str, object]] = {}
         edges: dict[int, dict[str, object]] = {}
         named = ((self._picture.edge(address), how) for address, (how, _) in marks.guards.items())
@@ -136,7 +139,7 @@ class Looks:
             self._note(address, "running", -1.0 if share is None else share, {}, edges)
 
     def _light_out(self, address: Address, edges: dict[int, dict[str, object]]) -> None:
-        """The operations out of the one selected state are lit with it."""
+        """Highlight the operations that leave the one selected state."""
         state = self._picture.node(address)
         if state < 0:
             return
@@ -147,7 +150,8 @@ class Looks:
     def _near(
         self, nodes: dict[int, dict[str, object]], edges: dict[int, dict[str, object]]
     ) -> None:
-        """States that a planned, pruned or running operation touches do not step back."""
+        """Mark the two states of each planned, pruned or running operation, so that they are not
+        dimmed."""
         for edge, given in edges.items():
             if given.keys() & {"planned", "pruned", "running", "risky", "held_back"}:
                 for end in (self._picture.source[edge], self._picture.target[edge]):

@@ -1,6 +1,7 @@
-"""How a node looks: full with its name and facts, or compact with the facts alone.
+"""Painting of a node: full with name and facts, or compact with the facts alone.
 
-Everything is drawn about (0, 0) in mark pixels, so that node items, far layer and tests share it.
+Everything is drawn around (0, 0) in mark pixels, so that node items, far layer and tests can share
+it.
 """
 
 from __future__ import annotations
@@ -28,12 +29,12 @@ from smsl_studio.studio.base.theme import RADIUS_CHIP, RADIUS_NODE
 CHIP, GAP, CHIP_TOP = 18.0, 4.0, 27.0
 GLOW = (4.0, 5.5, 7.0, 9.0, 11.0, 13.5, 16.0, 19.0, 22.0)
 MARGIN = 30.0
-"""How far marks reach beyond a node's border: glow, ring, initial dot, finding."""
+"""How far signs reach beyond a node's border (mark pixels): glow, ring, initial dot, finding."""
 
 
 @dataclass(frozen=True)
 class NodeLook:
-    """What is lit about a node; see Marks."""
+    """The marks on one node, see ``Marks``."""
 
     selected: bool = False
     active: bool = False
@@ -43,7 +44,7 @@ class NodeLook:
     hovered: bool = False
     goal: bool = False
     near: bool = False
-    """Whether an operation that is lit touches it, so that it does not step back."""
+    """Whether a highlighted operation touches the state, so that it is not dimmed."""
     finding: str = ""
     change: str = ""
     """What a comparison tells: ``+``, ``-`` or ``~``."""
@@ -51,7 +52,7 @@ class NodeLook:
 
     @property
     def lit(self) -> bool:
-        """Whether the node never falls below compact."""
+        """Whether the node is highlighted, so that it is never smaller than compact."""
         return (
             self.selected
             or self.active
@@ -65,26 +66,26 @@ PLAIN = NodeLook()
 
 
 def full_width(face: Face, ink: Ink) -> float:
-    """108, growing with name and facts to 200."""
+    """The width of a full node: 108 to 200 mark pixels, as name and facts need."""
     chips = sum(chip_width(c, ink) + GAP for c in face.chips) - GAP
     wanted = max(ink.name.width(face.name) + 24.0, chips + 20.0, FULL_SIZE[0])
     return min(float(round(wanted)), FULL_MAX)
 
 
 def compact_width(face: Face, ink: Ink) -> float:
-    """46, growing with the facts."""
+    """The width of a compact node: at least 46 mark pixels, more if the facts need it."""
     return min(max(ink.short.width(face.short) + 18.0, COMPACT_SIZE[0]), COMPACT_MAX)
 
 
 def chip_width(chip: Chip, ink: Ink) -> float:
-    """How wide a chip is, in mark pixels; never less than it is high."""
+    """The width of a chip in mark pixels, at least its height."""
     return max(CHIP, ink.chip.width(chip.text) + 8.0)
 
 
 def chip_places(face: Face, ink: Ink, width: float) -> list[QRectF]:
-    """Where the chips of a full node stand, from the first digit on.
+    """The rectangles of the chips in a full node, from the first digit on.
 
-    Where not all fit there is room behind the last for a mark that counts the rest.
+    If not all fit, there is room behind the last for a text with the number of the others.
     """
     widths = [chip_width(chip, ink) + GAP for chip in face.chips]
     shown = len(widths)
@@ -99,7 +100,7 @@ def chip_places(face: Face, ink: Ink, width: float) -> list[QRectF]:
 
 
 def _row(widths: list[float], shown: int, ink: Ink) -> float:
-    """The width of the first chips, and of the mark that counts the rest."""
+    """The width of the first chips and of the text with the number of the others."""
     rest = len(widths) - shown
     mark = ink.chip.width(rest_mark(rest)) + GAP if rest else 0.0
     return sum(widths[:shown]) + mark - GAP
@@ -108,7 +109,7 @@ def _row(widths: list[float], shown: int, ink: Ink) -> float:
 def paint_node(
     painter: QPainter, face: Face, width: float, compact: bool, look: NodeLook, ink: Ink
 ) -> None:
-    """Paint one node about the origin."""
+    """Paint one node around the origin."""
     height = COMPACT_SIZE[1] if compact else FULL_SIZE[1]
     rect = QRectF(-width / 2, -height / 2, width, height)
     radius = 6.0 if compact else float(RADIUS_NODE)
@@ -137,7 +138,7 @@ def paint_node(
 
 
 def paint_goal(painter: QPainter, x: float, top: float, ink: Ink) -> None:
-    """The word below a goal, on a ground of its own, because arrows may come from below."""
+    """Paint the word "goal" below a node, on a background, because arrows may come from below."""
     half = ink.plain.width("goal") / 2 + 3.0
     painter.setPen(NO_PEN)
     painter.setBrush(faded(ink.tokens.canvas, 0.9))
@@ -149,7 +150,7 @@ def _surroundings(painter: QPainter, rect: QRectF, radius: float, look: NodeLook
     tokens = ink.tokens
     painter.setBrush(NO_BRUSH)
     if look.active:
-        # Strokes of one low alpha add up to a soft edge, without an effect that blurs.
+        # Several strokes with a low alpha make a soft edge without a blur effect, which is slow.
         painter.setBrush(NO_BRUSH)
         for reach in GLOW:
             painter.setPen(pen(faded(tokens.acc, 0.036), reach * 2))
@@ -223,7 +224,7 @@ def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook,
     name = ink.name.elided(face.name, width - 16.0)
     painter.setFont(ink.name.font)
     painter.setPen(colour)
-    # Without facts the name stands in the middle, with a title under it where there is one.
+    # Without facts the name stands in the middle, with the title below it if there is one.
     baseline = 19.0 - FULL_SIZE[1] / 2
     if not face.chips:
         baseline = -2.0 if face.title else ink.name.rise
@@ -247,7 +248,7 @@ def _name_and_chips(painter: QPainter, face: Face, width: float, look: NodeLook,
 def paint_chip(
     painter: QPainter, chip: Chip, place: QRectF, sensed: str, active: bool, ink: Ink
 ) -> None:
-    """Paint a fact; ``sensed`` is agrees, differs, unknown, transit or empty."""
+    """Paint a fact; ``sensed`` is agrees, differs, unknown, transit, or empty outside a run."""
     tokens = ink.tokens
     centre = place.center()
     if sensed == "unknown":
